@@ -7,6 +7,7 @@ use bridge::Bridge;
 use bridge::assess::Assess;
 use outcome::assessment::{Assessment, Facts};
 use outcome::checked::Checked;
+use outcome::given::Doubt;
 use outcome::statics::Statics;
 
 /// A bridge with the facts of its stages.
@@ -20,6 +21,8 @@ pub struct Evidence {
     pub facts: Facts,
     /// Weights and reactions at rest, where they were made.
     pub statics: Option<Statics>,
+    /// Doubtful values of the file, of its vehicles and of its rule.
+    pub doubts: Vec<Doubt>,
 }
 
 impl Evidence {

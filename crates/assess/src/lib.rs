@@ -5,9 +5,11 @@ pub mod chain;
 pub mod checkpoint;
 pub mod checks;
 pub mod condition;
+pub mod coverage;
 pub mod evidence;
 pub mod next;
 mod plan_facts;
+pub mod record;
 pub mod vary;
 pub mod vehicles;
 

@@ -228,7 +228,7 @@ mod tests {
 
     fn evidence() -> Evidence {
         let (asked, facts) = (Assess::default(), Facts::nothing());
-        Evidence { bridge: samples::bridgemill(), asked, facts, statics: None }
+        Evidence { bridge: samples::bridgemill(), asked, facts, statics: None, doubts: Vec::new() }
     }
 
     fn verdict(status: Judgement) -> Verdict {
@@ -238,6 +238,9 @@ mod tests {
             words: String::new(),
             finished: true,
             strength: Strength::default(),
+            given: Default::default(),
+            broken_by_rule: false,
+            open: Vec::new(),
         }
     }
 
@@ -252,6 +255,7 @@ mod tests {
             position: None,
             columns: None,
             strength: true,
+            needed: None,
         };
         Checked {
             code: "C204".into(),
@@ -342,7 +346,7 @@ mod tests {
         let list = steps(&e, &[], &verdict(Judgement::Adequate));
         assert!(list.len() == 1 && list[0].because.contains("none turns it"), "{list:?}");
         e.facts.sensitivity = Facts::nothing().sensitivity;
-        let why = NotMade { why: "positions without a result".into(), failed: true };
+        let why = NotMade::failed("positions without a result");
         let open = Checked {
             code: "C201".into(),
             title: "adequacy".into(),

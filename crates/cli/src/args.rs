@@ -118,6 +118,9 @@ pub struct Check {
 pub struct Collapse {
     /// The bridge file or block model file (TOML)
     pub file: PathBuf,
+    /// Say everything: every number, every check, every warning and assumption
+    #[arg(long)]
+    pub details: bool,
     /// Folder for results [default: out/NAME]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -281,6 +284,9 @@ pub struct Update {
 pub struct Assess {
     /// The bridge file (TOML), or a folder of bridge files
     pub file: PathBuf,
+    /// Say everything: every number, every check, every warning and assumption
+    #[arg(long)]
+    pub details: bool,
     /// Folder for report, results and finished stages [default: out/NAME; out/NAME-fleet for a folder]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

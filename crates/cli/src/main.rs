@@ -8,6 +8,7 @@ mod failure;
 mod folder;
 mod host;
 mod log;
+mod page;
 mod program;
 mod quantities;
 mod render;

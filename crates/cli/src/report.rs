@@ -1,6 +1,7 @@
 //! What a command answers: one object for scripts, a few lines for people.
 
 use crate::clock::Clock;
+use crate::page::Page;
 use crate::render::{self, Paint};
 use crate::screen::Screen;
 use crate::status::Status;
@@ -57,6 +58,11 @@ impl Report {
         self
     }
 
+    /// Sets the words of a page: whole, or as a first screen with the warnings that matter most.
+    pub fn show(&mut self, screen: &Screen, page: &Page) {
+        self.summary = if screen.details { page.whole() } else { page.first(&self.warnings) };
+    }
+
     /// Adds what was found in a file.
     pub fn add_findings(&mut self, name: &str, text: &[u8], list: &[Diagnostic]) {
         for finding in list {
@@ -87,7 +93,8 @@ impl Report {
     /// Adds a warning of the analysis and shows it.
     pub fn warn(&mut self, screen: &mut Screen, code: &str, message: &str) {
         self.warnings.push(json!({ "code": code, "message": message }));
-        if !screen.quiet {
+        // What concerns files and folders is told as it happens.
+        if screen.tells_each() || !screen.quiet && code.starts_with('F') {
             screen.remark(&render::warning(code, message, &Paint::for_stderr()));
         }
     }

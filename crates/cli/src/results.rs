@@ -64,7 +64,7 @@ pub fn publish(
             ::outcome::published::json(&report.object(&desk.schema, desk.clock))
         },
     )?;
-    report.summary += &written(files);
+    report.summary += &written(files, desk.screen.details);
     Ok(report)
 }
 
@@ -86,8 +86,8 @@ fn not_packed(folder: &Path, error: &rust_xlsxwriter::XlsxError) -> Failure {
     Failure::not_written(folder, &io::Error::other(error.to_string()))
 }
 
-/// What was written, in lines: only what is there is named.
-fn written(files: &[figures::File]) -> String {
+/// What was written, in lines, or in one by kinds: only what is there is named.
+fn written(files: &[figures::File], details: bool) -> String {
     let ending = |name: &str| name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_owned());
     let top = |wanted: &str| -> Vec<&str> {
         let names = files.iter().map(|file| file.name.as_str());
@@ -109,6 +109,10 @@ fn written(files: &[figures::File]) -> String {
         ("figures of both", [counted("before/", below("before/")), counted("after/", below("after/"))].concat()),
     ];
     let filled = groups.iter().filter(|(_, names)| !names.is_empty());
+    if !details {
+        let kinds: Vec<&str> = filled.map(|(what, _)| *what).collect();
+        return format!("  with {}\n", kinds.join(", "));
+    }
     filled.map(|(what, names)| format!("  {what}: {}\n", names.join(", "))).collect()
 }
 

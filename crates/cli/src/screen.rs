@@ -9,12 +9,19 @@ pub struct Screen {
     pub json: bool,
     /// No progress, no warnings.
     pub quiet: bool,
+    /// Everything in words, and warnings one by one; otherwise a first screen.
+    pub details: bool,
     failed: Option<io::Error>,
 }
 
 impl Screen {
     pub fn new(json: bool, quiet: bool) -> Screen {
-        Screen { json, quiet, failed: None }
+        Screen { json, quiet, details: true, failed: None }
+    }
+
+    /// Whether warnings are shown one by one as they come, and not on the first screen.
+    pub fn tells_each(&self) -> bool {
+        !self.quiet && (self.details || self.json)
     }
 
     /// Writes a result to stdout.

@@ -16,6 +16,7 @@ pub use validation::validation;
 pub use vary::vary;
 pub use vehicles::vehicles;
 
+use crate::page::Page;
 use ::outcome::calibration::{CalibrationReport, Measured, Spread};
 use ::outcome::collapse::{Collapse, Combination};
 use ::outcome::picture::{Hinge, HingeAt};
@@ -27,10 +28,10 @@ use std::fmt::Write;
 const MOST_HINGES: usize = 10;
 
 /// What was found, what it rests on, where the rest is.
-pub fn collapse(found: &Collapse, out: &str) -> String {
+pub fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
     let mut page = format!("{}: {}\n\n", found.bridge, title(found));
     match found.analysis() {
-        Analysis::Load => loads(&mut page, found),
+        Analysis::Load => loads(&mut page, found, details),
         Analysis::Thickness => thickness(&mut page, found),
         Analysis::SupportMovement => movement(&mut page, found),
     }
@@ -40,21 +41,17 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
     if let Some(both) = &found.combination {
         combination(&mut page, both);
     }
-    if !found.assumptions.is_empty() {
-        page += "\nThis assumes:\n";
+    let mut assumptions = found.assumptions.clone();
+    if !assumptions.is_empty() {
         let walls = found.wall_strip.iter().flat_map(|wall| &wall.assumptions);
         let both = found.combination.iter().flat_map(|both| &both.assumptions);
-        let more = walls.chain(both).filter(|line| !found.assumptions.contains(line));
-        for line in found.assumptions.iter().chain(more) {
-            let _ = writeln!(page, "  - {line}");
-        }
+        assumptions.extend(walls.chain(both).filter(|line| !found.assumptions.contains(line)).cloned());
     }
-    let _ = writeln!(page, "\nResults are in {out}");
-    page
+    Page { body: page, assumptions, place: format!("Results are in {out}") }
 }
 
 /// The governing position of a sweep, and a few of the others.
-pub fn sweep(sweep: &Sweep, out: &str) -> String {
+pub fn sweep(sweep: &Sweep, out: &str) -> Page {
     let methods = if sweep.is_deformable() { "limit analysis and on joints that give" } else { "limit analysis" };
     let mut page = format!("{} positions of the loads by {methods}\n\n", sweep.points.len());
     if !sweep.whole {
@@ -94,8 +91,7 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
         }
         None => page += "  no position makes a mechanism of the bridge\n",
     }
-    let _ = writeln!(page, "\nResults are in {out}");
-    page
+    Page { body: page, assumptions: sweep.assumptions.clone(), place: format!("Results are in {out}") }
 }
 
 /// Moduli of the fill, the stiffness that was found, and its check.
@@ -176,7 +172,7 @@ fn title(found: &Collapse) -> String {
     format!("{} by {method}, {} blocks", found.status.word().replace('-', " "), found.blocks)
 }
 
-fn loads(page: &mut String, found: &Collapse) {
+fn loads(page: &mut String, found: &Collapse, details: bool) {
     if let Some(headline) = found.headline() {
         let (load, whole) = (headline.load / 1e3, headline.whole / 1e3);
         let _ = match found.has_own_widths() {
@@ -188,7 +184,11 @@ fn loads(page: &mut String, found: &Collapse) {
         let _ = writeln!(page, "  {:<22}  {}", "", headline.from);
     }
     let both = found.combination.is_some();
+    let printed = |load: f64| format!("{:.2}", load / 1e3);
+    // One number leads: what repeats it is a detail.
+    let led = found.headline().filter(|_| !details && !both).map(|headline| printed(headline.load));
     let mut line = |name: &str, load: Option<f64>| {
+        let load = load.filter(|load| led.as_ref().is_none_or(|led| printed(*load) != *led));
         if let Some(load) = load.filter(|_| both) {
             let _ = writeln!(page, "  {name:<22}  {:>9.2} kN/m   of the strip between the walls", load / 1e3);
         } else if let Some(load) = load {

@@ -1,6 +1,6 @@
 //! An assessment: the facts of every stage, the checks that read them, and the verdict. Reports read nothing else.
 
-use crate::checked::{Checked, Verdict};
+use crate::checked::{Checked, Verdict, governing};
 use crate::condition::Condition;
 use crate::facts::{
     CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
@@ -19,6 +19,13 @@ pub enum Stage<T> {
     NotAsked(String),
     /// It was asked for and came to no end: in words.
     Failed(String),
+    /// The file asks for it and the command left it out: the stage, and in words.
+    LeftOut {
+        /// Its name.
+        stage: String,
+        /// In words.
+        why: String,
+    },
 }
 
 impl<T> Stage<T> {
@@ -34,13 +41,21 @@ impl<T> Stage<T> {
     pub fn why_not(&self) -> Option<&str> {
         match self {
             Stage::Made(_) => None,
-            Stage::NotAsked(why) | Stage::Failed(why) => Some(why),
+            Stage::NotAsked(why) | Stage::Failed(why) | Stage::LeftOut { why, .. } => Some(why),
         }
     }
 
     /// Whether it was asked for and came to no end.
     pub fn failed(&self) -> bool {
         matches!(self, Stage::Failed(_))
+    }
+
+    /// Its name where the file asks for it and the command left it out.
+    pub fn left_out(&self) -> Option<&str> {
+        match self {
+            Stage::LeftOut { stage, .. } => Some(stage),
+            _ => None,
+        }
     }
 }
 
@@ -88,6 +103,19 @@ fn no_cases() -> Stage<CasesFacts> {
 }
 
 impl Facts {
+    /// Stages that the file asks for and the command left out.
+    pub fn left_out(&self) -> Vec<String> {
+        let stages = [
+            self.update.left_out(),
+            self.service.left_out(),
+            self.ultimate.left_out(),
+            self.vehicles.left_out(),
+            self.cases.left_out(),
+            self.movement.left_out(),
+        ];
+        stages.into_iter().flatten().map(str::to_owned).collect()
+    }
+
     /// Warnings of every stage, each with the stage's name.
     pub fn warnings(&self) -> impl Iterator<Item = (&'static str, &Warning)> {
         let lists: [(&str, &[Warning]); 6] = [
@@ -141,6 +169,18 @@ pub struct Assessment {
     /// What to do next, by rule.
     #[serde(default)]
     pub next: Vec<Step>,
+}
+
+impl Assessment {
+    /// The stage whose check governs: that of the file's loads at collapse or of its vehicles; none where another does.
+    pub fn governing_stage(&self) -> Option<&'static str> {
+        let (check, _) = governing(&self.checked)?;
+        match self.checked[check].code.as_str() {
+            "C201" | "C202" => Some("collapse"),
+            "C204" => Some("vehicles"),
+            _ => None,
+        }
+    }
 }
 
 words! {

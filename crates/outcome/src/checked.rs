@@ -1,5 +1,6 @@
 //! Checks and the verdict: what was compared with what.
 
+use crate::given::Given;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
 
@@ -45,6 +46,9 @@ pub struct Comparison {
     pub columns: Option<[f64; 5]>,
     /// Whether this is a check of strength: at ultimate, under factors with a source.
     pub strength: bool,
+    /// What the value must reach for a verdict, where the factors are the engineer's own and the uncertainty of the method comes on top.
+    #[serde(default)]
+    pub needed: Option<f64>,
 }
 
 impl Comparison {
@@ -61,12 +65,20 @@ pub struct NotMade {
     pub why: String,
     /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
     pub failed: bool,
+    /// The stage that it rests on, where the file asks for it and the command left it out.
+    #[serde(default)]
+    pub left_out: Option<String>,
 }
 
 impl NotMade {
     /// For a reason that is no failure.
     pub fn because(why: impl Into<String>) -> NotMade {
-        NotMade { why: why.into(), failed: false }
+        NotMade { why: why.into(), failed: false, left_out: None }
+    }
+
+    /// For an analysis that came to no end.
+    pub fn failed(why: impl Into<String>) -> NotMade {
+        NotMade { why: why.into(), failed: true, left_out: None }
     }
 }
 
@@ -103,12 +115,12 @@ words! {
     pub enum Rung {
         /// A limit is not met.
         NotAdequate = "Not adequate",
-        /// An analysis came to no end.
+        /// An analysis came to no end, or something is missing that the rule asks for.
         Undetermined = "Undetermined",
         /// Nothing could be compared.
-        NothingCompared = "Undetermined: strength not assessed",
-        /// Limits are met and strength was not assessed.
-        LimitsMet = "Limits met; strength not assessed",
+        NothingCompared = "Undetermined: nothing was compared",
+        /// Limits are met, and the file asks for no check of strength.
+        LimitsMet = "Limits met; strength not asked for",
         /// Limits are met, strength among them.
         Adequate = "Adequate",
     }
@@ -127,6 +139,24 @@ pub struct Verdict {
     pub finished: bool,
     /// Whether strength was assessed, what is missing, and what qualifies it.
     pub strength: Strength,
+    /// By what it is given, and what stands beside it.
+    #[serde(default)]
+    pub given: Given,
+    /// Whether a load case of the rule is among what is not met.
+    #[serde(default)]
+    pub broken_by_rule: bool,
+    /// What keeps it undetermined, each in a few words.
+    #[serde(default)]
+    pub open: Vec<String>,
+}
+
+/// A value and its limit with as many digits as tell them apart, three of the value at least: 1.897 of 1.9 is not 1.90 of 1.90.
+pub fn told_apart(value: f64, limit: f64) -> [String; 2] {
+    let whole = value.abs().max(limit.abs()).max(f64::MIN_POSITIVE).log10().floor() as i32 + 1;
+    let least = (4 - whole).clamp(0, 4) as usize;
+    let written = |digits: usize| [value, limit].map(|one| format!("{one:.digits$}"));
+    let digits = (least..=9).find(|digits| value == limit || written(*digits)[0] != written(*digits)[1]);
+    written(digits.unwrap_or(9))
 }
 
 /// The finding with the largest utilisation: indices of its check and of itself.
@@ -148,4 +178,20 @@ pub struct Strength {
     pub missing: Vec<String>,
     /// What qualifies a check that was made, in words.
     pub qualifications: Vec<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_and_its_limit_are_told_apart() {
+        let both = |value, limit| told_apart(value, limit).join(" of ");
+        assert_eq!(both(1.8999, 1.9), "1.8999 of 1.9000");
+        assert_eq!(both(1.9, 1.9), "1.900 of 1.900");
+        assert_eq!(both(0.58, 1.25), "0.580 of 1.250");
+        assert_eq!(both(123.4, 120.0), "123.4 of 120.0");
+        assert_eq!(both(1.899_999_9, 1.9), "1.8999999 of 1.9000000");
+        assert_eq!(both(0.0, 0.0), "0.0000 of 0.0000");
+    }
 }

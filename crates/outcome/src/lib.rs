@@ -7,6 +7,7 @@ pub mod checked;
 pub mod collapse;
 pub mod condition;
 pub mod facts;
+pub mod given;
 pub mod ground;
 pub mod mesh;
 pub mod passage;

@@ -24,7 +24,7 @@ pub use shapes::{schema_of_rules, schema_of_vehicles};
 pub use sweep::sweep;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 pub use update::{histories_table, samples_table, sweeps_table, told, update};
-pub use validation::{validation, validation_table};
+pub use validation::{record, validation, validation_table};
 pub use vary::{collapse_numbers, run_from_record, run_record, vary, vary_table};
 pub use vehicles::{vehicle_envelope_table, vehicle_sections_table, vehicle_sweep, vehicles_table};
 

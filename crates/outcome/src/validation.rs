@@ -82,6 +82,8 @@ pub struct Prediction {
     pub by_packings: Option<[f64; 2]>,
     /// Runs at the ends of intervals, or with other packings, that gave no load, and how they ended.
     pub without: Vec<String>,
+    /// The load with the expected prior values where joints never crush [N], of limit analysis.
+    pub without_crushing: Option<f64>,
     /// Of a continuum: the upper bound that belongs to `load` [N]; the answer lies between them.
     pub upper_bound: Option<f64>,
     /// Of a continuum: the lower bound with half of the soil's strength [N].

@@ -298,22 +298,23 @@ findings::cards! {
          what rule of yours asks for it, and how much, is for the assessor.";
     /// No ultimate check under sourced factors.
     STRENGTH_OPEN = "A190", "strength was not assessed",
-        "The ladder of verdicts, from its lowest rung: inadequate, a limit is not met (exit code 1); undetermined, an \
-         analysis on which a check depends did not finish (3); undetermined, limits are met or there are none, but no \
-         ultimate check was made under factors with a source, so that strength was not assessed (1); adequate, such a \
-         check was made and every limit is met (0). An ultimate check under factors with a source is C204 by a rule \
-         with a live load factor above 1 that is read, calculated or recalled from a named document, or C201 with \
-         adequacy_source in [assess] and a factor above 1. Checks of deflection, stress, thrust line, share of a load \
-         and MEXE do not assess ultimate strength. The message says what is missing.";
+        "The ladder of verdicts, from its lowest rung: not adequate, a limit is not met (exit code 1); undetermined, an \
+         analysis on which a check depends did not finish (3), or something is missing that the rule asks for (1); limits \
+         met, strength not asked for, where the file names no rule (1); adequate by a named rule, whose every check was \
+         made and met (0). The rule is that of [sweep]: it is met by every load case of its loading that applies to the \
+         spans, under the factors that acted, above 1 on live loads and with a source, with strength, dispersal, braking, \
+         directions and skew as it asks. Without [sweep] it is adequacy_factor of [assess] with its source. A stage that \
+         the file asks for and the command skips leaves the verdict undetermined. Checks of deflection, stress, thrust \
+         line, share of a load and MEXE do not assess ultimate strength. The message says what is missing.";
     /// The program's own model factor.
-    MODEL_SCATTER = "A191", "the model factor of limit analysis is the program's own",
-        "The model factor comes from full-scale tests to collapse, compared with limit analysis with fill as weight \
-         alone: test load over prediction has a median of 1.34, a scatter of 0.35 (standard deviation of the \
-         logarithm) and, from four tests, a 5 % fractile of 0.53. Its reciprocal, 1.9, is the model factor where the \
-         rule's own was not read in its source, and for adequacy_factor of [assess] without model_factor. Below the \
-         rule's limit a bridge is not adequate; from the limit to the limit times the model factor strength is not \
-         assessed; above that it is. A rule_file with a model factor that was read, or model_factor in [assess], \
-         replaces it. docs/verification/model-factor.md lists the tests.";
+    MODEL_SCATTER = "A191", "the model factor is that of tests to collapse",
+        "The factors of a standard cover its own method, and no model factor of the program multiplies them: the record \
+         of the method stands beside the verdict. Under factors of the engineer's own (adequacy_factor without \
+         model_factor, a rule_file whose model factor was not read) a verdict needs the model factor of bridges that were \
+         tested to collapse: the reciprocal of what 95 % of further bridges are expected to carry of the prediction of \
+         limit analysis with fill as weight and without crushing. Between the limit and the limit times that factor \
+         nothing is settled. model_factor in [assess] with its source replaces it, and model_factor = \"tests\" brings it \
+         into every check of strength. docs/verification/model-factor.md lists the tests.";
     /// Cohesion at hinges.
     COHESION_PRESSED = "A192", "cohesion of joints counts where they are compressed",
         "A joint that turns about its edge is in contact over a length of thrust divided by strength, and open \
@@ -402,6 +403,9 @@ impl Warning {
         Warning { code, message: message.into() }
     }
 }
+
+/// Warnings of where a load goes at one position: they matter where that position governs.
+pub const OF_A_POSITION: [&str; 2] = [SHIFTED_LOAD, GROUND_LOAD];
 
 #[cfg(test)]
 mod tests {

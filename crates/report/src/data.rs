@@ -24,7 +24,7 @@ macro_rules! objects {
 /// Every string of the page, and its drawings as they were made.
 pub fn data(material: &Material<'_>) -> Value {
     let page = page(material);
-    let mut data = object!(page: bridge status headline whole missing qualifications augment limits_source update_words runs loads collapse grades rule factors
+    let mut data = object!(page: bridge status headline whole missing beside qualifications augment limits_source update_words runs loads collapse grades rule factors
         discrete_elements movement changes_words notes findings warnings assumptions no_update no_service no_collapse no_changes);
     let rows = [
         ("checks", objects!(page.checks => code title load value limit unit used bar met governs basis of)),

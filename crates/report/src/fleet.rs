@@ -24,6 +24,16 @@ pub struct FleetRow {
     pub broken: usize,
     /// The verdict, or what is wrong with the file.
     pub words: String,
+    /// The verdict in a line, and by what it is given.
+    pub head: String,
+    /// What stands beside it, in lines.
+    pub beside: Vec<String>,
+    /// Stages that the file asks for and the command left out.
+    pub skipped: Vec<String>,
+    /// Load cases of the rule that were left out.
+    pub left_out: Vec<String>,
+    /// Codes of doubtful values.
+    pub doubtful: Vec<String>,
     /// Its report, relative to the table; empty where there is none.
     pub report: String,
 }
@@ -51,10 +61,12 @@ fn sorted(rows: &[FleetRow]) -> Vec<&FleetRow> {
 /// The table for scripts.
 pub fn fleet_csv(rows: &[FleetRow]) -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " "));
-    let mut csv = String::from("file,bridge,status,utilisation,governing,load_model,not_met,verdict,report\n");
+    let mut csv = String::from(
+        "file,bridge,status,utilisation,governing,load_model,not_met,verdict,report,head,beside,skipped,load_cases_left_out,doubtful\n",
+    );
     for row in sorted(rows) {
         csv += &format!(
-            "{},{},{},{},{},{},{},{},{}\n",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
             quoted(&row.file),
             quoted(&row.name),
             row.status,
@@ -63,7 +75,12 @@ pub fn fleet_csv(rows: &[FleetRow]) -> String {
             quoted(&row.load_model),
             row.broken,
             quoted(&row.words),
-            quoted(&row.report)
+            quoted(&row.report),
+            quoted(&row.head),
+            quoted(&row.beside.join("; ")),
+            quoted(&row.skipped.join(" ")),
+            quoted(&row.left_out.join(" ")),
+            quoted(&row.doubtful.join(" "))
         );
     }
     csv
@@ -133,6 +150,11 @@ mod tests {
             finished: true,
             broken: 0,
             words: "a \"word\"\nmore".into(),
+            head: String::new(),
+            beside: Vec::new(),
+            skipped: Vec::new(),
+            left_out: Vec::new(),
+            doubtful: Vec::new(),
             report: format!("{file}/report.html"),
         }
     }

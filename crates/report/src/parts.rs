@@ -372,7 +372,7 @@ pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&S
         if codes.is_empty() { "none".into() } else { codes.join(", ") },
     ));
     items.push(("assumptions agreed with the owner (Assumptions)".into(), "list".into()));
-    items.push(("verdict".into(), a.verdict.headline.word().to_owned()));
+    items.push(("verdict".into(), a.verdict.head()));
     let withheld = matches!(document.check_category.as_deref().map(str::trim), Some("III" | "3"));
     let numbered = |k: usize| (k + 1).to_string();
     let shown = |value: &str| if withheld { BLANK.to_owned() } else { value.to_owned() };
@@ -426,6 +426,9 @@ mod tests {
             words: String::new(),
             finished: true,
             strength: Strength::default(),
+            given: Default::default(),
+            broken_by_rule: false,
+            open: Vec::new(),
         };
         Assessment {
             bridge: "Bridge".into(),

@@ -129,6 +129,7 @@ fn assessed(file: &File) -> Result<Json, String> {
     };
     let not_asked = |what: &str| what.to_owned();
     let assessment = Evidence {
+        doubts: Vec::new(),
         bridge,
         asked,
         statics: None,

@@ -510,16 +510,14 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if weighs && d.loading.restraints.is_empty() && !soil {
         c.warnings.push(Warning::new(
             warning::FILL_AS_WEIGHT,
-            match bridge.cover.backing.map(|b| b.body) {
-                Some(BackingBody::Blocks) => {
-                    "fill acts by its weight alone: its resistance is left out, and so are effects that make rings \
-                     weaker than rigid blocks; tests carried 0.88 to 1.98 times such predictions"
-                }
-                _ => {
-                    "fill and backing act by their weight alone: their resistance is left out, and so are effects that \
-                     make rings weaker than rigid blocks; tests carried 0.88 to 1.98 times such predictions"
-                }
-            },
+            format!(
+                "{} alone: its resistance is left out, and so are effects that make rings weaker than rigid blocks{}",
+                match bridge.cover.backing.map(|b| b.body) {
+                    Some(BackingBody::Blocks) => "fill acts by its weight",
+                    _ => "fill and backing act by their weight",
+                },
+                crate::record::record().map_or_else(String::new, |record| format!("; {}", record.words()))
+            ),
         ));
     }
     if !soil {

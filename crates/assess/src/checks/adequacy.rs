@@ -1,6 +1,6 @@
 //! Adequacy factor at ultimate.
 
-use super::{Check, CheckCard, Probe, limit, of, strength};
+use super::{Check, CheckCard, Probe, by_file, limit, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -41,8 +41,9 @@ impl Check for Adequacy {
                 return Err(NotMade::because("no load turns the bridge into a mechanism: the factor is unbounded"));
             }
             (None, Status::UnstableUnderSelfWeight) => 0.0,
-            (None, status) => return Err(NotMade { why: format!("limit analysis ended with {status}"), failed: true }),
+            (None, status) => return Err(NotMade::failed(format!("limit analysis ended with {status}"))),
         };
+        let needed = limit * by_file::model(a);
         Ok(vec![Comparison {
             load_model: facts.load.clone(),
             value,
@@ -56,8 +57,8 @@ impl Check for Adequacy {
             },
             position: facts.position_m,
             columns: None,
-            strength: strength::of_the_file(a).is_none()
-                && (value < limit || value >= limit * strength::model_of_the_file(a)),
+            strength: by_file::factor(a).is_none() && (value < limit || value >= needed),
+            needed: (needed > limit).then_some(needed),
         }])
     }
 }

@@ -74,6 +74,7 @@ fn compared(load: &str, pascals: f64, limit: f64, place: &str, how: &str) -> Com
         position: None,
         columns: None,
         strength: false,
+        needed: None,
     }
 }
 
@@ -94,7 +95,13 @@ mod tests {
         b.piers[0].across = Some([1.1 * b.width; 2]);
         let statics = statics(&b).ok();
         let limits = Limits { bearing: Some(0.5e6), ..Limits::default() };
-        Evidence { bridge: b, asked: Assess { limits, ..Assess::default() }, facts: Facts::nothing(), statics }
+        Evidence {
+            bridge: b,
+            asked: Assess { limits, ..Assess::default() },
+            facts: Facts::nothing(),
+            statics,
+            doubts: Vec::new(),
+        }
     }
 
     /// By hand: the pier carries itself, what lies on it and half of either span, in the middle of its foot of 3 m.

@@ -1,6 +1,6 @@
 //! Named cases at ultimate.
 
-use super::{Check, CheckCard, Probe, limit, of, strength};
+use super::{Check, CheckCard, Probe, by_file, limit, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -28,8 +28,9 @@ impl Check for NamedCases {
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        let facts = of(&a.facts.cases)?;
         let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
+        let facts = of(&a.facts.cases)?;
+        let needed = limit * by_file::model(a);
         let mut list = Vec::new();
         for case in &facts.cases {
             let value = match (case.load_factor, case.status) {
@@ -37,7 +38,7 @@ impl Check for NamedCases {
                 (None, Status::Locks) => continue,
                 (None, Status::UnstableUnderSelfWeight) => 0.0,
                 (None, status) => {
-                    return Err(NotMade { why: format!("case {} ended with {status}", case.name), failed: true });
+                    return Err(NotMade::failed(format!("case {} ended with {status}", case.name)));
                 }
             };
             list.push(Comparison {
@@ -49,8 +50,8 @@ impl Check for NamedCases {
                 basis: format!("{}; {}", case.method, case.acts),
                 position: None,
                 columns: None,
-                strength: strength::of_the_file(a).is_none()
-                    && (value < limit || value >= limit * strength::model_of_the_file(a)),
+                strength: by_file::factor(a).is_none() && (value < limit || value >= needed),
+                needed: (needed > limit).then_some(needed),
             });
         }
         if list.is_empty() {

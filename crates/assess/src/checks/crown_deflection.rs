@@ -50,6 +50,7 @@ impl Check for CrownDeflection {
                     position: Some(place.minimum_at_m),
                     columns: Some(columns(facts, place.minimum_span, place.self_weight, place.minimum)),
                     strength: false,
+                    needed: None,
                 });
             }
         }

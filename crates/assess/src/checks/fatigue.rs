@@ -60,6 +60,7 @@ impl Check for StressRange {
                 position: Some(at.minimum_at_m),
                 columns: None,
                 strength: false,
+                needed: None,
             });
         }
         if list.is_empty() { Err(NotMade::because("no stress was watched while the train crossed")) } else { Ok(list) }

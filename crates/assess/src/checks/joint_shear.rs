@@ -46,6 +46,7 @@ impl Check for JointShear {
                 position: Some(joint.shear_position_m),
                 columns: None,
                 strength: false,
+                needed: None,
             },
         )
     }

@@ -74,6 +74,7 @@ impl Check for MexeAxle {
             position: None,
             columns: None,
             strength: false,
+            needed: None,
         }])
     }
 }

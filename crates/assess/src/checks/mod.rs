@@ -3,17 +3,18 @@
 
 mod adequacy;
 mod bearing;
+mod by_file;
+mod by_rule;
 mod cases;
 mod crown_deflection;
 mod fatigue;
+mod given;
 mod joint_shear;
 pub mod mexe;
 mod mexe_check;
-pub mod model_factor;
 mod movement;
 mod onset;
 mod permissible;
-mod strength;
 mod stress;
 mod thrust;
 mod vehicles;
@@ -109,7 +110,11 @@ pub fn cards() -> impl Iterator<Item = CheckCard> {
 
 /// The facts of a stage, or why there are none.
 fn of<T>(stage: &Stage<T>) -> Result<&T, NotMade> {
-    let not_made = || NotMade { why: stage.why_not().unwrap_or_default().to_owned(), failed: stage.failed() };
+    let not_made = || NotMade {
+        why: stage.why_not().unwrap_or_default().to_owned(),
+        failed: stage.failed(),
+        left_out: stage.left_out().map(str::to_owned),
+    };
     stage.made().ok_or_else(not_made)
 }
 

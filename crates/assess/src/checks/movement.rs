@@ -39,6 +39,7 @@ impl Check for SupportMovement {
         let stood = facts.last_stable_mm.ok_or_else(|| NotMade {
             why: format!("the analysis of the movement ended with {}", facts.status),
             failed: facts.status != Status::Locks,
+            left_out: None,
         })?;
         let allowed = stood / limits.movement_factor;
         Ok(vec![Comparison {
@@ -51,6 +52,7 @@ impl Check for SupportMovement {
             position: None,
             columns: None,
             strength: false,
+            needed: None,
         }])
     }
 }

@@ -63,6 +63,7 @@ impl Onsets {
             position: self.position,
             columns: None,
             strength: false,
+            needed: None,
         }
     }
 }

@@ -36,6 +36,7 @@ impl Check for PermissibleShare {
             why: format!("limit analysis ended with {}", facts.status),
             // No bound on the load is an answer; a bridge that does not stand, or no answer, settles nothing.
             failed: facts.status != Status::Locks,
+            left_out: None,
         })?;
         Ok(vec![Comparison {
             load_model: facts.load.clone(),
@@ -47,6 +48,7 @@ impl Check for PermissibleShare {
             position: facts.position_m,
             columns: None,
             strength: false,
+            needed: None,
         }])
     }
 }

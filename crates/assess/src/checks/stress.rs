@@ -71,6 +71,7 @@ fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
                     position: Some(position),
                     columns: Some(columns(facts, span, at.self_weight, live)),
                     strength: false,
+                    needed: None,
                 });
             }
         }

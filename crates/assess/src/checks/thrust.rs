@@ -45,6 +45,7 @@ impl Check for ThrustZone {
                 position: Some(joint.eccentricity_position_m),
                 columns: None,
                 strength: false,
+                needed: None,
             },
         )
     }

@@ -1,7 +1,6 @@
 //! Vehicles under the factors of a rule.
 
-use super::model_factor::model_factor;
-use super::{Check, CheckCard, Probe, of};
+use super::{Check, CheckCard, Probe, by_rule, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -24,8 +23,9 @@ impl Check for Vehicles {
                    with its source in the report; the limit is therefore 1. A rule without a factor above 1 on live \
                    loads, or without a source of it (\"characteristic\", rules of working stresses), is compared only \
                    to find vehicles that fail even so: a bridge that carries nominal loads has no verdict of adequacy. \
-                   Where the rule's model factor was not read in its source, strength is assessed only if the \
-                   program's own model factor is met (A191). If the check is not met, study the governing case: its \
+                   The factors of a standard cover its own method. Under a rule_file whose model factor was not read in \
+                   its source, a verdict needs the model factor of tests (A191), and so does every rule with \
+                   model_factor = \"tests\" in [assess]. If the check is not met, study the governing case: its \
                    position, its axles, and which factors are recalled and not read. With discrete_elements = true in \
                    [sweep] the governing case is also analysed by discrete elements, and the smaller number counts.",
             source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
@@ -39,19 +39,19 @@ impl Check for Vehicles {
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let facts = of(&a.facts.vehicles)?;
         let strength = has_safety(&facts.safety);
-        let wanted = wanted(&facts.safety);
+        let needed = Needed { least: by_rule::needed(a), as_limit: a.asked.limits.model_factor_of_tests };
         let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != Status::Locks);
         let all: Vec<Comparison> = bounded
             .clone()
             .filter(|one| one.adequacy.is_some() || one.status != OPEN || fails_all_the_same(one))
-            .map(|one| finding(facts, one, strength, wanted))
+            .map(|one| finding(facts, one, strength, needed))
             .collect();
         let (met, broken): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|finding| finding.met());
         // What fails at some position fails; what passes at the others passes only where no position is left open.
         let open: Vec<&str> = bounded.filter(|one| one.status == OPEN).map(|one| one.code.as_str()).collect();
         if !open.is_empty() && broken.is_empty() {
             let why = format!("limit analysis of {} has no result at some positions", open.join(", "));
-            return Err(NotMade { why, failed: true });
+            return Err(NotMade::failed(why));
         }
         match (strength, met.first(), broken.is_empty()) {
             (_, None, true) => {
@@ -79,13 +79,11 @@ fn has_safety(safety: &SafetyFacts) -> bool {
     safety.live_load > 1.0 && safety.live_load_confidence != Confidence::Assumed
 }
 
-/// The adequacy factor with which strength is assessed: 1 where the rule's model factor was read in its source, and otherwise what the
-/// program's own model factor asks beyond the one that the adequacy factors hold.
-pub(super) fn wanted(safety: &SafetyFacts) -> f64 {
-    match safety.model_confidence {
-        Confidence::Read | Confidence::Calculated => 1.0,
-        _ => (model_factor() / safety.model.max(f64::MIN_POSITIVE)).max(1.0),
-    }
+/// The adequacy factor that a verdict needs, and whether the file makes it the limit itself.
+#[derive(Debug, Clone, Copy)]
+struct Needed {
+    least: f64,
+    as_limit: bool,
 }
 
 /// What is said where a rule without safety is carried.
@@ -104,7 +102,7 @@ fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
 /// The method of joints that give, in words.
 const GIVES: &str = "path of equilibrium on joints that give";
 
-fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> Comparison {
+fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, needed: Needed) -> Comparison {
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);
     let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
@@ -125,12 +123,13 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> C
         false if gives.is_finite() => format!("limit analysis ({GIVES} {gives:.3})"),
         false => "limit analysis".to_owned(),
     };
+    let limit = if needed.as_limit { needed.least } else { 1.0 };
     Comparison {
         load_model: one.code.clone(),
         value,
-        limit: 1.0,
+        limit,
         unit: Unit::Ratio,
-        utilisation: if value > 0.0 { 1.0 / value } else { f64::MAX },
+        utilisation: if value > 0.0 { limit / value } else { f64::MAX },
         basis: match one.position_m {
             Some(x) => format!(
                 "{method}; {}; {}, first axle at {x:.2} m; factor {:.3} on axles",
@@ -140,7 +139,8 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> C
         },
         position: one.position_m,
         columns: None,
-        // What fails is settled; what passes must pass with the model's own uncertainty, under loads that have a source.
-        strength: safe && (value < 1.0 || value >= wanted && one.loads_confidence != Confidence::Assumed),
+        // What fails is settled; what passes must pass with what a verdict needs, under loads that have a source.
+        strength: safe && (value < limit || value >= needed.least && one.loads_confidence != Confidence::Assumed),
+        needed: (needed.least > limit).then_some(needed.least),
     }
 }

@@ -21,6 +21,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    desk.screen.details = arguments.details;
     if arguments.file.is_dir() {
         return fleet::run(desk, arguments);
     }
@@ -48,7 +49,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     }
     let both = files.iter().any(|file| file.name == "report.pdf");
     let named = if both { "report.html, report.pdf" } else { "report.html" };
-    report.summary = summary::assessment(&done.assessment, named, folder.path());
+    let page = summary::assessment(&done.assessment, named, folder.path(), desk.screen.details);
+    report.show(&desk.screen, &page);
     results::publish(desk, report, &folder, &files)
 }
 

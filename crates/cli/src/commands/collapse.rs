@@ -20,6 +20,7 @@ use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    desk.screen.details = arguments.details;
     if bridge::is_block_file(&super::read_text(&arguments.file)?) {
         return model::collapse(desk, arguments);
     }
@@ -111,7 +112,8 @@ fn write(
 ) -> Result<Report, Failure> {
     report.warn_of(&mut desk.screen, &written::warnings_of(found));
     report.fields.extend(published::collapse(found));
-    report.summary = summary::collapse(found, &folder.path().display().to_string());
+    let page = summary::collapse(found, &folder.path().display().to_string(), desk.screen.details);
+    report.show(&desk.screen, &page);
     let mut files = results::files(folder, written::collapse(found, arguments.displacement_scale))?;
     let not_drawn = |error| results::not_drawn(folder.path(), &error);
     for (folder, one) in std::iter::once(("", found)).chain(found.wall_strip.iter().map(|wall| ("wall/", &**wall))) {
@@ -146,7 +148,7 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
     let mut report = source.report(ended(found.status()));
     report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = published::vehicle_sweep(found);
-    report.summary = summary::vehicles(found, &folder.path().display().to_string());
+    report.show(&desk.screen, &summary::vehicles(found, &folder.path().display().to_string()));
     let mut files = results::files(folder, written::vehicles_moved(found))?;
     if let Some(collapse) = &found.collapse {
         let moving =
@@ -162,7 +164,7 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     report.warn_of(&mut desk.screen, &found.warnings);
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
     report.fields = published::sweep(name, width, found);
-    report.summary = summary::sweep(found, &folder.path().display().to_string());
+    report.show(&desk.screen, &summary::sweep(found, &folder.path().display().to_string()));
     let files = results::files(folder, written::loads_moved(name, found))?;
     results::publish(desk, report, folder, &files)
 }

@@ -208,7 +208,7 @@ impl Source {
     /// Reads a file and shows what was found in it.
     fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
         let source = Source::read(path)?;
-        if source.bridge().is_none() || !desk.screen.quiet {
+        if source.bridge().is_none() || desk.screen.tells_each() {
             let (project, paint) = (&source.project, Paint::for_stderr());
             desk.screen.remark(&render::findings(project.name(), project.text(), project.findings(), &paint));
         }

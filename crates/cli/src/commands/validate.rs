@@ -139,5 +139,7 @@ fn write(desk: &mut Desk, found: &Validation, folder: &Folder, root: &Path) -> R
     let mut files = figures::validation(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
     let table = published::validation_table(found).into_bytes();
     files.push(figures::File { name: "validation.csv".to_owned(), bytes: table });
+    let record = published::record(found).map(String::into_bytes);
+    files.extend(record.map(|bytes| figures::File { name: "record.json".to_owned(), bytes }));
     results::publish(desk, report, folder, &files)
 }

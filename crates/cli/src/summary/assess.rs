@@ -1,20 +1,78 @@
 //! An assessment in a few lines: the same verdict as the report's.
 
+use crate::page::Page;
 use ::outcome::assessment::Assessment;
+use ::outcome::checked::{Checked, Comparison, governing, told_apart};
+use findings::words::counted;
 use std::fmt::Write;
 use std::path::Path;
 
-/// The verdict, the comparisons, the condition, what is missing; `report` names the reports that are written.
-pub fn assessment(a: &Assessment, report: &str, folder: &Path) -> String {
+/// The verdict in a few lines, or with every comparison, the condition and what is missing; `report` names the reports that are written.
+pub fn assessment(a: &Assessment, report: &str, folder: &Path, details: bool) -> Page {
+    let body = if details { everything(a) } else { digest(a) };
+    let place = format!("{report}, checks.csv and result.json are in {}", folder.display());
+    Page { body, assumptions: Vec::new(), place }
+}
+
+/// Lines of what stands beside a verdict on a first screen.
+const MOST_BESIDE: usize = 5;
+
+/// The verdict, what governs it, and what stands beside it.
+fn digest(a: &Assessment) -> String {
+    let verdict = &a.verdict;
+    let mut text = format!("{}: {}\n\n", a.bridge, verdict.head());
+    if let Some((check, finding)) = governs(a) {
+        let [value, limit] = told_apart(finding.value, finding.limit);
+        let unit = if finding.unit.word().is_empty() { String::new() } else { format!(" {}", finding.unit) };
+        let needed = finding.needed.map_or(String::new(), |needed| format!(", {needed:.2} for a verdict"));
+        let _ = writeln!(
+            text,
+            "  governs   {value} where the limit is {limit}{unit}{needed}: {} ({}), {}",
+            check.title, check.code, finding.load_model
+        );
+        let _ = writeln!(text, "            {}", finding.basis);
+    }
+    let made = a.checked.iter().flat_map(|check| check.outcome.iter().flatten());
+    let (met, all) = made.fold((0, 0), |(met, all), one| (met + usize::from(one.met()), all + 1));
+    let open = a.checked.iter().filter(|check| check.outcome.is_err()).count();
+    let _ = writeln!(
+        text,
+        "  checks    {met} of {} met; {} not asked for or not made",
+        counted(all, "comparison"),
+        counted(open, "check")
+    );
+    let missing = &verdict.strength.missing;
+    missing.iter().take(2).for_each(|words| text += &format!("  missing   {words}\n"));
+    if missing.len() > 2 {
+        let _ = writeln!(text, "            and {}", counted(missing.len() - 2, "more thing"));
+    }
+    let beside = verdict.beside();
+    for (k, words) in beside.iter().take(MOST_BESIDE).enumerate() {
+        let _ = writeln!(text, "  {:<8}  {words}", if k == 0 { "beside" } else { "" });
+    }
+    if let Some(next) = a.next.first() {
+        let _ = writeln!(text, "  next      {}: {}", next.action, next.what);
+    }
+    text
+}
+
+/// The comparison that governs.
+fn governs(a: &Assessment) -> Option<(&Checked, &Comparison)> {
+    let (check, finding) = governing(&a.checked)?;
+    let check = &a.checked[check];
+    Some((check, check.outcome.as_ref().ok()?.get(finding)?))
+}
+
+/// The verdict, the comparisons, the condition, what is missing.
+fn everything(a: &Assessment) -> String {
     let Assessment { checked, verdict, condition, .. } = a;
-    let rung = match verdict.headline.word().eq_ignore_ascii_case(verdict.status.word()) {
-        true => String::new(),
-        false => format!(" ({})", verdict.headline),
-    };
-    let mut text = format!("{}: {}{rung}\n\n{}\n", a.bridge, verdict.status.word().to_uppercase(), verdict.words);
-    for (title, list) in
-        [("missing", &verdict.strength.missing), ("what qualifies this verdict", &verdict.strength.qualifications)]
-    {
+    let mut text = format!("{}: {}\n\n{}\n", a.bridge, verdict.head(), verdict.words);
+    let beside = verdict.beside();
+    for (title, list) in [
+        ("missing", &verdict.strength.missing),
+        ("stands beside it", &beside),
+        ("what the analyses warn of", &verdict.strength.qualifications),
+    ] {
         if !list.is_empty() {
             let _ = writeln!(text, "\n  {title}");
             list.iter().for_each(|words| text += &format!("    - {words}\n"));
@@ -27,15 +85,19 @@ pub fn assessment(a: &Assessment, report: &str, folder: &Path) -> String {
     );
     for check in checked {
         for finding in check.outcome.iter().flatten() {
-            let mark = if finding.met() { "" } else { "  NOT MET" };
+            let needed = finding.needed.filter(|_| finding.met());
+            let mark = match (finding.met(), needed) {
+                (false, _) => "  NOT MET".to_owned(),
+                (true, Some(needed)) => format!("  {needed:.2} for a verdict"),
+                (true, None) => String::new(),
+            };
+            let [value, limit] = told_apart(finding.value, finding.limit);
             let _ = writeln!(
                 text,
-                "  {:<5}{:<27}{:<34}{:>11.4}{:>11.4}  {:<22}{:>6.1} %{mark}",
+                "  {:<5}{:<27}{:<34}{value:>11}{limit:>11}  {:<22}{:>6.1} %{mark}",
                 check.code,
                 check.title,
                 finding.load_model,
-                finding.value,
-                finding.limit,
                 finding.unit,
                 100.0 * finding.utilisation.min(1e6)
             );
@@ -71,6 +133,5 @@ pub fn assessment(a: &Assessment, report: &str, folder: &Path) -> String {
         text += "\n  what to do next (rules and their sources are in the report)\n";
         a.next.iter().for_each(|one| text += &format!("    {:<9}{}\n", one.action, one.what));
     }
-    let _ = writeln!(text, "\n{report}, checks.csv and result.json are in {}", folder.display());
     text
 }

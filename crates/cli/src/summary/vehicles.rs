@@ -1,12 +1,13 @@
 //! A sweep of vehicles in words.
 
+use crate::page::Page;
 use bridge::Method;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Case, VehicleSweep};
 use std::fmt::Write;
 
 /// Every vehicle with its adequacy factor, worst first, and the governing case.
-pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
+pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
     let mut page = format!("{}: {} vehicles by rule \"{}\"\n\n", found.bridge, found.vehicles.len(), found.rule.code);
     let mut order: Vec<usize> = (0..found.vehicles.len()).collect();
     let size = |k: &usize| found.vehicles[*k].factor().unwrap_or(f64::INFINITY);
@@ -80,12 +81,7 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
         };
         let _ = writeln!(page, "  by discrete elements     {words}");
     }
-    page += "\nThis assumes:\n";
-    for line in &found.assumptions {
-        let _ = writeln!(page, "  - {line}");
-    }
-    let _ = writeln!(page, "\nResults are in {out}");
-    page
+    Page { body: page, assumptions: found.assumptions.clone(), place: format!("Results are in {out}") }
 }
 
 /// The factors of rigid blocks and of joints that give.

@@ -10,7 +10,7 @@ fn walls() -> String {
 #[test]
 fn the_load_that_is_carried_leads_the_screen_and_the_object() {
     let stage = Stage::with_example("carried-leads", "tiny");
-    let ending = stage.run(&["collapse", "bridge/bridge.toml", "--out", "o"]);
+    let ending = stage.run(&["collapse", "bridge/bridge.toml", "--out", "o", "--details"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     let at = |text: &str, words: &str| text.find(words).unwrap_or_else(|| panic!("{words} is not in\n{text}"));
     assert!(at(&ending.stdout, "carried") < at(&ending.stdout, "last stable load"));

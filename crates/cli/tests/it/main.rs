@@ -18,6 +18,7 @@ mod gradient;
 mod house;
 mod interruption;
 mod keeping;
+mod ladder;
 mod library;
 mod loads;
 mod messages;

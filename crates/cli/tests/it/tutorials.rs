@@ -304,8 +304,9 @@ fn a_bridge_is_judged_as_its_page_tells() {
     let text = page("assess.md");
     answered(&stage, &text, "extrados new arch --from railway-arch");
     let (answer, code) = answered(&stage, &text, "extrados assess arch/assess.toml --skip update");
-    assert_eq!((code, answer["headline"].as_str()), (Some(1), Some("Limits met; strength not assessed")), "{answer}");
-    assert!(text.contains("limits met; strength not assessed. The exit code is 1."));
+    assert_eq!((code, answer["headline"].as_str()), (Some(1), Some("Undetermined")), "{answer}");
+    let head = answer["head"].as_str().expect("a line");
+    assert!(text.contains(head) && text.contains("The exit code is 1."), "{head}");
     assert!(answer["missing"].as_array().is_some_and(|words| !words.is_empty()), "{answer}");
     let checks = answer["checks"].as_array().expect("checks");
     for load in ["25t", "30t"] {
@@ -313,7 +314,7 @@ fn a_bridge_is_judged_as_its_page_tells() {
     }
     assert!(checks.iter().all(|one| one["met"] == true), "{answer}");
     let report = stage.read("out/assess/report.html").to_lowercase();
-    assert!(report.contains("limits met; strength not assessed"));
+    assert!(report.contains(&head.to_lowercase()[..12]));
 }
 
 #[test]

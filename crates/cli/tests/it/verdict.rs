@@ -30,7 +30,8 @@ fn nominal_loads_give_no_verdict() {
     assert!(missing(&answer).contains("characteristic") && missing(&answer).contains("rule ="), "{answer}");
     assert!(number(&answer["vehicles"]["vehicles"][0], "adequacy") > 1.0, "the vehicle is carried");
     assert!(check(&answer, "C204").is_none(), "loads without factors pass no check");
-    assert!(stage.read("out/report.html").contains("trength not assessed"));
+    assert!(stage.read("out/report.html").contains("Undetermined (vehicles not compared"));
+    assert_eq!(answer["head"].as_str().map(|head| head.starts_with("Undetermined (")), Some(true), "{answer}");
 }
 
 /// Factors of working stresses are 1: safety lies in stresses, and a collapse load compared with 1 has none.
@@ -69,9 +70,9 @@ fn a_deflection_alone_is_no_verdict_on_strength() {
     stage.write("bridge.toml", format!("{BRIDGE}\n[assess]\ndeflection_limit = \"5 mm\"\n"));
     let ending = stage.run(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]);
     assert_eq!(ending.code, Some(1), "{}", ending.stdout);
-    assert!(ending.stdout.contains("Limits met; strength not assessed"), "{}", ending.stdout);
+    assert!(ending.stdout.contains("Limits met; strength not asked for"), "{}", ending.stdout);
     let page = stage.read("out/report.html");
-    assert!(page.contains("<strong>Limits met; strength not assessed</strong>"));
+    assert!(page.contains("<strong>Limits met; strength not asked for</strong>"));
     let answer: Value = serde_json::from_str(&stage.read("out/result.json")).expect("an object");
     assert_eq!((&answer["status"], &answer["strength_assessed"]), (&"undetermined".into(), &false.into()));
     assert!(check(&answer, "C101").expect("C101")["met"] == true && !missing(&answer).is_empty());
@@ -103,21 +104,33 @@ fn a_factor_counts_with_its_source() {
 /// Under a rule the verdict stands, and what qualifies it stands beside it in the box and on the screen.
 #[test]
 fn what_qualifies_a_verdict_stands_beside_it() {
-    let sweep = "\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\n";
+    let sweep = "\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs-454\"]\nstep = \"0.25 m\"\n";
     let (stage, answer, _) = assessed("verdict-qualified", sweep);
-    assert_eq!(answer["strength_assessed"], true, "{answer}");
-    let told: Vec<&str> =
-        answer["qualifications"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
-    assert!(told.iter().any(|words| words.contains("recalled") && words.contains("live load 1.9")), "{told:?}");
+    assert_eq!((&answer["strength_assessed"], &answer["by"]), (&true.into(), &"cs-454".into()), "{answer}");
+    let list = |key: &str| -> Vec<String> {
+        let texts = answer[key].as_array().expect("a list").iter().filter_map(Value::as_str);
+        texts.map(str::to_owned).collect()
+    };
+    let beside = list("beside").join("; ");
+    let factors = list("factors_to_confirm");
+    assert!(factors.iter().any(|factor| factor == "live load of cs-454 1.9"), "{factors:?}");
+    assert_eq!(answer["to_confirm"], factors.len(), "{answer}");
+    let head = answer["head"].as_str().expect("a line");
+    let named = format!("Adequate by CS 454 ({} factors to be confirmed", factors.len());
+    assert!(head.starts_with(&named) && head.contains("skew not given"), "{head}");
+    assert!(beside.contains("live load of cs-454 1.9") && beside.contains("record: 7 bridges"), "{beside}");
+    let told = list("qualifications");
     assert!(told.iter().any(|words| words.contains("weight alone")), "{told:?}");
     let page = stage.read("out/report.html");
     let verdict = &page[page.find("id=\"verdict\"").expect("a box")..page.find("<nav").expect("its end")];
-    assert!(verdict.contains("live load 1.9") && verdict.contains("weight alone"), "{verdict}");
+    let html = head.replace('"', "&#34;");
+    assert!(verdict.contains(&html) && verdict.contains("live load of cs-454 1.9"), "{verdict}");
     // The rule's own line says how sure its factors are, not only how sure its title is.
     let rule = answer["vehicles"]["rule"].as_str().expect("a rule");
     assert!(rule.contains("recalled"), "{rule}");
     let shown = stage.run(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity", "--skip", "service"]);
-    assert!(shown.stdout.contains("live load 1.9"), "{}", shown.stdout);
+    assert!(shown.stdout.contains(head) && shown.stdout.lines().count() <= 20, "{}", shown.stdout);
+    assert!(shown.stderr.is_empty(), "the first screen is all: {}", shown.stderr);
 }
 
 /// The ladder of verdicts is explained where somebody asks for it.
@@ -125,7 +138,7 @@ fn what_qualifies_a_verdict_stands_beside_it() {
 fn the_ladder_of_verdicts_is_explained() {
     let stage = Stage::new("verdict-ladder");
     let card = stage.run(&["explain", "A190"]).stdout;
-    for word in ["inadequate", "undetermined", "adequate", "factors"] {
+    for word in ["not adequate", "undetermined", "adequate by a named rule", "factors"] {
         assert!(card.contains(word), "{card}");
     }
 }

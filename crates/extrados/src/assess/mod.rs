@@ -136,14 +136,17 @@ impl Assessed {
     /// Warnings of its stages, each once; whether strength stayed open; and the stages that failed.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut all: Vec<Warning> = Vec::new();
-        for (_, warning) in self.assessment.facts.warnings() {
-            if !all.contains(warning) {
+        let stage = self.assessment.governing_stage();
+        for (of, warning) in self.assessment.facts.warnings() {
+            // Where a load goes is told of the position that governs.
+            let elsewhere = stage.is_some_and(|stage| stage != of) && warning::OF_A_POSITION.contains(&warning.code);
+            if !elsewhere && !all.contains(warning) {
                 all.push(warning.clone());
             }
         }
-        let strength = &self.assessment.verdict.strength;
-        if !strength.assessed {
-            all.push(Warning::new(warning::STRENGTH_OPEN, strength.missing.join("; ")));
+        let missing = &self.assessment.verdict.strength.missing;
+        if !missing.is_empty() {
+            all.push(Warning::new(warning::STRENGTH_OPEN, missing.join("; ")));
         }
         let failed = self.appendix.stages.iter().filter(|stage| stage.state.starts_with("failed"));
         all.extend(

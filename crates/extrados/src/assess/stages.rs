@@ -22,6 +22,7 @@ use outcome::collapse::Status;
 use outcome::facts::{
     CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
 };
+use outcome::given::Doubt;
 use outcome::passage::PassageStatus;
 use outcome::statics::Statics;
 use outcome::update::UpdateStatus;
@@ -91,7 +92,8 @@ impl Stages<'_> {
         let movement = self.movement(&bridge)?;
         let sensitivity = Stage::NotAsked("made last".to_owned());
         let facts = Facts { update, service, ultimate, vehicles, cases, movement, sensitivity };
-        let mut evidence = Evidence { bridge, asked, facts, statics: built.made().cloned() };
+        let doubts = doubts(self.project);
+        let mut evidence = Evidence { bridge, asked, facts, statics: built.made().cloned(), doubts };
         let checked = checks::run(&evidence);
         evidence.facts.sensitivity = self.sensitivity(&document, &evidence, &checked)?;
         Ok(evidence.judged(checked))
@@ -152,17 +154,23 @@ impl Stages<'_> {
         self.skip.contains(&stage)
     }
 
+    /// A stage that the file asks for and the command leaves out.
+    fn left_out<T>(&mut self, name: &str, more: &str) -> Stage<T> {
+        let why = format!("left out by --skip {name}{more}");
+        self.note(name, why.clone(), None, "–");
+        Stage::LeftOut { stage: name.to_owned(), why }
+    }
+
     /// The update where records are given: its facts, and bridge and text with what it found.
     fn updated(&mut self, own: &Bridge) -> Result<(Stage<UpdateFacts>, Bridge, Document), Halt> {
         let whole = self.project.document(&[])?;
         let named = self.project.meaning().update.clone();
-        let Some(asked) = named.clone().filter(|_| !self.skipped(StageName::Update)) else {
-            let why = match named {
-                Some(_) => "left out by --skip update; the file's own values count",
-                None => "the file names no [records]",
-            };
-            return Ok((self.not_asked("update", why), own.clone(), whole));
+        let Some(asked) = named else {
+            return Ok((self.not_asked("update", "the file names no [records]"), own.clone(), whole));
         };
+        if self.skipped(StageName::Update) {
+            return Ok((self.left_out("update", "; the file's own values count"), own.clone(), whole));
+        }
         let document = update::document(self.project)?;
         let project = self.project;
         let files = match project.records() {
@@ -185,11 +193,11 @@ impl Stages<'_> {
     }
 
     fn service(&mut self, bridge: &Bridge, asked: &bridge::assess::Assess) -> Result<Stage<ServiceFacts>, Halt> {
-        if self.skipped(StageName::Service) {
-            return Ok(self.not_asked("service", "left out by --skip service"));
-        }
         if bridge.passage.is_none() {
             return Ok(self.not_asked("service", "the file has no [train] that crosses"));
+        }
+        if self.skipped(StageName::Service) {
+            return Ok(self.left_out("service", ""));
         }
         let limits = &asked.limits;
         let input = (bridge, &asked.service_loads, &limits.rule, limits.loaded_length, limits.cushion);
@@ -213,11 +221,11 @@ impl Stages<'_> {
     }
 
     fn ultimate(&mut self, bridge: &Bridge) -> Result<Stage<UltimateFacts>, Halt> {
-        if self.skipped(StageName::Collapse) {
-            return Ok(self.not_asked("collapse", "left out by --skip collapse"));
-        }
         if bridge.loads.is_empty() {
             return Ok(self.not_asked("collapse", "the file describes no [[load]]"));
+        }
+        if self.skipped(StageName::Collapse) {
+            return Ok(self.left_out("collapse", ""));
         }
         self.stage("collapse", bridge, |watch| match chain::ultimate(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
@@ -230,11 +238,11 @@ impl Stages<'_> {
     }
 
     fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
-        if self.skipped(StageName::Vehicles) {
-            return Ok(self.not_asked("vehicles", "left out by --skip vehicles"));
-        }
         if bridge.sweep.is_none() {
             return Ok(self.not_asked("vehicles", "the file has no [sweep] of vehicles"));
+        }
+        if self.skipped(StageName::Vehicles) {
+            return Ok(self.left_out("vehicles", ""));
         }
         self.stage("vehicles", bridge, |watch| match chain::vehicles(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
@@ -247,11 +255,11 @@ impl Stages<'_> {
 
     /// The file's named cases, with what an update found.
     fn cases(&mut self, document: &Document) -> Result<Stage<CasesFacts>, Halt> {
-        if self.skipped(StageName::Cases) {
-            return Ok(self.not_asked("cases", "left out by --skip cases"));
-        }
         if self.project.meaning().cases.is_empty() {
             return Ok(self.not_asked("cases", "the file has no [[case]]"));
+        }
+        if self.skipped(StageName::Cases) {
+            return Ok(self.left_out("cases", ""));
         }
         let project = self.project.reworded(document.text().into_bytes());
         self.stage("cases", &document.text(), |watch| match crate::cases(&project, Choice::default(), watch) {
@@ -266,11 +274,11 @@ impl Stages<'_> {
 
     fn movement(&mut self, bridge: &Bridge) -> Result<Stage<MovementFacts>, Halt> {
         const NAME: &str = "support-movement";
-        if self.skipped(StageName::SupportMovement) {
-            return Ok(self.not_asked(NAME, "left out by --skip support-movement"));
-        }
         if bridge.plan.support_movement.is_none() {
             return Ok(self.not_asked(NAME, "the file describes no [support_movement]"));
+        }
+        if self.skipped(StageName::SupportMovement) {
+            return Ok(self.left_out(NAME, ""));
         }
         self.stage(NAME, bridge, |watch| match chain::movement(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
@@ -306,6 +314,12 @@ impl Stages<'_> {
             Ok(Some(facts)) => Ran::Made(facts, Vec::new()),
         })
     }
+}
+
+/// Doubtful values of the file.
+fn doubts(project: &Project) -> Vec<Doubt> {
+    let doubtful = project.findings().iter().filter(|finding| finding.code.starts_with('P'));
+    doubtful.map(|one| Doubt { code: one.code.to_owned(), message: one.message.clone() }).collect()
 }
 
 /// The update of a stage.

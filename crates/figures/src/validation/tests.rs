@@ -10,6 +10,7 @@ fn prediction(by: Predictor, load: Option<f64>) -> Prediction {
         by_dimensions: load.map(|load| [0.0, 2.0 * load]),
         by_packings: None,
         without: Vec::new(),
+        without_crushing: None,
         upper_bound: None,
         half_strength: None,
         dilating: load.map(|load| 1.2 * load),

@@ -1,7 +1,7 @@
 //! `extrados.validate/1` and its table.
 
 use super::{Object, each, kilo, list, object, row};
-use crate::validation::{Bias, Prediction, Tested, Validation};
+use crate::validation::{Bias, Prediction, Predictor, Tested, Validation};
 
 /// The fields of a validation.
 pub fn validation(found: &Validation) -> Object {
@@ -18,6 +18,24 @@ pub fn validation(found: &Validation) -> Object {
         }),
         statistics: list(&found.statistics, statistics),
     }
+}
+
+/// The record of limit analysis with fill as weight, as `crates/assess/data/record.json` holds it: of every test what it carried, and what is
+/// predicted with the expected prior values, with and without crushing [kN]; none where a test has no such prediction.
+pub fn record(found: &Validation) -> Option<String> {
+    let row = |test: &Tested| {
+        let one = test.prediction(Predictor::Weight)?;
+        Some(object! {
+            name: test.name,
+            carried_kn: kilo(test.carried),
+            predicted_kn: kilo(one.load?),
+            without_crushing_kn: kilo(one.without_crushing?),
+            read: test.recalled.is_empty(),
+            doubted: test.doubt.is_some(),
+        })
+    };
+    let rows: Vec<Object> = found.tests.iter().map(row).collect::<Option<_>>()?;
+    serde_json::to_string_pretty(&rows).ok().map(|text| text + "\n")
 }
 
 fn prediction(test: &Tested, one: &Prediction) -> Object {
@@ -109,6 +127,7 @@ mod tests {
             by_dimensions: None,
             by_packings: None,
             without: Vec::new(),
+            without_crushing: None,
             upper_bound: None,
             half_strength: None,
             dilating: None,

@@ -33,6 +33,9 @@ pub struct Answer {
     pub load: Option<f64>,
     /// Whether the bridge does not stand under its own weight.
     pub falls: bool,
+    /// The same where joints never crush [N], of limit analysis.
+    #[serde(default)]
+    pub without_crushing: Option<f64>,
     /// Of a continuum: upper bound [N].
     pub upper_bound: Option<f64>,
     /// Of a continuum: lower bound with half of the strength [N].
@@ -141,6 +144,7 @@ fn answered(found: &Collapse) -> Answer {
         ended: found.status.word().to_owned(),
         load: found.headline().map(|headline| headline.whole),
         falls: found.status == Status::UnstableUnderSelfWeight,
+        without_crushing: found.limit().and_then(|limit| limit.unlimited_strength_load).map(|load| load * found.width),
         upper_bound: soil.and(found.collapse_load).map(|load| load * found.width),
         half_strength: soil.and_then(|soil| soil.range).map(|range| range[0] * found.width),
         dilating: soil.and_then(|soil| soil.associated).map(|bounds| bounds[0] * found.width),
@@ -201,6 +205,7 @@ fn prediction(by: Predictor, answers: &[&(Job, Answer)]) -> Option<Prediction> {
         by_dimensions: asked(&dimensions).then(|| span(&every)).flatten(),
         by_packings: (by_packings.len() > 1).then_some(least_and_most),
         without: without.map(|(words, answer)| format!("{words}: {}", answer.ended)).chain(failed).collect(),
+        without_crushing: expected.without_crushing,
         upper_bound: expected.upper_bound,
         half_strength: expected.half_strength,
         dilating: expected.dilating,

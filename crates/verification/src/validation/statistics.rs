@@ -71,6 +71,7 @@ mod tests {
                 by_dimensions: None,
                 by_packings: None,
                 without: Vec::new(),
+                without_crushing: None,
                 upper_bound: None,
                 half_strength: None,
                 dilating: None,

@@ -11,7 +11,7 @@ use outcome::vehicles::Across;
 use rules::{EffectiveWidth, Rule, Ways};
 
 /// Width of the narrowest lane of a road [m]: that of two vehicles abreast (BD 21, notional lanes).
-const ROAD_LANE: f64 = 2.5;
+pub const ROAD_LANE: f64 = 2.5;
 /// Distance between the middles of two tracks [m].
 const TRACKS: f64 = 3.4;
 

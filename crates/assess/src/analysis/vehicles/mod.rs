@@ -30,6 +30,7 @@ mod told;
 mod twins;
 mod weights;
 
+pub use across::ROAD_LANE;
 pub use driven::Driven;
 pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;

@@ -202,6 +202,11 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         finished: false,
         broken: 0,
         words,
+        head: String::new(),
+        beside: Vec::new(),
+        skipped: Vec::new(),
+        left_out: Vec::new(),
+        doubtful: Vec::new(),
         report: String::new(),
     };
     let refused = |failure: Failure| blank(failure.status, format!("{} ({})", failure.message, failure.code));
@@ -240,6 +245,7 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
     let worst = ::outcome::checked::governing(&done.assessment.checked);
     let finding =
         worst.and_then(|(c, k)| done.assessment.checked[c].outcome.as_ref().ok()?.get(k).map(|finding| (c, finding)));
+    let verdict = &done.assessment.verdict;
     let all = done.assessment.checked.iter().flat_map(|check| check.outcome.iter().flatten());
     Some(FleetRow {
         name: done.assessment.bridge.clone(),
@@ -251,6 +257,11 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         finished: done.assessment.verdict.finished,
         broken: all.filter(|finding| !finding.met()).count(),
         report: format!("{}/report.html", web(stem)),
+        head: verdict.head(),
+        beside: verdict.beside(),
+        skipped: verdict.given.skipped.clone(),
+        left_out: verdict.given.load_cases_left_out.clone(),
+        doubtful: verdict.given.doubtful.iter().map(|one| one.code.clone()).collect(),
         ..blank(
             Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined),
             done.assessment.verdict.words.clone(),

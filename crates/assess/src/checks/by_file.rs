@@ -1,0 +1,64 @@
+//! What keeps the file's own factor on its loads (`adequacy_factor`) from showing strength, where all that was compared is met.
+
+use super::verdict::Open;
+use crate::evidence::Evidence;
+use crate::record;
+use outcome::checked::{Checked, Comparison};
+
+/// The check of the loads of the file.
+pub(super) const CODE: &str = "C201";
+
+/// Everything that is open.
+pub(super) fn open(a: &Evidence, checked: &[Checked]) -> Vec<Open> {
+    let mut list: Vec<Open> = factor(a).into_iter().collect();
+    match checked.iter().find(|one| one.code == CODE).map(|one| &one.outcome) {
+        Some(Ok(found)) => list.extend(within(found, "model_factor in [assess]")),
+        Some(Err(why)) if why.left_out.is_none() && !why.failed => {
+            list.push(Open::new("loads of the file not compared", why.why.clone()));
+        }
+        _ => {}
+    }
+    list
+}
+
+/// Why the factor of the file shows no strength; none where it does.
+pub(super) fn factor(a: &Evidence) -> Option<Open> {
+    let limits = &a.asked.limits;
+    let asked = limits.adequacy_factor?;
+    if asked * limits.load_factor_included <= 1.0 {
+        return Some(Open::new(
+            format!(
+                "a factor of {asked} on loads that carry a factor of {} gives no safety",
+                limits.load_factor_included
+            ),
+            "write the factor of a rule as adequacy_factor, or load_factor_included where the forces of the file carry it, in [assess]",
+        ));
+    }
+    limits
+        .adequacy_source
+        .is_none()
+        .then(|| Open::new("no source of adequacy_factor", "write adequacy_source = \"document, clause\" in [assess]"))
+}
+
+/// The model factor under the file's own factor on its loads.
+pub(super) fn model(a: &Evidence) -> f64 {
+    a.asked.limits.model_factor.unwrap_or_else(record::model_factor)
+}
+
+/// What meets its limit by less than the uncertainty of the method asks for; `key` is where another model factor is written.
+pub(super) fn within(found: &[Comparison], key: &str) -> Option<Open> {
+    let short =
+        found.iter().filter_map(|one| Some((one, one.needed.filter(|needed| one.met() && one.value < *needed)?)));
+    let list: Vec<String> =
+        short.map(|(one, needed)| format!("{} {:.2} of {needed:.2}", one.load_model, one.value)).collect();
+    (!list.is_empty()).then(|| {
+        Open::new(
+            format!("less margin than the uncertainty of the model requires: {}", list.join(", ")),
+            format!(
+                "model factor {}, {}; write {key} if a source has another",
+                record::model_factor(),
+                record::words()
+            ),
+        )
+    })
+}

@@ -1,0 +1,214 @@
+//! What of a rule the vehicles of a file cover: load cases that apply to the spans, and how they were sought.
+
+use crate::evidence::Evidence;
+use crate::vehicles::{Chosen, LoadModel, Rule, applicable, chosen, of_plan};
+use bridge::{Bridge, Directions, SweepPlan};
+use rules::{Confidence, Required, Ways};
+
+/// The rule of a file and what its vehicles cover.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coverage {
+    /// Code of the rule.
+    pub code: String,
+    /// As it is said: "CS 454"; an engineer's own by its code and file.
+    pub name: String,
+    /// Whether it is one of the library's, as published there.
+    pub library: bool,
+    /// Whether its model factor was read in its source.
+    pub model_is_sourced: bool,
+    /// Its model factor, which the adequacy factors hold already.
+    pub model: f64,
+    /// The grades that are asked for, where every vehicle stands for one.
+    pub level: Option<String>,
+    /// Codes of load cases that apply and were left out.
+    pub left_out: Vec<String>,
+    /// Factors as they act, each with how sure it is.
+    pub factors: Vec<Acted>,
+    /// Vehicles whose live loads act without safety, and the factor.
+    pub without_safety: Vec<(String, f64)>,
+    /// What the rule asks of the file and does not find there, each as what and what to write.
+    pub lacks: Vec<[String; 2]>,
+}
+
+/// A factor as it acts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Acted {
+    /// Its name, and for which loads.
+    pub name: String,
+    /// Its value, in words.
+    pub value: String,
+    /// How sure it is.
+    pub confidence: Confidence,
+}
+
+/// The coverage of a file with a `[sweep]` that can be read.
+pub fn of(a: &Evidence) -> Option<Coverage> {
+    let plan = a.bridge.sweep.as_ref()?;
+    let (rule, vehicles) = chosen(&a.bridge, plan).ok()?;
+    Some(Coverage {
+        code: rule.code.clone(),
+        name: name(plan, &rule),
+        library: plan.rule_file.is_none(),
+        model_is_sourced: matches!(rule.factors.model.source.confidence, Confidence::Read | Confidence::Calculated),
+        model: rule.factors.model.value,
+        level: level(&vehicles),
+        left_out: left_out(&a.bridge, plan, &rule, &vehicles),
+        factors: factors(&rule, &vehicles),
+        without_safety: without_safety(&vehicles),
+        lacks: lacks(a, plan),
+    })
+}
+
+/// "CS 454" of "CS 454, masonry arches at ultimate limit state"; an engineer's own rule is named as that.
+fn name(plan: &SweepPlan, rule: &Rule) -> String {
+    match &plan.rule_file {
+        Some(file) => format!("rule \"{}\" of {file}", rule.code),
+        None => rule.title.split(',').next().unwrap_or(&rule.title).trim().to_owned(),
+    }
+}
+
+/// The grades of vehicles that all stand for one.
+fn level(vehicles: &[Chosen]) -> Option<String> {
+    let grades: Vec<&str> = vehicles.iter().filter_map(|one| Some(one.grade.as_ref()?.name.as_str())).collect();
+    let heaviest = vehicles.iter().filter_map(|one| one.grade.as_ref()).max_by_key(|grade| grade.rank)?;
+    (grades.len() == vehicles.len()).then(|| heaviest.name.clone())
+}
+
+/// Load cases of the loadings that are asked for; and where none of normal traffic is, those of the rule.
+fn left_out(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicles: &[Chosen]) -> Vec<String> {
+    let Some(models) = of_plan(bridge, plan) else { return Vec::new() };
+    let asked = |model: &LoadModel| vehicles.iter().any(|one| one.model == model.code);
+    let normal = models.iter().filter(|model| asked(model)).any(|model| is_normal(model));
+    let ways: Vec<Ways> = vehicles.iter().map(|one| one.ways).collect();
+    let loadings: Vec<&str> = match normal {
+        true => models.iter().filter(|model| asked(model)).map(|model| model.loading.as_str()).collect(),
+        false => {
+            let own = models.iter().filter(|model| !model.only_by_name && rule.acting(model).is_some());
+            own.filter(|model| ways.contains(&model.ways)).map(|model| model.loading.as_str()).collect()
+        }
+    };
+    let mut codes = Vec::new();
+    for model in models.iter().filter(|model| !model.loading.is_empty() && loadings.contains(&model.loading.as_str())) {
+        if rule.acting(model).is_none() {
+            continue;
+        }
+        if !applicable(bridge, model) {
+            let reason = model.span_limit.as_ref().map_or("", |limit| limit.reason.as_str());
+            codes.push(format!("{} ({reason})", model.code));
+            continue;
+        }
+        let moved = |code: &str| vehicles.iter().any(|one| one.vehicle.code == code);
+        let missing = model.vehicles.iter().filter(|vehicle| !moved(&vehicle.code));
+        codes.extend(missing.map(|vehicle| vehicle.code.clone()));
+    }
+    codes
+}
+
+/// Whether a model is normal traffic: a loading all of whose cases count, or grades of restrictions.
+fn is_normal(model: &LoadModel) -> bool {
+    !model.loading.is_empty() || !model.grades.is_empty()
+}
+
+/// The rule's factors, and those on the loads of its vehicles.
+fn factors(rule: &Rule, vehicles: &[Chosen]) -> Vec<Acted> {
+    let listed = rule.listed().into_iter().filter(|(name, _)| *name != "live load");
+    let mut list: Vec<Acted> = listed
+        .map(|(name, factor)| Acted {
+            name: name.to_owned(),
+            value: factor.value.to_string(),
+            confidence: factor.source.confidence,
+        })
+        .collect();
+    for one in vehicles {
+        let live = &one.acting.live_load;
+        let acted = [
+            Acted {
+                name: format!("live load of {}", one.model),
+                value: live.value.to_string(),
+                confidence: live.source.confidence,
+            },
+            Acted {
+                name: format!("impact on {}", one.model),
+                value: one.acting.impact.told(),
+                confidence: one
+                    .acting
+                    .impact
+                    .sources()
+                    .iter()
+                    .map(|source| source.confidence)
+                    .max()
+                    .unwrap_or(Confidence::Assumed),
+            },
+        ];
+        for factor in acted {
+            if !list.contains(&factor) {
+                list.push(factor);
+            }
+        }
+    }
+    list
+}
+
+/// Vehicles on which no factor above 1 with a source acts.
+fn without_safety(vehicles: &[Chosen]) -> Vec<(String, f64)> {
+    let live = |one: &Chosen| one.acting.live_load.clone();
+    let bare = vehicles.iter().filter(|one| {
+        let factor = live(one);
+        factor.value <= 1.0 || factor.source.confidence == Confidence::Assumed
+    });
+    bare.map(|one| (one.vehicle.code.clone(), live(one).value)).collect()
+}
+
+/// Least positions over the shortest span with which the worst one is met.
+const LEAST_POSITIONS: f64 = 15.0;
+
+/// What the rule asks of the file and does not find there.
+fn lacks(a: &Evidence, plan: &SweepPlan) -> Vec<[String; 2]> {
+    let bridge = &a.bridge;
+    let mut list: Vec<[String; 2]> = Vec::new();
+    let mut ask = |what: &str, write: &str| list.push([what.to_owned(), write.to_owned()]);
+    if bridge.masonry.compressive_strength.is_none() {
+        ask(
+            "no compressive strength of the masonry",
+            "write compressive_strength in [masonry], from tests or the values of the standard: joints that never crush carry more",
+        );
+    }
+    if plan.own_dispersal {
+        ask("loads spread by the file and not by the rule", "leave dispersal = \"file\" of [sweep] away");
+    }
+    let facts = a.facts.vehicles.made();
+    let asks = |what| facts.is_some_and(|facts| facts.requires.iter().any(|one| one.what == what));
+    if asks(Required::Braking) && !plan.braking_given {
+        ask(
+            "braking not written",
+            "write braking = … in [sweep], as a share of the loads, or braking = 0 with braking_reason = \"…\"",
+        );
+    } else if asks(Required::Braking) && plan.braking == 0.0 && plan.braking_reason.is_none() {
+        ask("no reason for braking = 0", "write braking_reason = \"…\" in [sweep]");
+    }
+    if plan.directions != Directions::Both {
+        ask("vehicles drive one way only", "leave directions of [sweep] away");
+    }
+    if !plan.subsets {
+        ask("axles that relieve the arch are not taken away", "leave subsets = false of [sweep] away");
+    }
+    let shortest = bridge.spans.iter().map(|span| span.span).fold(f64::INFINITY, f64::min);
+    if plan.step.is_some_and(|step| step > shortest / LEAST_POSITIONS) {
+        ask("positions too far apart", "leave step of [sweep] away, or write a fifteenth of the shortest span at most");
+    }
+    list
+}
+
+/// Fewer lanes than the width of the bridge has room for, in a sentence.
+pub fn fewer_lanes(bridge: &Bridge) -> Option<String> {
+    let asked = bridge.carriageway.as_ref()?.lanes?;
+    let room = (bridge.width / crate::analysis::vehicles::ROAD_LANE).floor().min(2.0) as usize;
+    let road = bridge.sweep.as_ref().and_then(|plan| chosen(bridge, plan).ok());
+    let road = road.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Road));
+    (road && asked < room).then(|| {
+        format!(
+            "{asked} lane where {:.2} m have room for {room}: vehicles beside one another are left out",
+            bridge.width
+        )
+    })
+}

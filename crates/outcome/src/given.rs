@@ -1,0 +1,162 @@
+//! By what a verdict is given, and what qualifies it: the head of an assessment, in the same words on the screen, in the report, in
+//! tables and in the object for scripts.
+
+use crate::checked::{Rung, Verdict};
+use findings::words::counted;
+pub use rules::ChangedFactor;
+use serde::{Deserialize, Serialize};
+
+/// By what a verdict is given, and what a reader must know beside it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Given {
+    /// Code of the rule of `[sweep]`, or "file" for the factor of `[assess]`; none where strength is not asked for.
+    pub by: Option<String>,
+    /// The same as it is said: "CS 454".
+    pub name: String,
+    /// What is carried where the vehicles stand for grades: "18 t".
+    pub level: Option<String>,
+    /// Factors that act on this bridge and are recalled or assumed, each with its value.
+    pub to_confirm: Vec<String>,
+    /// Stages that the file asks for and the command left out.
+    pub skipped: Vec<String>,
+    /// Codes of load cases of the rule that apply to the spans and were not moved.
+    pub load_cases_left_out: Vec<String>,
+    /// Doubtful values of the file, of its vehicles and of its rule.
+    pub doubtful: Vec<Doubt>,
+    /// Factors that differ from those of the library's rule.
+    pub changed_factors: Vec<ChangedFactor>,
+    /// What the file does not give and was taken, and what it takes otherwise than usual, each in a sentence.
+    pub taken: Vec<String>,
+    /// The model factor in force, where the factors are not those of a standard.
+    pub model_factor: Option<ModelFactor>,
+    /// What tests to collapse carried of the predictions of the same method.
+    pub record: Option<Record>,
+}
+
+/// A doubtful value.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Doubt {
+    /// Code, `P…`.
+    pub code: String,
+    /// What is doubtful.
+    pub message: String,
+}
+
+/// A model factor with its source.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ModelFactor {
+    /// What a load factor is divided by.
+    pub value: f64,
+    /// Where it is from.
+    pub source: String,
+}
+
+/// What tests to collapse carried of a method's predictions.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Tests with a prediction.
+    pub tests: usize,
+    /// Tests all of whose dimensions were read in a source.
+    pub with_read_dimensions: usize,
+    /// Least load of a test over its prediction.
+    pub carried_share_least: f64,
+    /// Median of them.
+    pub carried_share_median: f64,
+    /// Largest of them.
+    pub carried_share_most: f64,
+}
+
+impl Record {
+    /// In a sentence.
+    pub fn words(&self) -> String {
+        format!(
+            "record: {} bridges tested to collapse carried {:.2} to {:.1} times the method's prediction, {:.2} in the median; {} with dimensions \
+             that were read",
+            self.tests,
+            self.carried_share_least,
+            self.carried_share_most,
+            self.carried_share_median,
+            self.with_read_dimensions
+        )
+    }
+}
+
+/// A factor that differs from the library's, in a few words.
+fn changed(one: &ChangedFactor) -> String {
+    format!("{} {} in place of {} (source named: {})", one.factor, one.file, one.library, one.source)
+}
+
+impl Given {
+    /// What a verdict is to be read with, in brackets: factors to be confirmed, values that are doubtful, factors that are not the
+    /// library's, what was taken; empty where there is nothing.
+    fn in_short(&self) -> String {
+        let mut parts = Vec::new();
+        match self.to_confirm.len() {
+            0 => {}
+            n => parts.push(format!("{} to be confirmed", counted(n, "factor"))),
+        }
+        if !self.changed_factors.is_empty() {
+            let names: Vec<&str> = self.changed_factors.iter().map(|one| one.factor.as_str()).collect();
+            parts.push(format!("not the library's: {}", names.join(", ")));
+        }
+        if !self.doubtful.is_empty() {
+            let mut codes: Vec<&str> = self.doubtful.iter().map(|one| one.code.as_str()).collect();
+            codes.dedup();
+            parts.push(format!("doubtful: {}", codes.join(", ")));
+        }
+        // A sentence says its subject before the colon.
+        parts.extend(self.taken.iter().map(|words| words.split(':').next().unwrap_or(words).to_owned()));
+        if parts.is_empty() { String::new() } else { format!(" ({})", parts.join("; ")) }
+    }
+}
+
+impl Verdict {
+    /// The verdict in a line: what it is, by what, and for how many factors somebody must open a book.
+    pub fn head(&self) -> String {
+        let Given { name, level, .. } = &self.given;
+        let level = level.as_ref().map_or(String::new(), |level| format!(" for {level}"));
+        let with = self.given.in_short();
+        match self.headline {
+            Rung::Adequate => format!("Adequate by {name}{level}{with}"),
+            Rung::NotAdequate if self.broken_by_rule => format!("Not adequate by {name}{level}{with}"),
+            Rung::NotAdequate | Rung::LimitsMet => self.headline.word().to_owned(),
+            Rung::Undetermined | Rung::NothingCompared => match self.open.first() {
+                None => self.headline.word().to_owned(),
+                Some(first) => {
+                    let more = match self.open.len() - 1 {
+                        0 => String::new(),
+                        n => format!(", and {}", counted(n, "more thing")),
+                    };
+                    format!("Undetermined ({first}{more})")
+                }
+            },
+        }
+    }
+
+    /// What qualifies the verdict, most important first, each in a line.
+    pub fn beside(&self) -> Vec<String> {
+        let given = &self.given;
+        let mut lines = Vec::new();
+        let mut list = |what: String, items: &[String]| {
+            if !items.is_empty() {
+                lines.push(format!("{what}: {}", items.join(", ")));
+            }
+        };
+        list("left out by the command".to_owned(), &given.skipped);
+        list(format!("load cases of {} left out", given.name), &given.load_cases_left_out);
+        let changed: Vec<String> = given.changed_factors.iter().map(changed).collect();
+        list("factors that differ from the library's".to_owned(), &changed);
+        let doubts: Vec<String> = given.doubtful.iter().map(|one| format!("{} ({})", one.message, one.code)).collect();
+        list("doubtful values".to_owned(), &doubts);
+        lines.extend(given.taken.iter().cloned());
+        if let Some(model) = &given.model_factor {
+            lines.push(format!("model factor in force: {} ({})", model.value, model.source));
+        }
+        if !given.to_confirm.is_empty() {
+            lines.push(format!("to be confirmed in their source: {}", given.to_confirm.join(", ")));
+        }
+        lines.extend(given.record.map(|record| record.words()));
+        lines
+    }
+}
