@@ -758,6 +758,17 @@ class Assessment(Result):
     strength_assessed: bool
     missing: list[str]
     qualifications: list[str]
+    head: str
+    """The verdict in a line: by what it is given, and what it is to be read with."""
+    beside: list[str]
+    """What stands beside it, most important first."""
+    by: str | None
+    to_confirm: int
+    skipped: list[str]
+    load_cases_left_out: list[str]
+    doubtful: list[str]
+    changed_factors: list[dict[str, Any]]
+    record: dict[str, Any] | None
     statics: dict[str, Any] | None
     service: Any
     collapse: dict[str, Any] | None

@@ -199,16 +199,26 @@ fn lacks(a: &Evidence, plan: &SweepPlan) -> Vec<[String; 2]> {
     list
 }
 
-/// Fewer lanes than the width of the bridge has room for, in a sentence.
-pub fn fewer_lanes(bridge: &Bridge) -> Option<String> {
-    let asked = bridge.carriageway.as_ref()?.lanes?;
-    let room = (bridge.width / crate::analysis::vehicles::ROAD_LANE).floor().min(2.0) as usize;
+/// Widest lane of a road, and the farthest that the nearest wheel usually stands from the edge of a barrel [m]: beyond them vehicles that
+/// share a width are kept apart.
+const WIDEST_LANE: f64 = 3.65;
+const FARTHEST_WHEEL: f64 = 2.0;
+
+/// How a road's carriageway keeps vehicles from where they weigh most on the barrel, each in a sentence.
+pub fn lanes_apart(bridge: &Bridge) -> Vec<String> {
+    let Some(asked) = bridge.carriageway.as_ref() else { return Vec::new() };
     let road = bridge.sweep.as_ref().and_then(|plan| chosen(bridge, plan).ok());
-    let road = road.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Road));
-    (road && asked < room).then(|| {
-        format!(
-            "{asked} lane where {:.2} m have room for {room}: vehicles beside one another are left out",
-            bridge.width
-        )
-    })
+    if !road.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Road)) {
+        return Vec::new();
+    }
+    let room = (bridge.width / crate::analysis::vehicles::ROAD_LANE).floor().min(2.0) as usize;
+    let fewer = asked.lanes.filter(|lanes| *lanes < room).map(|lanes| {
+        let width = bridge.width;
+        format!("{lanes} lane where {width:.2} m have room for {room}: vehicles beside one another are left out")
+    });
+    let wide = asked.lane_width.filter(|width| *width > WIDEST_LANE);
+    let wide = wide.map(|width| format!("lane_width {width:.2} m: vehicles beside one another are that far apart"));
+    let far = asked.edge_distance.filter(|distance| *distance > FARTHEST_WHEEL);
+    let far = far.map(|distance| format!("edge_distance {distance:.2} m: no wheel comes nearer to the edge"));
+    fewer.into_iter().chain(wide).chain(far).collect()
 }

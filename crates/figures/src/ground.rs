@@ -156,7 +156,11 @@ fn told(ground: &GroundPlan) -> String {
         let strip = if vehicle.strip.is_some() { " on the coloured strip" } else { "" };
         told.push(format!("Blue: lines of wheels of {} where it loads a metre of width most{strip}.", vehicle.code));
     }
-    if told.is_empty() { "The bridge is square.".to_owned() } else { told.join(" ") }
+    match (told.is_empty(), ground.skew_given) {
+        (true, true) => "The bridge is square.".to_owned(),
+        (true, false) => "The file gives no skew: the bridge is taken as square.".to_owned(),
+        (false, _) => told.join(" "),
+    }
 }
 
 /// The barrel cut across the crown of the first span.
@@ -243,6 +247,7 @@ mod tests {
 
     fn ground() -> GroundPlan {
         GroundPlan {
+            skew_given: true,
             bridge: "Skew".into(),
             width: 8.0,
             spans: vec![SpanInPlan { from_to: [0.0, 9.0], skew: 0.5 }, SpanInPlan { from_to: [10.5, 17.0], skew: 0.3 }],

@@ -9,6 +9,9 @@ pub struct GroundPlan {
     pub bridge: String,
     /// Width of the barrel [m].
     pub width: f64,
+    /// Whether the file gives its skew, be it 0.
+    #[serde(default)]
+    pub skew_given: bool,
     /// Spans from left to right.
     pub spans: Vec<SpanInPlan>,
     /// Piers from left to right.

@@ -113,6 +113,9 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
             part.rows.push(vec![input.path(), input.value.clone(), input.remark.clone(), blank(), blank()]);
         }
     }
+    for words in a.verdict.given.taken.iter().filter(|words| words.contains("not given")) {
+        part.rows.push(vec![words.clone(), blank(), "not given by the file".into(), blank(), blank()]);
+    }
     for (stage, warning) in a.facts.warnings_once() {
         if SITE.contains(&warning.code) {
             part.rows.push(vec![

@@ -233,8 +233,8 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     for (const text of texts("missing")) list.push({ kind: "warn", text: `Missing: ${text}` });
     if (assumed().length > 0) list.push({ kind: "", text: typeset(`Assumed by the file, measured by nobody: ${assumed().join("; ")}.`) });
     for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${plainly(one.message ?? "")}`, ...(one.line ? { line: one.line } : {}) });
-    // Those with a code are the titles of warnings that stand above.
-    for (const text of texts("qualifications").filter((one) => !/\(A\d+\)$/.test(one))) list.push({ kind: "", text: `The verdict rests on ${text}` });
+    // What the command says beside the verdict, in the same words.
+    for (const text of texts("beside")) list.push({ kind: "", text: `Beside the verdict: ${text}` });
     for (const text of texts("assumptions")) list.push({ kind: "", text });
     return list;
   });
@@ -258,6 +258,9 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
         <Show when={load() !== null} fallback={
           <Show when={least()} fallback={<>
               <span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>
+              <Show when={typeof object()?.["head"] === "string"}>
+                <span class="under" data-testid="head">{plainly(String(object()?.["head"]))}</span>
+              </Show>
               <Show when={/^(in)?adequate$/.test(status()) && assumed().length > 0}>
                 <span class="under" data-testid="on-assumptions">if what nobody measured is as assumed: the notes name it</span>
               </Show>

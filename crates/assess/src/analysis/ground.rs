@@ -23,6 +23,8 @@ pub fn ground_plan(bridge: &Bridge, swept: Option<&VehicleSweep>) -> GroundPlan 
     GroundPlan {
         bridge: bridge.name.clone(),
         width: bridge.width,
+        skew_given: bridge.carriageway.as_ref().is_some_and(|asked| asked.skew.is_some())
+            || bridge.spans.iter().any(|span| span.skew != 0.0),
         spans,
         piers,
         cracks: bridge.carriageway.as_ref().map_or_else(Vec::new, |asked| asked.cracks.clone()),

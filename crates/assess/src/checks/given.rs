@@ -112,7 +112,7 @@ fn taken(a: &Evidence) -> Vec<String> {
                 missing.join(" and ")
             ));
         }
-        list.extend(coverage::fewer_lanes(&a.bridge));
+        list.extend(coverage::lanes_apart(&a.bridge));
     }
     if let Some(source) = &a.asked.limits.skew_source {
         list.push(format!("skew confirmed by {source}: the model is square"));

@@ -18,6 +18,8 @@ pub struct Inputs {
     pub fill: f64,
     /// Level of the right springing above the left one [m].
     pub right_springing: f64,
+    /// Skew [rad].
+    pub skew: f64,
     /// Factors of the file.
     pub factors: Mexe,
 }
@@ -52,6 +54,8 @@ const SPAN_RISE: [(f64, f64); 5] = [(4.0, 1.0), (5.0, 0.88), (6.0, 0.77), (7.0, 
 pub const READING: f64 = 0.03;
 /// Spans [m], and thicknesses of ring and fill together [m], on the nomogram of BA 16/97, Figure 3/1.
 const SPANS: [f64; 2] = [1.5, 18.0];
+/// Largest skew [rad]: BD 21 and CS 454 do not use the method for more than 35 degrees (recalled).
+const SKEW: f64 = 35.0 * std::f64::consts::PI / 180.0;
 const DEPTHS: [f64; 2] = [0.25, 1.8];
 /// Quarter rise over rise up to which the profile factor is 1.
 const FULL: f64 = 0.75;
@@ -133,6 +137,13 @@ pub fn outside(inputs: &Inputs) -> Option<String> {
     if !(thin..=thick).contains(&depth) {
         found.push(format!("it is made for {thin} to {thick} m of ring and fill, and here {depth:.2} m count"));
     }
+    if inputs.skew > SKEW + 1e-9 {
+        found.push(format!(
+            "it is made for skews of up to {:.0} degrees, and this one is {:.0} degrees",
+            SKEW.to_degrees(),
+            inputs.skew.to_degrees()
+        ));
+    }
     if ratio > last && inputs.factors.span_rise_factor.is_none() {
         found.push(format!(
             "its curve of the span/rise factor ends at {last}, and span over rise is {ratio:.2}: span_rise_factor in [mexe] could go beyond it, at the \
@@ -157,6 +168,7 @@ pub fn inputs(bridge: &Bridge, factors: &Mexe) -> Option<Inputs> {
         ring: factors.ring_thickness.unwrap_or_else(|| span.rings.iter().map(|ring| ring.crown_thickness).sum()),
         fill: factors.fill_depth.unwrap_or(bridge.cover.depth),
         right_springing: right,
+        skew: span.skew,
         factors: factors.clone(),
     })
 }
@@ -190,6 +202,7 @@ mod tests {
         quarter_rise: 1.373,
         ring: 0.34,
         fill: 0.5,
+        skew: 0.0,
         right_springing: 0.0,
         factors: FACTORS,
     };
@@ -234,6 +247,8 @@ mod tests {
     #[test]
     fn what_lies_outside_of_the_method_is_named() {
         assert_eq!(outside(&CASE), None);
+        assert!(outside(&Inputs { skew: 40_f64.to_radians(), ..CASE }).is_some_and(|why| why.contains("40 degrees")));
+        assert!(outside(&Inputs { skew: 30_f64.to_radians(), ..CASE }).is_none());
         let wide = Inputs { span: 18.3, rise: 1.0, ring: 1.0, fill: 2.0, ..CASE };
         let said = outside(&wide).unwrap();
         for words in ["18.30 m", "2.00 m count", "span over rise is 18.30"] {

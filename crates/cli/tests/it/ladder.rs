@@ -4,7 +4,7 @@ use crate::stage::{Ending, Stage};
 use serde_json::Value;
 
 /// A road bridge of 5 m, everything that CS 454 asks for.
-const BASE: &str = r#"[bridge]
+pub const BASE: &str = r#"[bridge]
 name = "Base"
 width = "6.0 m"
 [[span]]
@@ -168,4 +168,35 @@ fn a_load_just_below_its_limit_is_told_from_it() {
     stage.write("bridge.toml", text.replace("\"100 kN\"", &format!("\"{force} kN\"")));
     let shown = stage.run(&["assess", "bridge.toml", "--skip", "sensitivity"]).stdout;
     assert!(shown.contains("Not adequate") && shown.contains("1.8999 where the limit is 1.9000"), "{shown}");
+}
+
+/// The page of ordinary bridges: sound ones pass by their standard, weak ones fail, and none is left open.
+#[test]
+fn twelve_ordinary_bridges_are_judged_as_their_page_tells() {
+    let page = include_str!("../../../../docs/verification/ordinary-bridges.md");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/verification/ordinary");
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| "))
+        .map(|row| row.trim_end_matches(" |").split(" | ").collect::<Vec<_>>())
+        .filter(|row| folder.join(format!("{}.toml", row[0])).is_file())
+        .collect();
+    assert_eq!(rows.len(), 12);
+    let stage = Stage::new("ladder-ordinary");
+    for row in rows {
+        let [name, rule, governs, adequacy, _, status] = row[..] else { panic!("{row:?}") };
+        stage.write("bridge.toml", std::fs::read(folder.join(format!("{name}.toml"))).expect("a bridge"));
+        let words = ["assess", "bridge.toml", "--out", name, "--skip", "sensitivity", "--skip", "collapse"];
+        let (answer, ending) = stage.object(&words);
+        assert_eq!(ending.code, Some(u8::from(status != "adequate").into()), "{name}: {}", ending.stderr);
+        assert_eq!(
+            (&answer["status"], &answer["governing"]["load_model"]),
+            (&status.into(), &governs.into()),
+            "{name}"
+        );
+        assert!(head(&answer).contains(rule), "{name}: {}", head(&answer));
+        let found = 1.0 / answer["governing"]["utilisation"].as_f64().expect("a share");
+        let told: f64 = adequacy.parse().expect("a number");
+        assert!((found - told).abs() < 1e-3, "{name}: {found}");
+    }
 }

@@ -2,6 +2,7 @@
 
 mod answers;
 mod assess;
+mod attack;
 mod axles;
 mod calibration;
 mod carried;
