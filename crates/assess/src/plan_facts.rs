@@ -7,7 +7,7 @@ use outcome::facts::DoubtFacts;
 use outcome::vehicles::Swept;
 use rules::{
     ChangedFactor, Confidence, Doubt, LoadModel, Required, Requirement, Rule, Source, Ways, based_on,
-    changed_by_vehicles, changed_factors, doubts_of_rule, doubts_of_vehicles,
+    changed_by_vehicles, changed_for, doubts_of_rule, doubts_of_vehicles,
 };
 
 /// See above.
@@ -33,7 +33,8 @@ pub(crate) struct PlanFacts {
 pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> PlanFacts {
     let Ok(Read { rule: Some(rule), library, own, .. }) = read(bridge, plan) else { return PlanFacts::default() };
     let base = based_on(&rule, &library).filter(|_| plan.rule_file.is_some());
-    let mut changed = base.map_or_else(Vec::new, |base| changed_factors(&rule, base.rule));
+    let moved: Vec<&str> = swept.iter().map(|one| one.model.as_str()).collect();
+    let mut changed = base.map_or_else(Vec::new, |base| changed_for(&rule, base.rule, &moved));
     let mut left_out: Vec<String> = Vec::new();
     let mut models: Vec<&str> = Vec::new();
     for one in swept {

@@ -1,6 +1,6 @@
 //! What an engineer's own rule changes of the library's rule that it builds on.
 
-use crate::{Acting, EffectiveWidth, FillReduction, Impact, Library, Loads, Rule, Ways};
+use crate::{Acting, Confidence, EffectiveWidth, FillReduction, Impact, Library, Loads, Rule, Ways};
 use serde::{Deserialize, Serialize};
 
 /// A factor that differs from that of the library's rule.
@@ -56,9 +56,21 @@ fn letters(text: &str) -> String {
 
 /// Every factor of a rule that differs from another's.
 pub fn changed_factors(own: &Rule, base: &Rule) -> Vec<ChangedFactor> {
+    let models = own.models();
+    changed_for(own, base, &models)
+}
+
+/// Every factor of a rule that differs from another's, of those on load models the ones of these models alone. A factor of the same value that
+/// the file calls surer than the library does differs too: its source is the engineer's.
+pub fn changed_for(own: &Rule, base: &Rule, models: &[&str]) -> Vec<ChangedFactor> {
     let mut list = Vec::new();
     for ((name, factor), (_, of_base)) in own.listed().into_iter().zip(base.listed()) {
         put(&mut list, name, of_base.value, factor.value, &factor.source.text);
+        let [library, file] = [of_base, factor].map(|factor| factor.source.confidence);
+        if factor.value == of_base.value && surer(file) < surer(library) {
+            let words = |confidence: Confidence| format!("{} ({})", factor.value, confidence.word());
+            told(&mut list, name, &words(library), &words(file), &factor.source.text);
+        }
     }
     let (d, b) = (&own.dispersal, &base.dispersal);
     for (name, of_base, value) in [
@@ -76,7 +88,7 @@ pub fn changed_factors(own: &Rule, base: &Rule) -> Vec<ChangedFactor> {
     let (width, source) = width(&own.effective_width);
     told(&mut list, "effective width", &self::width(&base.effective_width).0, &width, source);
     for loads in &own.loads {
-        for model in &loads.models {
+        for model in loads.models.iter().filter(|model| models.contains(&model.as_str())) {
             let name = |what: &str| format!("{what} on {model}");
             let of_base = base.loads.iter().find(|other| other.models.contains(model));
             let first = of_base.or(base.loads.first());
@@ -122,6 +134,16 @@ pub fn changed_by_vehicles(rule: &Rule, model: &str, acting: &Acting) -> Vec<Cha
     let name = format!("impact on {model}");
     told(&mut list, &name, &motion(impact), &motion(Some(&acting.impact)), &from(&acting.impact));
     list
+}
+
+/// How sure a number is: 0 is surest.
+fn surer(confidence: Confidence) -> u8 {
+    match confidence {
+        Confidence::Read => 0,
+        Confidence::Calculated => 1,
+        Confidence::Recalled => 2,
+        Confidence::Assumed => 3,
+    }
 }
 
 /// The largest width of a strip; without limit where the rule has none.

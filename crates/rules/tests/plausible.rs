@@ -168,6 +168,19 @@ fn what_a_rule_file_changes_is_listed() {
     }
 }
 
+/// A factor that a file calls read, where the library recalls it, has the engineer's source.
+#[test]
+fn a_factor_that_is_only_called_surer_is_listed_too() {
+    let library = library().unwrap();
+    let base = library.rule("cs-454").unwrap();
+    let at = RULE.find("[factors.model]").unwrap();
+    let (head, tail) = RULE.split_at(at);
+    let surer = head.to_owned() + &tail.replacen("confidence = \"recalled\"", "confidence = \"read\"", 1);
+    let changed = changed_factors(&read_rule("own.toml", &surer).unwrap(), base);
+    assert_eq!(changed.len(), 1, "{changed:?}");
+    assert_eq!((changed[0].library.as_str(), changed[0].file.as_str()), ("1 (recalled)", "1 (read)"));
+}
+
 /// Every rule with safety says what it asks for; those of railways ask for braking.
 #[test]
 fn rules_say_what_they_ask_for() {

@@ -170,7 +170,9 @@ fn swept(one: &Swept) -> SweptFacts {
         };
         // The axle with more than the others, where the rule has such a thing.
         let critical = match (case.critical_axle, one.load_factors[1]) {
-            (Some(axle), factor) if factor != 1.0 => format!(", axle {} with {factor} times as much", axle + 1),
+            (Some(axle), factor) if factor != 1.0 => {
+                format!(", axle {} with {} times as much", axle + 1, (1e3 * factor).round() / 1e3)
+            }
             _ => String::new(),
         };
         let uniform = case.uniform.filter(|_| case.axles.is_some());

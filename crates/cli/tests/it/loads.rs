@@ -135,7 +135,7 @@ fn a_uniform_load_is_shortened_where_that_does_more_harm() {
     };
     let (half, _) = factor("2.5", "");
     let (full, answer) = factor("5", "");
-    assert!((full / half - 1.0).abs() < 0.02, "{half} {full}");
+    assert!(full <= half * (1.0 + 1e-3), "what half of it does, all of it may do: {half} {full}");
     let part = &answer["shortened"][0];
     assert!(number(part, "length_m") < 4.0 && number(part, "of_m") == 5.0, "{part}");
     let (fixed, answer) = factor("5", "fixed_length = true\n");
