@@ -758,8 +758,8 @@ pub struct Load {
     pub block: Option<LoadingBlock>,
     /// Force along the bridge as a share of the load, to the right positive: braking, traction, wind along the road.
     pub horizontal: f64,
-    /// Whether a pressure has this length whatever happens; otherwise it may be shorter, where that does more harm.
-    pub fixed_length: bool,
+    /// Whether a pressure acts over its whole length; otherwise it may be shorter, where that does more harm.
+    pub whole_length: bool,
 }
 
 /// A rigid block of the load's length that stands on the surface, held against rotation and sideways movement.

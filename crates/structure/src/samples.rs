@@ -57,7 +57,7 @@ pub fn bridgemill() -> Bridge {
             position: 4.575,
             block: None,
             horizontal: 0.0,
-            fixed_length: false,
+            whole_length: false,
         }],
         dispersal: Dispersal { rule: DispersalRule::InverseDepth, slope: 2.0 },
         plan: Plan {

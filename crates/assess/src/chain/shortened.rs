@@ -33,7 +33,7 @@ fn with(bridge: &Bridge, load: usize, (shift, length): Part) -> Bridge {
 
 /// The bridge with its strips as they were shortened.
 pub fn as_shortened(bridge: &Bridge, parts: &[ShortenedFacts]) -> Bridge {
-    let known = |part: &&ShortenedFacts| bridge.loads.get(part.load).is_some_and(|load| !load.fixed_length);
+    let known = |part: &&ShortenedFacts| bridge.loads.get(part.load).is_some_and(|load| !load.whole_length);
     let one = |own: Bridge, part: &ShortenedFacts| with(&own, part.load, (part.shift_m, part.length_m));
     parts.iter().filter(known).fold(bridge.clone(), one)
 }
@@ -66,7 +66,7 @@ pub fn shortened(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Vec<Shortened
     let mut found = Vec::new();
     for load in 0..own.loads.len() {
         let LoadKind::Patch { length, .. } = own.loads[load].kind else { continue };
-        if own.loads[load].fixed_length {
+        if own.loads[load].whole_length {
             continue;
         }
         let Some(whole) = least(&own, span, watch)? else { return Ok(found) };
@@ -101,7 +101,7 @@ pub fn shortened(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Vec<Shortened
 pub fn told(part: &ShortenedFacts) -> String {
     format!(
         "A uniform load may be shorter: \"{}\" of {:.2} m does most harm where {:.2} m of it act, and its factor is that of this part. Write \
-         fixed_length = true in [[load]] where it cannot be shorter.",
+         whole_length = true in [[load]] where it cannot be shorter.",
         part.name, part.of_m, part.length_m
     )
 }

@@ -41,9 +41,9 @@ pub(super) static LOAD: Section = Section {
             .positive()
             .only("kind", &["knife-edge", "patch"]),
         Field::new(
-            "fixed_length",
+            "whole_length",
             Kind::Flag,
-            "whether the strip has this length whatever happens, as a stack of material; otherwise an assessment shortens it where that does \
+            "whether the strip acts over its whole length, as a stack of material; otherwise an assessment shortens it where that does \
              more harm",
             "true",
         )
@@ -194,7 +194,7 @@ fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mu
         // Its absence has been reported.
         Bearer::Block => Some(LoadingBlock { weight: block_weight?? }),
     };
-    let fixed_length: Option<bool> = table.read("fixed_length", findings);
+    let whole_length: Option<bool> = table.read("whole_length", findings);
     let horizontal: Option<At<f64>> = table.read("horizontal", findings);
     if let Some(At { value, .. }) = horizontal
         && value != 0.0
@@ -203,8 +203,8 @@ fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mu
         table.exclude("horizontal", "`through = \"block\"`, a block that is held sideways", findings);
     }
     let name = name?.unwrap_or_else(|| shape.map_or("", Shape::word).to_owned());
-    let (horizontal, fixed_length) = (horizontal?.value, fixed_length?);
-    let load = Load { name, kind: kind?, position: position?, block, horizontal, fixed_length };
+    let (horizontal, whole_length) = (horizontal?.value, whole_length?);
+    let load = Load { name, kind: kind?, position: position?, block, horizontal, whole_length };
     if let Some(layout) = layout {
         check_place(table, &load, layout, findings);
     }

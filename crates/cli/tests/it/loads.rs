@@ -138,7 +138,7 @@ fn a_uniform_load_is_shortened_where_that_does_more_harm() {
     assert!(full <= half * (1.0 + 1e-3), "what half of it does, all of it may do: {half} {full}");
     let part = &answer["shortened"][0];
     assert!(number(part, "length_m") < 4.0 && number(part, "of_m") == 5.0, "{part}");
-    let (fixed, answer) = factor("5", "fixed_length = true\n");
+    let (fixed, answer) = factor("5", "whole_length = true\n");
     assert!(fixed > 1.2 * full && answer["shortened"].as_array().is_some_and(Vec::is_empty), "{fixed} {full}");
 }
 

@@ -122,7 +122,7 @@ fn axles_that_share_a_voussoir_add() {
         position: 6.0,
         block: None,
         horizontal: 0.0,
-        fixed_length: false,
+        whole_length: false,
     }];
     let d = discretise(&b).unwrap();
     assert_eq!(d.spreads.len(), 2);

@@ -164,7 +164,7 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
                 position,
                 block: None,
                 horizontal: case.horizontal,
-                fixed_length: true,
+                whole_length: true,
             });
         }
     }
@@ -176,7 +176,7 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
                 position: 0.5 * (a + b_),
                 block: None,
                 horizontal: case.horizontal,
-                fixed_length: true,
+                whole_length: true,
             });
         }
     }
