@@ -51,6 +51,8 @@ fn swept(b: &Bridge) -> VehicleSweep {
 fn alone(b: &Bridge, found: &VehicleSweep, index: usize) -> f64 {
     let plan = b.sweep.as_ref().unwrap();
     let (rule, vehicles) = chosen(b, plan).unwrap();
+    let given = (&found.weights[..], found.step);
+    let vehicles = beside::loaded(b, (&rule, plan), vehicles, given, &mut Unwatched).unwrap();
     let case = found.vehicles[index].case.as_ref().unwrap();
     let factored = factored::bridge(b, &rule, &case.weights);
     let mut one = factored::with_case(&factored, plan, &rule, &vehicles[index], case);
@@ -218,6 +220,8 @@ fn weights_that_help_have_the_favourable_factor() {
         ..b.cover.layers[0].clone()
     });
     b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    // One lane: what stands beside HB is another matter.
+    b.carriageway = Some(bridge::Carriageway { lanes: Some(1), ..bridge::Carriageway::default() });
     let found = swept(&b);
     assert_eq!(found.weights.len(), 8);
     let (rule, _) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
@@ -840,4 +844,55 @@ fn cohesion_of_joints_has_a_factor() {
     );
     let own = rules::read_rule("own.toml", &own).unwrap();
     assert_eq!(factored::bridge(&b, &own, &weights).joint.cohesion, 25e3);
+}
+
+/// What stands beside an abnormal vehicle is found from what each carries by itself. Both on the bridge at once, on the width that they
+/// share, carry no less, and not much more: they are worst at the same place.
+#[test]
+fn traffic_beside_an_abnormal_vehicle_is_counted_on_the_safe_side() {
+    let mut b = bridgemill(&["hb-30"]);
+    b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    let plan = b.sweep.clone().unwrap();
+    let found = swept(&b);
+    let least = found.vehicles[0].adequacy.unwrap();
+    let (rule, bare) = chosen(&b, &plan).unwrap();
+    let given = (&found.weights[..], found.step);
+    let with = beside::loaded(&b, (&rule, &plan), bare.clone(), given, &mut Unwatched).unwrap();
+    let lane = with[0].beside.clone().unwrap();
+    assert!(lane.share > 0.1 && found.vehicles[0].across.beside == lane.code, "{lane:?}");
+    // The traffic by itself, at its own worst place, on a lane of its own.
+    let mut own = b.clone();
+    own.carriageway = Some(bridge::Carriageway { lanes: Some(1), ..bridge::Carriageway::default() });
+    own.sweep.as_mut().unwrap().vehicles = vec![lane.code.clone()];
+    let traffic = swept(&own);
+    let (_, theirs) = chosen(&own, own.sweep.as_ref().unwrap()).unwrap();
+    // Both cases under the weights of the first, each over the width that both share.
+    let case = found.vehicles[0].case.as_ref().unwrap();
+    let shared = found.vehicles[0].across.axles * (1.0 + lane.share);
+    let factored = factored::bridge(&b, &rule, &case.weights);
+    let first = factored::with_case(&factored, &plan, &rule, &bare[0], case);
+    let second = factored::with_case(&factored, &plan, &rule, &theirs[0], traffic.vehicles[0].case.as_ref().unwrap());
+    let (share, length) = (bare[0].acting.beside.as_ref().unwrap().share, structure::discretise::bridge_length(&b));
+    // The bridge is symmetric: the traffic's worst place is on either side.
+    let together = [false, true].map(|mirrored| {
+        let mut both = first.clone();
+        both.loads.iter_mut().for_each(|load| on_width(load, shared, 1.0));
+        both.loads.extend(second.loads.iter().cloned().map(|mut load| {
+            on_width(&mut load, shared, share);
+            load.position = if mirrored { length - load.position } else { load.position };
+            load
+        }));
+        both.plan.friction = bridge::Friction::Associated;
+        let run = crate::analysis::collapse_by_limit(&both, &mut Unwatched).unwrap();
+        run.collapse_load.unwrap() / run.reference_load * rule.capacity_factor()
+    });
+    let together = together[0].min(together[1]);
+    assert!(least <= together * (1.0 + 1e-6) && least > 0.8 * together, "{least} {together}");
+}
+
+/// An axle of a share of its force over a width.
+fn on_width(load: &mut bridge::Load, width: f64, share: f64) {
+    let bridge::LoadKind::Axles { axles, effective_width, .. } = &mut load.kind else { panic!("an axle") };
+    axles.iter_mut().for_each(|axle| axle.0 *= share);
+    *effective_width = width;
 }
