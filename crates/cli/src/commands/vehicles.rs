@@ -60,6 +60,9 @@ fn told_vehicles(page: &mut String, library: &Library, vehicles: &[(&LoadModel, 
             }
         }
         let _ = writeln!(page, "    {:<longest$}  {}: {}", vehicle.code, vehicle.title, loads(vehicle));
+        if !vehicle.with.is_empty() {
+            let _ = writeln!(page, "    {:<longest$}  and with it {}", "", vehicle.with.join(", "));
+        }
         if let Some(source) = &vehicle.source {
             let _ = writeln!(page, "    {:<longest$}  source: {}", "", source_words(source));
         }

@@ -32,6 +32,14 @@ fn vehicles_and_rules_are_listed_with_loads_sources_and_confidence() {
         assert!(text.contains(code), "{code} is not in\n{text}");
     }
     assert!(text.contains("cs454-bogie-10") && text.contains("irs-bridge-rules"), "{text}");
+    // What somebody published is told apart from numbers worked out by hand; a level names its load cases, a rule what it asks for.
+    for words in
+        ["69 published numbers in 7 tables", "no published table", "and with it cs454-single", "asks for: braking"]
+    {
+        assert!(text.contains(words), "{words} is not in\n{text}");
+    }
+    let hb = vehicles.as_array().expect("vehicles").iter().find(|one| one["code"] == "hb-45").expect("hb-45");
+    assert_eq!((&hb["published_numbers"], &hb["checked_numbers"]), (&0.into(), &2.into()));
     // A misspelt name in a file is told with names that stand in this list.
     let file = stage.read("bridge/vehicles.toml").replacen("[dispersal]", "vehicles = [\"hb-46\"]\n\n[dispersal]", 1);
     stage.write("bridge/slip.toml", file);
