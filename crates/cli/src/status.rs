@@ -52,17 +52,17 @@ statuses! {
     Completed: of(AnalysisStatus::Completed),
         "The command did what it was asked.";
     Adequate: ("adequate", 0),
-        "An assessment finished, an ultimate check was made under factors with a source, and every check that \
-                 could be made is met. Checks without a limit in the file are listed as not made and do not count; the \
-                 result also lists what qualifies the verdict. extrados explain A190 has the ladder of verdicts.";
+        "An assessment finished, everything that its rule asks for was made and met, and so is every other limit of \
+                 the file. Checks without a limit in the file are listed as not made and do not count; the head names \
+                 the rule and what qualifies the verdict. extrados explain A190 has the ladder of verdicts.";
     Inadequate: ("inadequate", 1),
         "The command finished, and a check or a verification case is not met, or records were found doubtful.";
     Undetermined: ("undetermined", 3),
         "The command finished without a result: an analysis on which a check depends did not finish, no \
                  position of the loads turns the bridge into a mechanism, a position of a sweep has no result, no run \
                  of `vary` found the requested number, or no contact stiffness gives the fill the wanted modulus. An \
-                 assessment whose analyses all finished, but which made no ultimate check under factors with a source, \
-                 is undetermined too and ends with exit code 1: its limits may be met, its strength was not assessed, \
+                 assessment whose analyses all finished, but in which something is missing that its rule asks for, \
+                 is undetermined too and ends with exit code 1: its limits may be met, its strength is not shown, \
                  and `missing` says what to write.";
     UnusableInput: ("unusable-input", 2),
         "The input cannot be used; `errors` says what is wrong, where, and what to write instead.";
