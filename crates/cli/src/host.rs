@@ -55,7 +55,7 @@ pub fn wait<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static, lines:
         } else if lines.is_some_and(|every| said.elapsed() >= every) {
             said = Instant::now();
             let line = line(clock.seconds(), &signs::now());
-            let _ = writeln!(std::io::stderr().lock(), "{line}");
+            let _ = writeln!(std::io::stderr().lock(), "{}", findings::visible::one_line(&line));
         }
     }
 }

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use bridge::{Diagnostic, Severity};
 use console::Style;
 use extrados::Excerpt;
+use findings::visible::{one_line, visible};
 use std::fmt::Write;
 
 /// Colours, or none where the text does not go to a terminal.
@@ -54,6 +55,7 @@ pub fn findings(name: &str, text: &[u8], list: &[Diagnostic], paint: &Paint) -> 
 /// Findings in a drawing: errors and warnings one by one with their places, notes counted by code and layer.
 pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
     let mut page = String::new();
+    let name = one_line(name);
     let (mut errors, mut warnings) = (0, 0);
     let mut notes: Vec<(&drawing::Finding, usize)> = Vec::new();
     for finding in list {
@@ -78,11 +80,12 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
             }
         };
         let head = style.apply_to(format!("{word}[{}]", finding.code));
-        let _ = writeln!(page, "{head}{}", paint.bold.apply_to(format!(": {}", finding.message)));
+        let _ = writeln!(page, "{head}{}", paint.bold.apply_to(format!(": {}", visible(&finding.message))));
         let words = finding.place.to_string();
+        let words = one_line(&words);
         let _ = writeln!(page, "  {name}{}{words}", if words.is_empty() { "" } else { ": " });
         if !finding.help.is_empty() {
-            let _ = writeln!(page, "  help: {}", finding.help);
+            let _ = writeln!(page, "  help: {}", visible(&finding.help));
         }
         page.push('\n');
     }
@@ -92,7 +95,13 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
             2 => ", and once more on this layer".to_owned(),
             n => format!(", and {} times more on this layer", n - 1),
         };
-        let _ = writeln!(page, "note[{}]: {}{others} ({name}: {})", finding.code, finding.message, finding.place);
+        let _ = writeln!(
+            page,
+            "note[{}]: {}{others} ({name}: {})",
+            finding.code,
+            visible(&finding.message),
+            one_line(&finding.place.to_string())
+        );
     }
     if errors + warnings > 0 {
         let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
@@ -105,18 +114,19 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
 /// A failure of the command itself.
 pub fn failure(failure: &Failure, paint: &Paint) -> String {
     let head = paint.error.apply_to(format!("error[{}]", failure.code));
-    let message = paint.bold.apply_to(format!(": {}", failure.message));
-    format!("{head}{message}\n  help: {}\n", failure.help)
+    let message = paint.bold.apply_to(format!(": {}", visible(&failure.message)));
+    format!("{head}{message}\n  help: {}\n", visible(&failure.help))
 }
 
 /// A warning of an analysis.
 pub fn warning(code: &str, message: &str, paint: &Paint) -> String {
     let head = paint.warning.apply_to(format!("warning[{code}]"));
-    format!("{head}: {message}\n")
+    format!("{head}: {}\n", visible(message))
 }
 
 /// How many findings, and whether the file can be used.
 fn count(name: &str, list: &[Diagnostic]) -> String {
+    let name = one_line(name);
     let errors = list.iter().filter(|finding| finding.severity == Severity::Error).count();
     let warnings = list.len() - errors;
     let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
@@ -138,18 +148,25 @@ fn one(name: &str, text: &[u8], finding: &Diagnostic, paint: &Paint) -> String {
         page,
         "{}{}",
         style.apply_to(format!("{word}[{}]", finding.code)),
-        paint.bold.apply_to(format!(": {}", finding.message))
+        paint.bold.apply_to(format!(": {}", visible(&finding.message)))
     );
-    let _ = writeln!(page, "  {name}:{}:{}", place.line, place.column);
+    let _ = writeln!(page, "  {}:{}:{}", one_line(name), place.line, place.column);
     let number = paint.frame.apply_to(format!("{:>gutter$}", place.line));
     let _ = writeln!(page, "{number} {bar} {}", excerpt.shown);
     let carets = style.apply_to("^".repeat(excerpt.carets));
-    let _ = writeln!(page, "{:gutter$} {bar} {:indent$}{carets} {}", "", "", finding.label, indent = excerpt.indent);
+    let _ = writeln!(
+        page,
+        "{:gutter$} {bar} {:indent$}{carets} {}",
+        "",
+        "",
+        visible(&finding.label),
+        indent = excerpt.indent
+    );
     if let Some(note) = &finding.note {
-        let _ = writeln!(page, "  note: {note}");
+        let _ = writeln!(page, "  note: {}", visible(note));
     }
     if let Some(help) = &finding.help {
-        let _ = writeln!(page, "  help: {help}");
+        let _ = writeln!(page, "  help: {}", visible(help));
     }
     page
 }

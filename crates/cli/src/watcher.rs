@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::signs;
 pub use crate::signs::asked_to_stop;
 use extrados::{Progress, Watch, Wish};
+use findings::visible::one_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::{Duration, Instant};
 
@@ -93,7 +94,7 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
         steps => format!("{}, {steps} steps", progress.stage),
     };
     signs::tell(&words, progress.fraction);
-    bar.set_message(words);
+    bar.set_message(one_line(&words).into_owned());
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
 }
 
@@ -106,7 +107,7 @@ pub fn count(quiet: bool, pieces: u64) -> ProgressBar {
 pub fn counted_by(bar: &ProgressBar, pieces: u64, what: &str) {
     bar.inc(pieces);
     let share = bar.position() as f64 / bar.length().unwrap_or(1).max(1) as f64;
-    bar.set_message(what.to_owned());
+    bar.set_message(one_line(what).into_owned());
     signs::tell(&format!("last done: {what}"), Some(share));
 }
 

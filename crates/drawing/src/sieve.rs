@@ -8,6 +8,7 @@ use crate::entity::Record;
 use crate::finding::{Findings, Place};
 use crate::shown::{Hidden, HiddenLayers};
 use crate::units::Header;
+use ::findings::visible::is_hidden;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// No drawing of a bridge is longer [bytes].
@@ -306,13 +307,13 @@ fn unescape(text: &str) -> String {
     }
     out.push_str(rest);
     // A name stands on one line, and is written back on one.
-    out.retain(|c| !c.is_control());
+    out.retain(|c| !is_hidden(c));
     out
 }
 
 /// A word of the file as it may be quoted.
 fn shorten(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).take(40).collect()
+    text.chars().filter(|c| !is_hidden(*c)).take(40).collect()
 }
 
 #[cfg(test)]

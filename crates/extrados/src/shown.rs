@@ -1,6 +1,7 @@
 //! Findings of a bridge file in words, with the line and a caret under the place; colours are the command's.
 
 use bridge::{Diagnostic, TextRange};
+use findings::visible::is_hidden;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthChar;
 
@@ -90,7 +91,7 @@ fn drawn(text: &str) -> String {
     for character in text.chars() {
         match character {
             '\t' => shown += &" ".repeat(TAB),
-            c if c.is_control() => shown.push('\u{fffd}'),
+            c if is_hidden(c) => shown.push('\u{fffd}'),
             c => shown.push(c),
         }
     }

@@ -29,6 +29,7 @@ pub use vary::{collapse_numbers, run_from_record, run_record, vary, vary_table};
 pub use vehicles::{vehicle_envelope_table, vehicle_sections_table, vehicle_sweep, vehicles_table};
 
 use crate::warning::Warning;
+use findings::visible::is_hidden;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -83,13 +84,10 @@ macro_rules! numbers { ($($Number:ty),*) => { $(impl Cell for $Number {
 
 numbers!(f64, u32, u64, usize, bool, Quoted<'_>);
 
-/// A text as spreadsheets read it (RFC 4180): in quotes where it must be.
+/// A text as spreadsheets read it, never as a formula.
 impl Cell for str {
     fn write(&self, to: &mut Vec<String>) {
-        to.push(match self.contains(['"', ',', '\n', '\r']) {
-            true => Quoted(self).to_string(),
-            false => self.to_owned(),
-        });
+        to.push(findings::visible::cell(self));
     }
 }
 
@@ -137,7 +135,7 @@ struct Quoted<'a>(&'a str);
 
 impl std::fmt::Display for Quoted<'_> {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(to, "\"{}\"", self.0.replace('"', "\"\""))
+        to.write_str(&findings::visible::quoted_cell(self.0))
     }
 }
 
@@ -168,11 +166,21 @@ fn warnings(of: &[Warning]) -> Vec<Object> {
     list(of, |warning| object! { code: warning.code, message: warning.message, })
 }
 
-/// Any object as JSON text, with a newline at its end.
+/// Any object as JSON text, with a newline at its end. Characters that act instead of being seen stand as their numbers: it is the same
+/// object to every reader, and does nothing to a terminal.
 pub fn json<T: Serialize>(object: &T) -> String {
-    let mut text = serde_json::to_string_pretty(object).expect("numbers and strings always have a JSON form");
-    text.push('\n');
-    text
+    let text = serde_json::to_string_pretty(object).expect("numbers and strings always have a JSON form");
+    let mut out = String::with_capacity(text.len() + 1);
+    for character in text.chars() {
+        if is_hidden(character) && character != '\n' {
+            let mut units = [0; 2];
+            character.encode_utf16(&mut units).iter().for_each(|unit| out += &format!("\\u{unit:04x}"));
+        } else {
+            out.push(character);
+        }
+    }
+    out.push('\n');
+    out
 }
 
 /// N/m in kN/m, or N in kN.
@@ -183,4 +191,17 @@ fn kilo(value: f64) -> f64 {
 /// Text, where there is some.
 fn said(text: &str) -> Option<&str> {
     (!text.is_empty()).then_some(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_object_holds_nothing_that_acts_and_is_the_same_to_its_readers() {
+        let object = serde_json::json!({ "name": "a\u{202e}b\u{9b}\u{1b}\u{7f}橋" });
+        let text = json(&object);
+        assert!(!text.chars().any(|one| is_hidden(one) && one != '\n'), "{text:?}");
+        assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), object);
+    }
 }

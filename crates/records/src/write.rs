@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 /// units; a row for every sample. Channels that are left out are written too, and a comment says why they are.
 pub fn write(run: &Recording) -> String {
     let mut text = String::new();
-    let line = |text: &str| text.replace(['\n', '\r'], " ");
+    let line = findings::visible::harmless_line;
     if let Some(how) = &run.synthetic {
         text += &format!("# synthetic: {}\n", line(how));
     }
@@ -21,7 +21,10 @@ pub fn write(run: &Recording) -> String {
         let why = channel.left_out.as_deref().unwrap_or_default();
         text += &format!("# left out, {}; {}\n", line(&channel.title()), line(why));
     }
-    let headings = run.channels.iter().map(|channel| quoted(&format!("{} [{}]", channel.title(), channel.unit.symbol)));
+    let headings = run
+        .channels
+        .iter()
+        .map(|channel| findings::visible::cell(&format!("{} [{}]", channel.title(), channel.unit.symbol)));
     let headings: Vec<String> = std::iter::once("time [s]".to_owned()).chain(headings).collect();
     text += &headings.join(",");
     text.push('\n');
@@ -38,12 +41,6 @@ pub fn write(run: &Recording) -> String {
 }
 
 const KMH: Unit = Unit { symbol: "km/h", quantity: crate::Dimension::Speed, per_si: 3.6 };
-
-/// A heading that would not come back as one cell stands in quotation marks.
-fn quoted(heading: &str) -> String {
-    let heading = heading.replace(['\n', '\r'], " ");
-    if heading.contains([',', ';', '\t', '"']) { format!("\"{}\"", heading.replace('"', "\"\"")) } else { heading }
-}
 
 fn cell(text: &mut String, channel: &Channel, value: f64) {
     if !value.is_finite() {

@@ -60,7 +60,7 @@ fn sorted(rows: &[FleetRow]) -> Vec<&FleetRow> {
 
 /// The table for scripts.
 pub fn fleet_csv(rows: &[FleetRow]) -> String {
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " "));
+    let quoted = findings::visible::quoted_cell;
     let mut csv = String::from(
         "file,bridge,status,utilisation,governing,load_model,not_met,verdict,report,head,beside,skipped,load_cases_left_out,doubtful\n",
     );

@@ -2,12 +2,16 @@
 
 use crate::Problem;
 use crate::shape::{Key, Kind, Shape};
+use findings::visible::is_hidden;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Most mistakes that are reported of one file.
 const MOST: usize = 100;
+/// Longest text [characters], and longest list.
+const LONGEST: usize = 2000;
+const MOST_ENTRIES: usize = 1000;
 
 /// Everything in which a text differs from a shape, in the order of its lines; what is missing comes where its table begins.
 pub fn differences(file: &str, text: &str, shape: &'static Shape) -> Vec<Problem> {
@@ -96,8 +100,39 @@ impl Walk<'_> {
         }
     }
 
+    /// A text that can be read as it stands, of a length that tables and drawings have room for.
+    fn words(&mut self, text: &str, at: &Range<usize>, path: &str) {
+        let count = text.chars().count();
+        if count > LONGEST {
+            self.say(at, path, format!("it has {count} characters: write {LONGEST} at most"));
+        }
+        if let Some(hidden) = text.chars().find(|one| is_hidden(*one) && *one != '\n') {
+            let message =
+                format!("it holds the character U+{:04X}, which cannot be seen: type it again", u32::from(hidden));
+            self.say(at, path, message);
+        }
+    }
+
     fn value(&mut self, card: &Key, value: &Spanned<DeValue<'_>>, path: &str) {
         let at = value.span();
+        let entries = match value.get_ref() {
+            DeValue::Array(items) => items.len(),
+            _ => 0,
+        };
+        if entries > MOST_ENTRIES {
+            return self.say(&at, path, format!("the list has {entries} entries: write {MOST_ENTRIES} at most"));
+        }
+        match value.get_ref() {
+            DeValue::String(text) => self.words(text, &at, path),
+            DeValue::Array(items) => {
+                for item in items.iter() {
+                    if let DeValue::String(text) = item.get_ref() {
+                        self.words(text, &item.span(), path);
+                    }
+                }
+            }
+            _ => {}
+        }
         match (card.kind, value.get_ref()) {
             (Kind::Table(shape), DeValue::Table(entries)) => self.table(shape, entries, &at, path),
             (Kind::Tables(shape), DeValue::Array(items)) => {

@@ -3,6 +3,7 @@
 //! Numbers are written with the fewest digits that read back to the same bits, so that a run with a saved packing is
 //! the run that saved it.
 
+use findings::visible::{cell, harmless_line};
 use outcome::collapse::Collapse;
 use std::fmt::Write as _;
 use thiserror::Error;
@@ -83,7 +84,8 @@ fn grain(row: &csv::StringRecord, columns: [usize; 3]) -> Result<[f64; 3], Strin
 pub fn write(found: &Collapse) -> String {
     let Some(packing) = &found.packing else { return String::new() };
     let origin = packing.seed.map_or("read from a file".to_string(), |seed| format!("seed {seed}"));
-    let mut text = format!("# Packing of {} particles for {}, {origin}.\n", packing.grains.len(), found.bridge);
+    let mut text =
+        format!("# Packing of {} particles for {}, {origin}.\n", packing.grains.len(), harmless_line(&found.bridge));
     let _ = writeln!(text, "# Centres and radii as packed, under the lid. At rest under its own weight:");
     let _ = writeln!(
         text,
@@ -97,7 +99,8 @@ pub fn write(found: &Collapse) -> String {
     let discs = &found.picture.particles;
     for (k, [x, y, radius]) in packing.grains.iter().enumerate() {
         let layer = discs.get(k).map_or(0, |disc| disc.layer);
-        let _ = writeln!(text, "{x},{y},{radius},{}", found.picture.layers.get(layer).map_or("fill", |name| name));
+        let _ =
+            writeln!(text, "{x},{y},{radius},{}", cell(found.picture.layers.get(layer).map_or("fill", |name| name)));
     }
     text
 }

@@ -9,6 +9,7 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Spectator;
 use extrados::Cases;
+use findings::visible::cell;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -52,12 +53,6 @@ fn status(found: &Cases) -> Status {
     let ended = found.answers.iter().map(|one| results::status(one.collapse.status));
     let worst = ended.max_by_key(|status| status.exit_code()).unwrap_or(Status::Completed);
     if worst.exit_code() == 0 { Status::Completed } else { worst }
-}
-
-/// Text of a cell: quoted where it has what divides cells.
-fn cell(text: &str) -> String {
-    let text = text.replace(['\n', '\r'], " ");
-    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
 fn table(found: &Cases) -> String {

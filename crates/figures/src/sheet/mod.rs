@@ -7,6 +7,7 @@ pub mod font;
 mod many;
 pub mod place;
 
+use findings::visible::is_hidden;
 use font::Weight;
 use std::fmt::Write as _;
 
@@ -387,7 +388,7 @@ pub fn escape(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c if is_hidden(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
             c => out.push(c),
         }
     }

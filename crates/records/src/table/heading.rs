@@ -75,12 +75,14 @@ const NO_SENSOR: [&str; 14] = [
 impl Heading {
     /// Reads a heading.
     pub fn of(text: &str) -> Heading {
-        let text = text.trim();
+        let shown = findings::visible::one_line(text.trim());
+        let text = findings::visible::unguarded(&shown);
         let (name, symbol) = bracketed(text, '[', ']', |_| true)
             .or_else(|| bracketed(text, '(', ')', |symbol| Unit::named(symbol).is_some()))
             .or_else(|| suffixed(text))
             .unwrap_or((text, None));
-        let (name, line) = name.split_once('@').unwrap_or((name, ""));
+        // A name that begins with the sign names no line.
+        let (name, line) = name.split_once('@').filter(|(name, _)| !name.is_empty()).unwrap_or((name, ""));
         Heading { name: name.trim().to_owned(), line: line.trim().to_owned(), symbol }
     }
 

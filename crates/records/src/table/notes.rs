@@ -19,7 +19,8 @@ pub(super) fn notes(text: &str, options: &ReadOptions, findings: &mut Vec<Findin
     let mut notes = Notes { name: options.name.clone(), speed: None, synthetic: None, lines: Vec::new() };
     let mut bad_speed = None;
     for (number, line) in lines(text).filter(|(_, line)| is_comment(line)).take(MOST) {
-        let note = line.trim().trim_start_matches(['#', '%']).trim();
+        let shown = findings::visible::one_line(line);
+        let note = shown.trim().trim_start_matches(['#', '%']).trim();
         notes.lines.push(note.to_owned());
         let Some((key, value)) = note.split_once(':') else { continue };
         match key.trim().to_lowercase().as_str() {
