@@ -236,7 +236,7 @@ fn readable<'t>(bytes: &'t [u8], findings: &mut Findings) -> Option<&'t str> {
         findings.error(
             "B003",
             TextRange::new(0, 0),
-            format!("the file is {:.1} MB long", bytes.len() as f64 / 1e6),
+            format!("the file is longer than {} MiB", LONGEST >> 20),
             "a bridge file has a few kilobytes",
             "check that this is the bridge file",
         );

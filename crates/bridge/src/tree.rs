@@ -1,5 +1,6 @@
 //! A spanned TOML tree read through field cards: typed accessors that collect every mistake.
 
+use ::findings::visible::is_hidden;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -161,6 +162,11 @@ impl<'t> Table<'t> {
         let Kind::Tables(section) = field.kind else { return Vec::new() };
         match raw.get_ref() {
             DeValue::Table(entries) => vec![Table::open(section, entries, raw.span().into(), findings)],
+            DeValue::Array(items) if items.len() > field.most_entries() => {
+                let first_beyond = items.iter().nth(field.most_entries()).map_or(raw.span(), |item| item.span());
+                too_many(field, items.len(), "tables", first_beyond.into(), findings);
+                Vec::new()
+            }
             DeValue::Array(items) if items.iter().next().is_some() => items
                 .iter()
                 .filter_map(|item| match item.get_ref() {
@@ -308,6 +314,13 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
     None
 }
 
+/// Reports a list that is longer than its card allows.
+pub(crate) fn too_many(field: &Field, count: usize, what: &str, range: TextRange, findings: &mut Findings) {
+    let most = field.most_entries();
+    let message = format!("`{}` has {count} {what}, more than {most}", field.key);
+    findings.error("B112", range, message, field.doc, format!("write {most} at most"));
+}
+
 /// Reports an unknown key; returns the known one that was probably meant.
 fn unknown_key(
     section: &'static Section,
@@ -351,7 +364,7 @@ pub(crate) fn nearest<'a>(written: &str, known: impl Iterator<Item = &'a str>) -
 
 /// A piece of the file as it may be quoted in a message.
 pub(crate) fn shorten(text: &str) -> String {
-    let mut short: String = text.chars().take(40).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut short: String = text.chars().take(40).map(|c| if is_hidden(c) { ' ' } else { c }).collect();
     if text.chars().count() > 40 {
         short.push('…');
     }

@@ -1,5 +1,6 @@
 //! Values of a table: quantities, numbers, words, each checked against its card.
 
+use ::findings::visible::is_hidden;
 use toml::de::DeValue;
 
 use crate::choice::{Choice, Word};
@@ -7,7 +8,7 @@ use crate::diagnostic::TextRange;
 use crate::fields::{Field, Kind, Need};
 use crate::findings::Findings;
 use crate::quantity::{self, Dimension, Quantity, Unreadable};
-use crate::tree::{At, Raw, Table, nearest, shorten, wrong_type};
+use crate::tree::{At, Raw, Table, nearest, shorten, too_many, wrong_type};
 
 /// A type that a key is read as.
 pub(crate) trait Value: Sized {
@@ -104,11 +105,35 @@ impl Value for String {
     fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
         let value = match (field.kind, raw.get_ref()) {
             (Kind::Value | Kind::Values, value) => literal(value),
-            (_, DeValue::String(text)) => Some(text.as_ref().to_owned()),
+            (_, DeValue::String(text)) => Some(one_line(text)),
             _ => None,
         };
-        value.or_else(|| wrong_type(field, raw, findings))
+        match value {
+            Some(text) => words(field, text, raw.span().into(), findings),
+            None => wrong_type(field, raw, findings),
+        }
     }
+}
+
+/// A text on one line: names and notes stand in tables, titles and on a terminal.
+fn one_line(text: &str) -> String {
+    text.replace("\r\n", " ").replace(['\n', '\r', '\t'], " ")
+}
+
+/// A text that can be read as it stands, and is not longer than its card allows.
+fn words(field: &Field, text: String, range: TextRange, findings: &mut Findings) -> Option<String> {
+    let (count, most) = (text.chars().count(), field.most_characters());
+    if count > most {
+        let message = format!("`{}` has {count} characters, more than {most}", field.key);
+        findings.error("B110", range, message, field.doc, format!("write {most} characters at most"));
+        return None;
+    }
+    if let Some(hidden) = text.chars().find(|character| is_hidden(*character)) {
+        let message = format!("`{}` holds the character U+{:04X}, which cannot be seen", field.key, u32::from(hidden));
+        findings.error("B111", range, message, field.doc, "delete the text and type it again");
+        return None;
+    }
+    Some(text)
 }
 
 impl Value for bool {
@@ -146,6 +171,10 @@ impl Value for usize {
 impl<T: Value> Value for Vec<T> {
     fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
         match raw.get_ref() {
+            DeValue::Array(items) if items.len() > field.most_entries() => {
+                too_many(field, items.len(), "entries", raw.span().into(), findings);
+                None
+            }
             DeValue::Array(items) if !matches!(field.kind, Kind::Values) || items.iter().next().is_some() => {
                 let values: Vec<Option<T>> = items.iter().map(|item| T::of(field, item, findings)).collect();
                 values.into_iter().collect()
@@ -203,13 +232,13 @@ fn length(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
 /// "2:1", vertical to horizontal.
 fn slope(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-    let value = read_slope(text).filter(|value| value.is_finite() && field.limits.allow(*value));
-    if value.is_none() {
+    let Some(value) = read_slope(text).filter(|value| value.is_finite()) else {
         let message = format!("\"{}\" is no slope", shorten(text));
         let help = "write vertical to horizontal: \"2:1\" spreads by half the depth on each side";
         findings.error("B109", raw.span().into(), message, field.doc, help);
-    }
-    value
+        return None;
+    };
+    check_limits(field, value, raw.span().into(), findings).then_some(value)
 }
 
 /// Vertical over horizontal.
@@ -458,6 +487,10 @@ fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Find
     // In the unit that the example uses, and no more digits than that is worth.
     let bound = match field.example.split('"').find_map(|piece| quantity::parse(piece).ok()) {
         Some(example) => format!("{} {}", (bound / example.unit.size * 1e6).round() / 1e6, example.unit.symbol),
+        None if matches!(field.kind, Kind::Slope) && bound > 0.0 && bound < 1.0 => {
+            format!("1:{}", (1.0 / bound).round())
+        }
+        None if matches!(field.kind, Kind::Slope) => format!("{bound}:1"),
         None => bound.to_string(),
     };
     findings.error(

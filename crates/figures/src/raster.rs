@@ -19,6 +19,9 @@ pub enum RasterError {
     Pack(String),
 }
 
+/// Longest side of a picture [pixels].
+const LARGEST: u32 = 20_000;
+
 /// Turns drawings into pixels.
 pub struct Rasteriser {
     options: usvg::Options<'static>,
@@ -42,13 +45,13 @@ impl Rasteriser {
     pub fn pixels(&self, svg: &str, width_px: u32) -> Result<tiny_skia::Pixmap, RasterError> {
         let tree = usvg::Tree::from_str(svg, &self.options).map_err(|e| RasterError::Svg(e.to_string()))?;
         let size = tree.size();
-        let scale = width_px as f32 / size.width();
-        let height_px = (size.height() * scale).round() as u32;
-        // Larger pictures are a mistake, and would ask for gigabytes.
-        const LARGEST: u32 = 20_000;
-        if width_px > LARGEST || height_px > LARGEST {
-            return Err(RasterError::Size(width_px, height_px));
+        if width_px > LARGEST {
+            return Err(RasterError::Size(width_px, width_px));
         }
+        // What is much taller than wide is drawn smaller: larger pictures would ask for gigabytes.
+        let scale = (width_px as f32 / size.width()).min(LARGEST as f32 / size.height());
+        let [width_px, height_px] =
+            [size.width(), size.height()].map(|side| ((side * scale).round() as u32).clamp(1, LARGEST));
         let mut pixels = tiny_skia::Pixmap::new(width_px, height_px).ok_or(RasterError::Size(width_px, height_px))?;
         pixels.fill(tiny_skia::Color::WHITE);
         resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());

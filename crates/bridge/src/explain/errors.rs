@@ -177,4 +177,33 @@ crown_thickness = "0.60 m""#,
         right: r#"slope = "2:1""#,
         source: "the format of bridge files",
     },
+    FileCard {
+        code: "B110",
+        title: "a text that is too long",
+        meaning: "A name has 200 characters at most, any other text 2000. The message gives both numbers.",
+        why: "Names stand in titles, tables and drawings, which have no room for more.",
+        wrong: r#"name = "Bridge 12, which was built in … and since then …""#,
+        right: r#"name = "Bridge 12""#,
+        source: "the format of bridge files",
+    },
+    FileCard {
+        code: "B111",
+        title: "a character that cannot be seen",
+        meaning: "Texts hold no control characters, and none that turn the direction of reading (U+202A to U+202E, U+2066 to U+2069). \
+                  Ends of lines and tabs become spaces.",
+        why: "A terminal obeys such characters, and they can make a name look like another word. They often come along when text is \
+              copied from a page.",
+        wrong: r#"name = "Mill \u001b[2JLane""#,
+        right: r#"name = "Mill Lane""#,
+        source: "Unicode Standard Annex 9; the format of bridge files",
+    },
+    FileCard {
+        code: "B112",
+        title: "a list that is too long",
+        meaning: "Lists have a most: 50 layers of cover, 20 rings in a span, 200 loads, 200 cases, 10,000 points of a line. The message gives both numbers.",
+        why: "Each entry is drawn and listed; a longer list is a slip, or a task for several files.",
+        wrong: "2000 [[load]] tables",
+        right: r#"kind = "axles" for the axles of one vehicle"#,
+        source: "the format of bridge files",
+    },
 ];

@@ -113,7 +113,7 @@ rise = "3.0 m""#,
     FileCard {
         code: "B212",
         title: "too many spans or voussoirs",
-        meaning: "More than 200 spans or 100,000 voussoirs are not analysed as one structure.",
+        meaning: "More than 200 spans, or 100,000 voussoirs and courses of piers, are not analysed as one structure.",
         why: "A load has an effect over a few spans; more spans only cost time.",
         wrong: "repeat = 300",
         right: "repeat = 2",

@@ -194,8 +194,11 @@ pub static FILE: Section = Section {
         Field::new("drawing", Kind::Table(&DRAWING), "A drawing of the blocks.", "").optional("all blocks are listed"),
         Field::new("material", Kind::Tables(&MATERIAL), "Materials of blocks and particles.", ""),
         Field::new("joint", Kind::Tables(&JOINT), "Joints by pairs of materials.", ""),
-        Field::new("block", Kind::Tables(&BLOCK), "Blocks listed in the file.", "").optional("all blocks are drawn"),
+        Field::new("block", Kind::Tables(&BLOCK), "Blocks listed in the file.", "")
+            .at_most(100_000.0)
+            .optional("all blocks are drawn"),
         Field::new("particles", Kind::Tables(&PARTICLES), "Particles listed in the file.", "")
+            .at_most(100_000.0)
             .optional("all particles are drawn"),
         Field::new("load", Kind::Tables(&LOAD), "Forces on the blocks.", "").optional("possible only for `check`"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")

@@ -16,6 +16,7 @@ pub(super) static CASE: Section = Section {
     fields: &[
         Field::new("name", Kind::Text, "name of the case, for tables and drawings", "axle at the quarter point"),
         Field::new("load", Kind::Tables(&CASE_LOAD), "Loads that act, with their factors.", "")
+            .at_most(200.0)
             .optional("all loads of the file, each once"),
         Field::new("masonry_weight", Kind::Number, "factor on the weight of rings, piers and walls", "1.15")
             .positive()
@@ -35,6 +36,7 @@ pub(super) static CASE: Section = Section {
             "Quantities of this file that are otherwise in this case.",
             "",
         )
+        .at_most(200.0)
         .optional("everything is as the file says"),
     ],
 };

@@ -27,6 +27,7 @@ pub(super) static DOCUMENT: Section = Section {
         Field::new("check_category", Kind::Text, "category of the check, as the owner's procedure names it", "II")
             .optional("left blank"),
         Field::new("revision", Kind::Tables(&REVISION), "Versions of the document, the newest last.", "")
+            .at_most(100.0)
             .optional("the document has no revisions"),
         Field::new(
             "confirm",
@@ -35,7 +36,9 @@ pub(super) static DOCUMENT: Section = Section {
             "[\"depth of backing over the pier\"]",
         )
         .optional("only what the results ask"),
-        Field::new("inspection", Kind::Tables(&INSPECTION), "What inspections found.", "").optional("none is reported"),
+        Field::new("inspection", Kind::Tables(&INSPECTION), "What inspections found.", "")
+            .at_most(200.0)
+            .optional("none is reported"),
     ],
 };
 

@@ -127,7 +127,7 @@ pub(super) static DISPERSAL: Section = Section {
     fields: &[
         Field::new("rule", Kind::Word(DispersalRule::WORDS), "rule of the pressure on the extrados", "inverse-depth"),
         Field::new("slope", Kind::Slope, "vertical to horizontal slope on each side", "2:1")
-            .positive()
+            .at_least(0.1)
             .at_most(1000.0)
             .only("rule", &["uniform", "inverse-depth", "boussinesq"]),
     ],

@@ -175,6 +175,24 @@ impl Field {
         self
     }
 
+    /// Most characters of a text: as the card says. Names stand in drawings, tables and titles; other texts are some sentences.
+    pub fn most_characters(&self) -> usize {
+        match self.key {
+            _ if self.limits.most.is_finite() => self.limits.most as usize,
+            "name" => 200,
+            _ => 2000,
+        }
+    }
+
+    /// Most tables or entries of a list: as the card says, or as many as are ever drawn beside one another.
+    pub fn most_entries(&self) -> usize {
+        match self.kind {
+            Kind::Tables(_) if self.limits.most.is_finite() => self.limits.most as usize,
+            Kind::Tables(_) => 1000,
+            _ => 10_000,
+        }
+    }
+
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
         self.literal(self.example)
@@ -271,13 +289,14 @@ pub static FILE: Section = Section {
     doc: "A masonry arch bridge and what to analyse. Quantities are text with a unit: \"18.30 m\", \"15 GPa\".",
     fields: &[
         Field::new("bridge", Kind::Table(&structure::BRIDGE), "The bridge as a whole.", ""),
-        Field::new("span", Kind::Tables(&structure::SPAN), "The spans, from left to right.", ""),
+        Field::new("span", Kind::Tables(&structure::SPAN), "The spans, from left to right.", "").at_most(200.0),
         Field::new(
             "pier",
             Kind::Tables(&support::PIER),
             "The piers between the spans, from left to right; a single one describes all.",
             "",
         )
+        .at_most(200.0)
         .optional("a bridge of one span has none"),
         Field::new("abutment", Kind::Table(&support::ABUTMENT), "What holds the outer springings.", "")
             .optional("fixed, and drawn with its defaults"),
@@ -313,6 +332,7 @@ pub static FILE: Section = Section {
         )
         .optional("the defaults"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
+            .at_most(50.0)
             .optional("nothing lies on the extrados"),
         Field::new("road", Kind::Table(&road::ROAD), "Levels of the surface, where it is not level.", "")
             .optional("the surface is level"),
@@ -328,8 +348,10 @@ pub static FILE: Section = Section {
         )
         .optional("none"),
         Field::new("void", Kind::Tables(&spandrel::VOID), "Voids in the spandrels, and what carries their roofs.", "")
+            .at_most(200.0)
             .optional("the spandrels are filled"),
         Field::new("defect", Kind::Tables(&defect::DEFECT), "What is wrong with the rings, and where.", "")
+            .at_most(200.0)
             .optional("the rings are sound"),
         Field::new(
             "continuum",
@@ -367,6 +389,7 @@ pub static FILE: Section = Section {
             "Loads on the surface; together they form the pattern that grows to collapse.",
             "",
         )
+        .at_most(200.0)
         .optional("possible only for analyses without a load"),
         Field::new("case", Kind::Tables(&case::CASE), "Named cases that `extrados cases` compares.", "")
             .optional("the loads of the file act together, once"),

@@ -4,7 +4,7 @@ use super::{Field, Kind, Section, joined, sweep, total};
 use crate::choice::Choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Ring, Span};
+use crate::model::{Pier, Ring, Span};
 use crate::quantity::Dimension::{Acceleration, Angle, Length};
 use crate::ring;
 use crate::ring::{Intrados, OWN_KEYS, Shape, Size, WITH_RISE, WITH_SPAN};
@@ -89,7 +89,7 @@ const SPAN_KEYS: &[&[Field]] = &[
             .at_least(3.0)
             .at_most(5000.0)
             .optional("given by [[span.ring]]"),
-        Field::new("ring", Kind::Tables(&RING), "Several rings of one span, from the intrados up.", "")
+        Field::new("ring", Kind::Tables(&RING), "Several rings of one span, from the intrados up.", "").at_most(20.0)
             .optional("one ring, described in the span itself"),
         Field::new(
             "skew",
@@ -166,8 +166,8 @@ pub(crate) struct PlacedSpan {
 /// Spans that are analysed as one structure; the longest masonry viaducts have a few hundred.
 const MOST_SPANS: u64 = 200;
 
-/// Voussoirs that are analysed as one structure: as many as 200 spans of 500.
-const MOST_VOUSSOIRS: usize = 100_000;
+/// Voussoirs, and courses of piers and abutments, that are analysed as one structure: as many as 200 spans of 500.
+const MOST_BLOCKS: usize = 100_000;
 
 pub(crate) fn general(file: &Table<'_>, findings: &mut Findings) -> Option<General> {
     read!(&file.table("bridge", findings)?, findings, General { name, width, gravity })
@@ -197,18 +197,39 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
             None => complete = false,
         }
     }
-    let blocks: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
-    if blocks > MOST_VOUSSOIRS {
+    let voussoirs: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
+    if voussoirs > MOST_BLOCKS {
         findings.error(
             "B212",
             file.place("span"),
-            format!("the bridge has {blocks} voussoirs"),
-            format!("more than {MOST_VOUSSOIRS} are too many to analyse as one structure"),
+            format!("the bridge has {voussoirs} voussoirs"),
+            format!("more than {MOST_BLOCKS} are too many to analyse as one structure"),
             "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs describe a ring well",
         );
         return None;
     }
     (complete && !spans.is_empty()).then_some(spans)
+}
+
+/// Refuses piers whose courses are more blocks than can be analysed as one structure beside the voussoirs.
+pub(crate) fn count_blocks(file: &Table<'_>, spans: &[PlacedSpan], piers: &[Pier], findings: &mut Findings) {
+    let voussoirs: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
+    let courses = match piers {
+        [one] => one.courses * spans.len().saturating_sub(1),
+        many => many.iter().map(|pier| pier.courses).sum(),
+    };
+    if voussoirs + courses > MOST_BLOCKS {
+        findings.error(
+            "B212",
+            file.place("pier"),
+            format!(
+                "the bridge has {} blocks: {voussoirs} voussoirs and {courses} courses of piers",
+                voussoirs + courses
+            ),
+            format!("more than {MOST_BLOCKS} are too many to analyse as one structure"),
+            "describe fewer courses; 5 to 20 describe a pier well",
+        );
+    }
 }
 
 fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {

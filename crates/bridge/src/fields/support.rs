@@ -77,6 +77,7 @@ pub(super) static PIER: Section = Section {
             .at_most(2.0)
             .default("2"),
         Field::new("footing", Kind::Tables(&FOOTING), "Steps of the footing, from the pier down.", "")
+            .at_most(50.0)
             .optional("the pier stands on the ground with its bottom"),
     ],
 };

@@ -125,7 +125,7 @@ pub(super) static TRACK: Section = Section {
             "slope at which pressure spreads through the ballast, vertical to horizontal",
             "2:1",
         )
-        .positive()
+        .at_least(0.1)
         .at_most(1000.0),
         Field::new(
             "dead_load",
