@@ -8,9 +8,9 @@ use thiserror::Error;
 
 const MAGIC: [u8; 8] = *b"EXTRADOS";
 /// Rises when the layout changes, or the state of a run.
-const VERSION: u64 = 1;
-/// More words than this are no state of a block model but damage: 8 GiB.
-const MOST_WORDS: u64 = 1 << 30;
+const VERSION: u64 = 2;
+/// More words than this are no state of a block model but damage: 2 GiB.
+const MOST_WORDS: u64 = 1 << 28;
 /// No checkpoint is longer [bytes].
 pub const LONGEST: u64 = 8 * (MOST_WORDS + 5);
 

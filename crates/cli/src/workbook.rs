@@ -1,5 +1,6 @@
 //! All tables of a run as one workbook for spreadsheets: a sheet each, numbers as numbers.
 
+use findings::visible::harmless;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::{Map, Value};
 
@@ -53,12 +54,15 @@ struct Look {
     text: Format,
 }
 
+/// Fields that tell how often a run was interrupted, and nothing of its result: workbooks of a resumed and of an undisturbed run are one.
+const OF_THE_RUN: [&str; 2] = ["evaluations_taken_up", "runs_from_cache"];
+
 /// Numbers and words of the result that stand alone; the unit is the end of the name.
 fn numbers(sheet: &mut Worksheet, fields: &Map<String, Value>, look: &Look) -> Result<(), XlsxError> {
     sheet.set_name("result")?.set_freeze_panes(1, 0)?.set_column_width(0, 38)?.set_column_width(1, 24)?;
     sheet.write_with_format(0, 0, "name", &look.head)?.write_with_format(0, 1, "value", &look.head)?;
     let mut row = 0;
-    for (name, value) in fields {
+    for (name, value) in fields.iter().filter(|(name, _)| !OF_THE_RUN.contains(&name.as_str())) {
         match value {
             Value::Number(_) | Value::String(_) | Value::Bool(_) => row += 1,
             Value::Null | Value::Array(_) | Value::Object(_) => continue,
@@ -67,7 +71,7 @@ fn numbers(sheet: &mut Worksheet, fields: &Map<String, Value>, look: &Look) -> R
         match value {
             Value::Number(number) => sheet.write(row, 1, number.as_f64().unwrap_or(f64::NAN))?,
             Value::Bool(flag) => sheet.write(row, 1, *flag)?,
-            other => sheet.write_with_format(row, 1, other.as_str().unwrap_or_default(), &look.text)?,
+            other => sheet.write_with_format(row, 1, harmless(other.as_str().unwrap_or_default()), &look.text)?,
         };
     }
     Ok(())
@@ -77,12 +81,15 @@ fn numbers(sheet: &mut Worksheet, fields: &Map<String, Value>, look: &Look) -> R
 fn notes(sheet: &mut Worksheet, fields: &Map<String, Value>, warnings: &[Value], look: &Look) -> Result<(), XlsxError> {
     sheet.set_name("notes")?.set_freeze_panes(1, 0)?.set_column_width(0, 12)?.set_column_width(1, 100)?;
     sheet.write_with_format(0, 0, "kind", &look.head)?.write_with_format(0, 1, "what it says", &look.head)?;
-    let warned = warnings.iter().map(|warning| (warning["code"].as_str(), warning["message"].as_str()));
+    // Those of the command (F...) tell of folders and checkpoints, and nothing of the result.
+    let of_result =
+        warnings.iter().filter(|warning| !warning["code"].as_str().is_some_and(|code| code.starts_with('F')));
+    let warned = of_result.map(|warning| (warning["code"].as_str(), warning["message"].as_str()));
     let assumed = fields.get("assumptions").and_then(Value::as_array).into_iter().flatten();
     let all = warned.chain(assumed.map(|said| (Some("assumption"), said.as_str())));
     for (row, (kind, said)) in (1..).zip(all) {
         sheet.write(row, 0, kind.unwrap_or("warning"))?;
-        sheet.write_with_format(row, 1, said.unwrap_or_default(), &look.text)?;
+        sheet.write_with_format(row, 1, harmless(said.unwrap_or_default()), &look.text)?;
     }
     Ok(())
 }
@@ -95,8 +102,8 @@ fn table(sheet: &mut Worksheet, name: &str, rows: &[csv::StringRecord], look: &L
         for (column, cell) in (0..).zip(record) {
             match cell.parse::<f64>() {
                 Ok(number) if row > 0 && number.is_finite() => sheet.write(row, column, number)?,
-                _ if row == 0 => sheet.write_with_format(row, column, cell, &look.head)?,
-                _ => sheet.write(row, column, cell)?,
+                _ if row == 0 => sheet.write_with_format(row, column, harmless(cell), &look.head)?,
+                _ => sheet.write(row, column, harmless(cell))?,
             };
         }
     }

@@ -43,10 +43,10 @@ pub fn collapse_filled(
     };
     fill(&mut d, &region, &grains);
     let before = Before::rest(bridge, &d, &grains, kept.as_ref(), watch)?;
-    let (lifts, settled) = match &before {
-        Before::Loaded { lifts, .. } => (lifts.clone(), None),
+    let (lifts, settled, iterations) = match &before {
+        Before::Loaded { lifts, iterations, .. } => (lifts.clone(), None, *iterations),
         Before::Rested(rested) if rested.outcome.status == dem::Status::StableToLastLoad => {
-            (lifts(&d, &rested.frame()), Some(rested))
+            (lifts(&d, &rested.frame()), Some(rested), rested.outcome.iterations)
         }
         Before::Rested(rested) => return Ok(not_at_rest(bridge, &d, &region, rested)),
     };
@@ -57,8 +57,8 @@ pub fn collapse_filled(
     loads(&outcome, &factor, &mut c);
     c.load_step = Some(load_step);
     c.packing = outcome.frames.first().map(|frame| packing_report(bridge, &d, &region, &grains, frame));
-    if let (By::Dem(Some(dem)), Some(rested)) = (&mut c.by, settled) {
-        dem.iterations_total += rested.outcome.iterations;
+    if let By::Dem(Some(dem)) = &mut c.by {
+        dem.iterations_total += iterations;
     }
     notes::dem(bridge, &d, &mut c);
     notes::filled(bridge, &mut c);
@@ -204,8 +204,8 @@ impl Settled {
 enum Before {
     /// Ring and fill at rest.
     Rested(Settled),
-    /// A kept state has the loads on already.
-    Loaded { lifts: Vec<f64>, words: Vec<u64> },
+    /// A kept state has the loads on already; so many iterations had gone by when they came.
+    Loaded { lifts: Vec<f64>, iterations: u64, words: Vec<u64> },
 }
 
 impl Before {
@@ -218,8 +218,8 @@ impl Before {
         watch: &mut dyn Watch,
     ) -> Result<Before, AnalysisError> {
         let words = match kept {
-            Some(Kept { lifts: Some(lifts), words, .. }) => {
-                return Ok(Before::Loaded { lifts: lifts.clone(), words: words.clone() });
+            Some(Kept { lifts: Some(lifts), iterations, words, .. }) => {
+                return Ok(Before::Loaded { lifts: lifts.clone(), iterations: *iterations, words: words.clone() });
             }
             Some(kept) => Some(&kept.words[..]),
             None => None,
@@ -227,7 +227,7 @@ impl Before {
         let loading = Loading { permanent: d.loading.permanent.clone(), ..Loading::default() };
         let model = Model::new(&without_loading_blocks(d), &loading)?;
         let settings = settings(bridge);
-        let mut part = Part { watch, stage: "fill and ring come to rest", grains, lifts: None };
+        let mut part = Part { watch, stage: "fill and ring come to rest", grains, before: None };
         let outcome = dem::rest(&model, &|| begin(&model, &settings), &settings, words, &mut part)?;
         Ok(Before::Rested(Settled { model, outcome }))
     }
@@ -281,8 +281,11 @@ fn load(
         Some(s) => take_over(&model, &settings, (&s.model, &s.outcome.state)),
         None => begin(&model, &settings),
     };
-    let words = if let Before::Loaded { words, .. } = before { Some(&words[..]) } else { None };
-    let mut part = Part { watch, stage: "loading", grains, lifts: Some(lifts) };
+    let (words, iterations) = match before {
+        Before::Loaded { words, iterations, .. } => (Some(&words[..]), *iterations),
+        Before::Rested(rested) => (None, rested.outcome.iterations),
+    };
+    let mut part = Part { watch, stage: "loading", grains, before: Some((lifts, iterations)) };
     Ok(dem::collapse_from(&model, &state, &program, &settings, words, &mut part)?)
 }
 
@@ -305,6 +308,8 @@ struct Kept {
     grains: Vec<Grain>,
     /// Where loads are on: how far their blocks were lifted [m].
     lifts: Option<Vec<f64>>,
+    /// Iterations until the loads came; zero before.
+    iterations: u64,
     words: Vec<u64>,
 }
 
@@ -333,13 +338,18 @@ impl Kept {
             }
             _ => return Err(foreign()),
         };
-        Ok(Kept { grains, lifts, words: rest.to_vec() })
+        let iterations = next()?;
+        Ok(Kept { grains, lifts, iterations, words: rest.to_vec() })
     }
-    fn write(grains: &[Grain], lifts: Option<&[f64]>, words: Vec<u64>) -> Vec<u64> {
+
+    /// `before` is how far loading blocks were lifted, and the iterations until then.
+    fn write(grains: &[Grain], before: Option<(&[f64], u64)>, words: Vec<u64>) -> Vec<u64> {
+        let (lifts, iterations) = before.unzip();
         let mut to = vec![grains.len() as u64];
         to.extend(grains.iter().flat_map(|g| [g.centre.x, g.centre.y, g.radius]).map(f64::to_bits));
         to.push(lifts.map_or(0, |l| 1 + l.len() as u64));
         to.extend(lifts.unwrap_or_default().iter().map(|l| l.to_bits()));
+        to.push(iterations.unwrap_or(0));
         to.extend(words);
         to
     }
@@ -350,18 +360,19 @@ struct Part<'a> {
     watch: &'a mut dyn Watch,
     stage: &'static str,
     grains: &'a [Grain],
-    lifts: Option<&'a [f64]>,
+    /// Where the loads are on: how far their blocks were lifted, and the iterations until then.
+    before: Option<(&'a [f64], u64)>,
 }
 
 impl Watch for Part<'_> {
     fn look(&mut self, progress: &Progress) -> Wish {
-        let stage = if self.lifts.is_some() { progress.stage.clone() } else { self.stage.to_string() };
-        let fraction = progress.fraction.filter(|_| self.lifts.is_some());
+        let stage = if self.before.is_some() { progress.stage.clone() } else { self.stage.to_string() };
+        let fraction = progress.fraction.filter(|_| self.before.is_some());
         self.watch.look(&Progress { stage, fraction, ..progress.clone() })
     }
     fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        let (grains, lifts) = (self.grains, self.lifts);
-        self.watch.keep(&|| Kept::write(grains, lifts, words()));
+        let (grains, before) = (self.grains, self.before);
+        self.watch.keep(&|| Kept::write(grains, before, words()));
     }
 }
 
