@@ -1,6 +1,7 @@
 //! The workbench behind a server of this machine alone: its files are in the program, nothing else is ever read or written.
 
 pub mod answer;
+mod guests;
 pub mod server;
 
 /// A file of the page.

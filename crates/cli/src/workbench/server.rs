@@ -1,7 +1,9 @@
-//! A server on the loopback address. It holds few connections at a time, none for long, and reads no more of a request than its head.
+//! A server on the loopback address. It holds few connections at a time, none for long, and reads no more of a request than its head;
+//! who says nothing gives way to who comes.
 
 use super::File;
 use super::answer::answer;
+use super::guests::Guests;
 use http_body_util::Full;
 use hyper::body::Bytes;
 use hyper::server::conn::http1;
@@ -10,9 +12,7 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use std::convert::Infallible;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
-use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
 /// Connections at a time: a browser opens six, and several pages may be open.
@@ -58,15 +58,16 @@ impl Server {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build()?;
         runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(self.listener)?;
-            let places = Arc::new(Semaphore::new(MOST_CONNECTIONS));
+            let mut guests = Guests::default();
             while !ends() {
                 // Nobody came, or the system has no more connections to give just now.
                 let Ok(Ok((stream, _))) = timeout(TICK, listener.accept()).await else { continue };
-                // Who finds no place is let go, and may come again.
-                let Ok(place) = Arc::clone(&places).try_acquire_owned() else { continue };
-                let (port, files) = (self.port, self.files);
-                tokio::spawn(async move {
+                guests.make_room(MOST_CONNECTIONS);
+                let (port, files, use_of) = (self.port, self.files, guests.announced());
+                let told = use_of.clone();
+                let connection = tokio::spawn(async move {
                     let service = service_fn(move |request| {
+                        told.asked();
                         let response = answer(&request, port, files).map(|body| Full::new(Bytes::from_static(body)));
                         async move { Ok::<_, Infallible>(response) }
                     });
@@ -74,8 +75,8 @@ impl Server {
                     http.timer(TokioTimer::new()).header_read_timeout(HEAD).max_buf_size(LARGEST_HEAD).half_close(true);
                     // A connection that breaks off is its own affair.
                     let _ = timeout(LONGEST, http.serve_connection(TokioIo::new(stream), service)).await;
-                    drop(place);
                 });
+                guests.seat(use_of, connection.abort_handle());
             }
             Ok(())
         })
@@ -163,14 +164,50 @@ mod tests {
         server.join().unwrap().unwrap();
     }
 
+    /// How long the page may take where others hold every place: far less than an idle connection lives.
+    const PROMPT: Duration = Duration::from_secs(2);
+
     #[test]
-    fn connections_that_say_nothing_keep_nobody_out() {
+    fn connections_that_say_nothing_or_little_keep_nobody_out() {
         static STOP: AtomicBool = AtomicBool::new(false);
         let (address, server) = running(&STOP);
-        let silent: Vec<TcpStream> =
-            (0..MOST_CONNECTIONS / 2).filter_map(|_| TcpStream::connect(address).ok()).collect();
-        assert!(good(address).contains("200 OK"));
-        drop(silent);
+        let mut held = Vec::new();
+        for round in 0..4 {
+            // More than there are places: silent ones, heads that never end, and answers that nobody reads.
+            for number in 0..MOST_CONNECTIONS + 30 {
+                let Ok(mut stream) = TcpStream::connect(address) else { continue };
+                let words = match number % 3 {
+                    0 => String::new(),
+                    1 => "GET / HTTP/1.1\r\nHost: ".to_owned(),
+                    _ => format!("GET / HTTP/1.1\r\nHost: {address}\r\n\r\n"),
+                };
+                let _ = stream.write_all(words.as_bytes());
+                held.push(stream);
+            }
+            let asked = std::time::Instant::now();
+            assert!(good(address).contains("200 OK"), "round {round}");
+            assert!(asked.elapsed() < PROMPT, "round {round}: {:?}", asked.elapsed());
+        }
+        drop(held);
+        STOP.store(true, Ordering::Relaxed);
+        server.join().unwrap().unwrap();
+    }
+
+    #[test]
+    fn a_connection_that_is_used_outlives_silent_ones() {
+        static STOP: AtomicBool = AtomicBool::new(false);
+        let (address, server) = running(&STOP);
+        let mut used = TcpStream::connect(address).unwrap();
+        used.set_read_timeout(Some(PROMPT)).unwrap();
+        let mut ask = || {
+            used.write_all(format!("GET / HTTP/1.1\r\nHost: {address}\r\n\r\n").as_bytes()).unwrap();
+            let mut answer = [0; 4096];
+            String::from_utf8_lossy(&answer[..used.read(&mut answer).unwrap()]).into_owned()
+        };
+        assert!(ask().contains("200 OK"));
+        let held: Vec<TcpStream> = (0..2 * MOST_CONNECTIONS).filter_map(|_| TcpStream::connect(address).ok()).collect();
+        assert!(good(address).contains("200 OK") && ask().contains("200 OK"));
+        drop(held);
         STOP.store(true, Ordering::Relaxed);
         server.join().unwrap().unwrap();
     }
