@@ -296,6 +296,9 @@ pub struct Assess {
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
     pub resume: bool,
+    /// Take photographs from outside the folder of the bridge file into the report
+    #[arg(long)]
+    pub allow_outside: bool,
     /// Of a folder: whether it is one of several.
     #[command(flatten)]
     pub sharing: Sharing,

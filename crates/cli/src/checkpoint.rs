@@ -4,9 +4,10 @@
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use assess::checkpoint::{self, CheckpointError};
+use extrados::files::read_at_most;
 use std::fmt::{self, Debug, Display};
 use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Name of the file.
@@ -37,7 +38,6 @@ impl Checkpoint {
 
     /// Keeps a state, whole or not at all.
     pub fn keep(&self, words: &[u64]) -> Result<(), Failure> {
-        let _busy = crate::signs::busy();
         write(&self.path, &checkpoint::bytes(self.fingerprint, words))
             .map_err(|error| Failure::not_written(&self.path, &error))
     }
@@ -119,14 +119,7 @@ impl Display for Unusable {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(".part");
-    let part = path.with_file_name(name);
-    let mut file = File::create(&part)?;
-    file.write_all(bytes)?;
-    file.sync_all()?;
-    drop(file);
-    fs::rename(&part, path)?;
+    folder::write_whole(path, bytes)?;
     // The new name must survive a power cut too; where a folder cannot be synchronised, the system does it in time.
     if let Some(folder) = path.parent()
         && let Ok(folder) = File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
@@ -137,8 +130,6 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 fn read(path: &Path, fingerprint: u64) -> Result<Vec<u64>, Unusable> {
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(Unusable::Unread)?;
-    file.take(checkpoint::LONGEST).read_to_end(&mut bytes).map_err(Unusable::Unread)?;
+    let bytes = read_at_most(path, checkpoint::LONGEST).map_err(Unusable::Unread)?;
     checkpoint::words(&bytes, fingerprint).map_err(Unusable::Wrong)
 }

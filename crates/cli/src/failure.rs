@@ -155,6 +155,13 @@ findings::cards! {
     "F146", "work that cannot be cut into shards",
         "`--shard I/N` cuts a list: the runs of `vary`, the predictions of `validate`, the bridge files of a folder for `assess`. One \
         bridge alone is assessed by one command.";
+    "F147", "a photograph that the report does not show",
+        "A report carries its pictures with it and is passed on. It takes photographs (.jpg, .png, 8 MiB at most, 64 MiB together) from the \
+        folder of the bridge file and those below it, links followed; `extrados assess FILE --allow-outside` takes them from anywhere. The \
+        message names the photograph and why it is not there; the report says the same in its place.";
+    "F148", "another run is at work in the folder",
+        "Two runs that write into one folder would mix their results. The second one is refused before it computes anything; it may have \
+        a folder of its own, or wait. The folder is free as soon as the other run has ended, however it ends.";
 }
 
 impl Failure {
@@ -172,6 +179,12 @@ impl Failure {
     pub fn unwritable(path: &Path, error: &io::Error) -> Failure {
         let message = format!("cannot write to {}: {}", path.display(), reason(error));
         Failure::input("F102", message, "choose a folder that you may write to with --out DIR")
+    }
+
+    /// Another run writes there.
+    pub fn in_use(folder: &Path) -> Failure {
+        let message = format!("another run is at work in {}", folder.display());
+        Failure::input("F148", message, "wait until it has ended, or name a folder of its own with --out DIR")
     }
 
     /// Results would be written over files that are read.

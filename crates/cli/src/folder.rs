@@ -1,5 +1,6 @@
 //! The folder of results: written whole beside its place, then moved there, so that nobody ever reads half of it.
 
+mod claim;
 mod earlier;
 mod list;
 mod purpose;
@@ -8,7 +9,10 @@ pub use list::{hash, is_inside};
 pub use purpose::Purpose;
 
 use crate::failure::Failure;
+use claim::{Claim, PARTIAL, READY};
+use findings::visible::is_hidden;
 use list::List;
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -21,7 +25,12 @@ pub const SEAL: &str = "result.json";
 pub struct Folder {
     path: PathBuf,
     purpose: Purpose,
+    /// No other run writes here meanwhile.
+    _claim: Claim,
 }
+
+/// How the name of a file begins by which it is tried whether a folder can be written.
+const PROBE: &str = ".extrados-probe-";
 
 /// Where an answer went.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -34,7 +43,16 @@ pub struct Placed {
 
 /// The default folder for a file: out/NAME beside the current folder.
 pub fn default_for(file: &Path) -> PathBuf {
-    Path::new("out").join(file.file_stem().unwrap_or(file.as_os_str()))
+    Path::new("out").join(shown_stem(file))
+}
+
+/// The name of a file without its ending, as a folder may be called: characters that act instead of being seen become "_".
+pub fn shown_stem(file: &Path) -> OsString {
+    let stem = file.file_stem().unwrap_or(file.as_os_str());
+    match stem.to_str().filter(|name| name.chars().any(is_hidden)) {
+        Some(name) => name.replace(is_hidden, "_").into(),
+        None => stem.to_owned(),
+    }
 }
 
 impl Folder {
@@ -43,10 +61,12 @@ impl Folder {
     pub fn prepare(path: &Path, purpose: Purpose) -> Result<Folder, Failure> {
         let unwritable = |error: io::Error| Failure::unwritable(path, &error);
         fs::create_dir_all(path).map_err(unwritable)?;
-        let folder = Folder { path: path.to_owned(), purpose };
-        folder.guard()?;
-        let probe = path.join(format!(".extrados-probe-{}", std::process::id()));
+        let claim = Claim::of(path).ok_or_else(|| Failure::in_use(path))?;
+        let probe = path.join(format!("{PROBE}{}", std::process::id()));
         fs::write(&probe, b"").and_then(|()| fs::remove_file(&probe)).map_err(unwritable)?;
+        claim.tidy(path).map_err(unwritable)?;
+        let folder = Folder { path: path.to_owned(), purpose, _claim: claim };
+        folder.guard()?;
         Ok(folder)
     }
 
@@ -103,7 +123,7 @@ impl Folder {
         seal: impl FnOnce(&[String], &Path, &Placed) -> String,
     ) -> Result<Placed, Failure> {
         let _busy = crate::signs::busy();
-        let staging = Staging::new(self.path.join(format!(".extrados-partial-{}", std::process::id())));
+        let staging = Staging::new(self.path.join(format!("{PARTIAL}{}", std::process::id())));
         let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
         fs::create_dir_all(&staging.path).map_err(not_written)?;
         write(&staging.path).map_err(not_written)?;
@@ -178,25 +198,15 @@ impl Folder {
         all.iter().zip(&hashes).for_each(|(name, hash)| list.expect(name, hash.clone()));
         (list.kind, list.of, list.last) = (self.purpose.kind.clone(), self.purpose.of(), all.clone());
         list.last.extend(stale.iter().cloned());
-        // Should the move be cut off, whatever then stands there is on the list.
+        // Should the move be cut off, whatever then stands there is on the list, and the next run ends it.
         list.write(target)?;
-        remove(&target.join(SEAL))?;
-        for name in &stale {
-            remove(&target.join(name))?;
-            list.forget(name);
+        if target != self.path {
+            return claim::into_place(staging, target, files);
         }
-        for name in files {
-            let place = target.join(name);
-            if let Some(parent) = place.parent() {
-                fs::create_dir_all(parent)?;
-            }
-            fs::rename(staging.join(name), place)?;
-        }
-        fs::File::open(staging.join(SEAL))?.sync_all()?;
-        fs::rename(staging.join(SEAL), target.join(SEAL))?;
-        all.iter().zip(hashes).for_each(|(name, hash)| list.settle(name, hash));
-        list.last = all;
-        list.write(target)
+        let ready = target.join(READY);
+        fs::rename(staging, &ready)?;
+        claim::into_place(&ready, target, files)?;
+        fs::remove_dir_all(ready)
     }
 }
 
@@ -223,9 +233,9 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// A name beside a file that nobody else uses.
-fn partial(path: &Path) -> PathBuf {
+pub fn partial(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.extrados-partial-{}", std::process::id()))
+    path.with_file_name(format!(".{name}{PARTIAL}{}", std::process::id()))
 }
 
 /// Removes a file that may not be there.

@@ -5,6 +5,7 @@ use crate::folder::Folder;
 use crate::signs;
 use calibrate::Log;
 use calibrate::log::Unreadable;
+use extrados::files::{LONGEST, read_at_most};
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -57,7 +58,7 @@ impl LogFile {
 }
 
 fn read(path: &std::path::Path) -> Result<Option<String>, Failure> {
-    match std::fs::read(path) {
+    match read_at_most(path, LONGEST) {
         Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(Failure::unreadable(path, &error)),

@@ -8,6 +8,7 @@ use crate::folder::{self, Folder, SEAL, write_whole};
 use crate::program;
 use crate::report::Report;
 use crate::results;
+use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -58,7 +59,7 @@ pub struct Portion {
 impl Portion {
     /// What the shard in a folder made.
     pub fn read(folder: &Path) -> Option<Portion> {
-        let value: Value = serde_json::from_slice(&fs::read(folder.join(SEAL)).ok()?).ok()?;
+        let value: Value = serde_json::from_slice(&read_at_most(&folder.join(SEAL), LONGEST).ok()?).ok()?;
         let word = |value: &Value| value.as_str().map(str::to_owned);
         let piece = |one: &Value| Some(Piece { file: word(&one["file"])?, hash: word(&one["hash"])? });
         let input = |(name, hash): (&String, &Value)| Some((name.clone(), word(hash)?));
@@ -182,7 +183,7 @@ impl Merged {
         for (from, portion) in &self.shards {
             for piece in &portion.pieces {
                 let place = folder.file(&piece.file);
-                let copied = fs::read(from.join(&piece.file)).and_then(|bytes| {
+                let copied = read_at_most(&from.join(&piece.file), LONGEST).and_then(|bytes| {
                     fs::create_dir_all(place.parent().unwrap_or(folder.path()))?;
                     write_whole(&place, &bytes)
                 });

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::folder::{Folder, write_whole};
 use crate::log::LogFile;
 use extrados::Refusal;
+use extrados::files::{LONGEST, read_at_most};
 use extrados::shelf::Shelf;
 use std::fs;
 use std::io;
@@ -77,7 +78,7 @@ pub fn file(name: &str) -> String {
 
 impl Shelf for FolderShelf<'_> {
     fn find(&self, name: &str) -> Option<Vec<u8>> {
-        fs::read(self.file(name)).ok()
+        read_at_most(&self.file(name), LONGEST).ok()
     }
 
     fn put(&self, name: &str, bytes: &[u8]) -> io::Result<()> {

@@ -2,7 +2,7 @@
 
 use crate::collapse::CollapseOptions;
 use crate::companions;
-use crate::files::Files;
+use crate::files::{Files, LONGEST_DRAWING};
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
 use ::drawing::Finding;
@@ -33,13 +33,15 @@ impl Blocks {
     /// A file that cannot be read (F101).
     pub fn read(path: impl AsRef<Path>, files: &dyn Files) -> Result<Blocks, Refusal> {
         let path = path.as_ref();
-        let text = companions::text(path, files)?;
+        let text = companions::main_text(path, files)?;
         let ReadBlocks { file, mut diagnostics } = bridge::read_blocks(&text);
         let (mut drawing, mut scene) = (None, None);
         if let Some(file) = file {
             let drawn = file.drawing.as_ref().map(|part| {
                 let place = path.parent().unwrap_or(Path::new("")).join(&part.file);
-                let bytes = files.read(&place).map_err(|error| unreadable(part, Refusal::unreadable(&place, &error)));
+                let bytes = files
+                    .read_at_most(&place, LONGEST_DRAWING)
+                    .map_err(|error| unreadable(part, Refusal::unreadable(&place, &error)));
                 (place, bytes)
             });
             let (place, bytes) = drawn.unzip();

@@ -1,7 +1,7 @@
 //! Files that a bridge file names: packings, trains, vehicles and rules, records. Their paths are relative to the bridge file.
 
-use crate::files::Files;
-use crate::refusal::Refusal;
+use crate::files::{Files, LONGEST, LONGEST_PHOTOGRAPH, LONGEST_TEXT};
+use crate::refusal::{Refusal, reason};
 use assess::analysis::update::RecordFile;
 use bridge::{Particles, Read, Severity, SweepPlan, train};
 use report::Photograph;
@@ -41,21 +41,40 @@ pub fn inputs(read: &Read, path: &Path, files: &dyn Files) -> Vec<PathBuf> {
     all
 }
 
-/// Largest photograph that a report takes in [bytes].
-const LARGEST_PHOTOGRAPH: usize = 8 << 20;
+/// Photographs of a report together [bytes].
+const ALL_PHOTOGRAPHS: u64 = 64 << 20;
 
-/// Photographs of inspections. One that is missing does not keep a bridge from being assessed: the report names it.
+/// Photographs of inspections. One that is missing, too large, or outside the folder of the bridge file does not keep a bridge from being
+/// assessed: the report says why it is not there. A report is passed on, and must not carry files that its reader has no right to.
 pub fn photographs(read: &Read, path: &Path, files: &dyn Files) -> Vec<Photograph> {
     let inspections = read.document.iter().flat_map(|document| &document.inspections);
     let named =
         inspections.filter_map(|one| Some((one.photograph.as_ref()?, format!("{}: {}", one.part, one.finding))));
-    let photograph = |(name, caption): (&String, String)| match files.read(&beside(path, name)) {
-        Ok(bytes) if bytes.len() <= LARGEST_PHOTOGRAPH => Photograph::new(name, &caption, &bytes),
-        Ok(_) => Photograph { file: name.clone(), caption, source: Err("it is larger than 8 MiB".to_owned()) },
-        Err(error) => Photograph { file: name.clone(), caption, source: Err(error.to_string()) },
+    let mut room = ALL_PHOTOGRAPHS;
+    let photograph = |(name, caption): (&String, String)| match picture(path, name, files, &mut room) {
+        Ok(bytes) => Photograph::new(name, &caption, &bytes),
+        Err(why) => Photograph { file: name.clone(), caption, source: Err(why) },
     };
     named.map(photograph).collect()
 }
+
+fn picture(bridge: &Path, name: &str, files: &dyn Files, room: &mut u64) -> Result<Vec<u8>, String> {
+    let place = beside(bridge, name);
+    let why = |error: std::io::Error| reason(&error);
+    if !files.pictures_from_outside() {
+        let folder = Some(beside(bridge, "")).filter(|folder| !folder.as_os_str().is_empty());
+        let folder = files.real(&folder.unwrap_or_else(|| PathBuf::from("."))).map_err(why)?;
+        if !files.real(&place).map_err(why)?.starts_with(&folder) {
+            return Err("it lies outside the folder of the bridge file; --allow-outside takes it".to_owned());
+        }
+    }
+    let bytes = files.read_at_most(&place, LONGEST_PHOTOGRAPH).map_err(why)?;
+    *room = room.checked_sub(bytes.len() as u64).ok_or("all photographs together are larger than 64 MiB")?;
+    Ok(bytes)
+}
+
+/// Tables of records that one update reads.
+const MOST_RECORDS: usize = 1000;
 
 /// The tables of measurements that the file names: one, or all of a folder in the order of their names.
 pub fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec<RecordFile>, Refusal> {
@@ -72,11 +91,18 @@ pub fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec<Record
         let message = format!("the folder {} holds no table", place.display());
         return Err(Refusal::new("F130", message, "put one table (.csv) for each run into it"));
     }
-    let file = |path: &PathBuf| {
+    if paths.len() > MOST_RECORDS {
+        let message = format!("the folder {} holds {} tables, more than {MOST_RECORDS}", place.display(), paths.len());
+        return Err(Refusal::new("F130", message, "put the tables of one test into a folder of their own"));
+    }
+    let mut room = LONGEST;
+    let mut file = |path: &PathBuf| {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        Ok(RecordFile { name, bytes: bytes(path, files)? })
+        let bytes = files.read_at_most(path, room).map_err(|error| Refusal::unreadable(path, &error))?;
+        room -= bytes.len() as u64;
+        Ok(RecordFile { name, bytes })
     };
-    paths.iter().map(file).collect()
+    paths.iter().map(&mut file).collect()
 }
 
 fn is_table(path: &Path) -> bool {
@@ -84,9 +110,16 @@ fn is_table(path: &Path) -> bool {
     ending.is_some_and(|ending| ["csv", "txt", "tsv", "parquet"].contains(&ending.as_str()))
 }
 
-/// The bytes of a text file, in UTF-8 where it was UTF-16.
-pub fn text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
-    bytes(path, files).map(bridge::as_utf8)
+/// The bytes of a file that somebody wrote by hand, in UTF-8 where it was UTF-16.
+fn text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
+    let bytes = files.read_at_most(path, LONGEST_TEXT).map_err(|error| Refusal::unreadable(path, &error))?;
+    Ok(bridge::as_utf8(bytes))
+}
+
+/// The same of the file that a command is given. What is longer is cut: its first bytes tell what it is in the place of a bridge file.
+pub fn main_text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
+    let bytes = files.head(path, LONGEST_TEXT + 2).map_err(|error| Refusal::unreadable(path, &error))?;
+    Ok(bridge::as_utf8(bytes))
 }
 
 fn bytes(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
@@ -110,7 +143,7 @@ fn packing(particles: &mut Particles, path: &Path, files: &dyn Files) -> Result<
 fn take_train(train: &mut train::Train, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
     let Some(name) = &train.file else { return Ok(()) };
     let path = beside(path, name);
-    let text = bytes(&path, files)?;
+    let text = text(&path, files)?;
     let unusable = |why: String| {
         let message = format!("cannot use the train {}: {why}", path.display());
         Refusal::new("F121", message, "write [[vehicle]] tables (.toml), or axle_load_t,distance_m (.csv)")

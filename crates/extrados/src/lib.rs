@@ -69,7 +69,7 @@ pub use crate::cases::{CaseAnswer, Cases, cases};
 pub use crate::choice::Choice;
 pub use crate::collapse::{CollapseOptions, collapse, planned};
 pub use crate::compare::{Answered, Compared, Difference, compare};
-pub use crate::files::{Disk, Files, Memory};
+pub use crate::files::{Disk, Files, Memory, WholeDisk};
 pub use crate::materials::with_material;
 pub use crate::means::Means;
 pub use crate::passing::Passing;

@@ -35,7 +35,7 @@ impl Project {
     /// [`records`](Self::records).
     pub fn read(path: impl AsRef<Path>, files: &dyn Files) -> Result<Project, Refusal> {
         let path = path.as_ref();
-        let text = companions::text(path, files)?;
+        let text = companions::main_text(path, files)?;
         let mut read = bridge::read(&text);
         companions::take(&mut read, path, files)?;
         names::look_up(&mut read, &text);

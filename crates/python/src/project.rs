@@ -34,6 +34,17 @@ impl Files for Beside {
         let inside: Vec<PathBuf> = self.0.keys().filter(|path| path.parent() == Some(folder)).cloned().collect();
         if inside.is_empty() { Disk.list(folder) } else { Ok(Some(inside)) }
     }
+
+    fn head(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+        match self.0.get(path) {
+            Some(bytes) => Ok(bytes[..bytes.len().min(usize::try_from(most).unwrap_or(usize::MAX))].to_vec()),
+            None => Disk.head(path, most),
+        }
+    }
+
+    fn real(&self, path: &Path) -> io::Result<PathBuf> {
+        if self.0.contains_key(path) { Ok(path.to_owned()) } else { Disk.real(path) }
+    }
 }
 
 /// A clock that starts when it is made.

@@ -2,7 +2,6 @@
 
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -159,7 +158,7 @@ impl Case {
     pub fn read(folder: &Path) -> Result<Case, CaseError> {
         let path = folder.join("case.toml");
         let wrong = |path: &Path, reason: String| CaseError { path: path.display().to_string(), reason };
-        let load = |path: &Path| fs::read_to_string(path).map_err(|e| wrong(path, e.to_string()));
+        let load = |path: &Path| crate::read_text(path).map_err(|e| wrong(path, e.to_string()));
         let file: File = toml::from_str(&load(&path)?).map_err(|e| wrong(&path, e.to_string()))?;
         if let Some(bad) = file.expect.iter().find(|e| !e.is_complete()) {
             let reason = format!("{}: give a number with a tolerance, a word, or a bound", bad.quantity);

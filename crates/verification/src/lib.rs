@@ -23,6 +23,7 @@ pub use manual::{manual, table};
 pub use tables::{TableRow, tables};
 
 use std::fs;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// Folders below `root` that hold a case, in order of their names.
@@ -43,4 +44,23 @@ pub fn discover(root: &Path) -> std::io::Result<Vec<PathBuf>> {
     }
     found.sort();
     Ok(found)
+}
+
+/// No file of a case is longer [bytes].
+const LONGEST: u64 = 64 << 20;
+
+/// The bytes of a plain file: what is a device or a pipe may never end.
+fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let data = fs::metadata(path)?;
+    if !data.is_file() || data.len() > LONGEST {
+        return Err(io::Error::other("it is no plain file of at most 64 MiB"));
+    }
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(LONGEST).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The same as text.
+fn read_text(path: &Path) -> io::Result<String> {
+    String::from_utf8(read_bytes(path)?).map_err(io::Error::other)
 }

@@ -39,7 +39,7 @@ fn block_model(text: &str) -> Result<Json, String> {
     let read = bridge::read_blocks(text.as_bytes());
     let Some(file) = read.file else { return Err(said(&read.diagnostics)) };
     let path = file.drawing.as_ref().map(|part| part.file.clone());
-    let dxf = path.map(|path| std::fs::read(&path).map_err(|e| format!("{path}: {e}"))).transpose()?;
+    let dxf = path.map(|path| crate::read_bytes(path.as_ref()).map_err(|e| format!("{path}: {e}"))).transpose()?;
     let assembled = structure::blocks::assemble(&file, dxf.as_deref());
     let Some(scene) = assembled.scene else {
         let errors = assembled.findings.iter().filter(|f| f.severity == drawing::Severity::Error);

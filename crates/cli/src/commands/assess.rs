@@ -3,7 +3,7 @@
 mod fleet;
 mod pdf;
 
-use super::{Desk, Source};
+use super::{Desk, Pictures, Source};
 use crate::args::{Assess as Arguments, STAGES, word_for};
 use crate::clock::Clock;
 use crate::failure::Failure;
@@ -29,7 +29,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         let message = format!("{} is one bridge, and no work that can be cut into shards", arguments.file.display());
         return Err(Failure::input("F146", message, "leave --shard away, or name a folder of bridge files"));
     }
-    let source = Source::open(desk, &arguments.file)?;
+    let source = Source::open_with(desk, &arguments.file, Pictures::allowed(arguments.allow_outside))?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));
     }
@@ -42,6 +42,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     };
     let mut report = answer(&done, &source);
     report.warn_of(&mut desk.screen, &done.warnings());
+    for [code, message] in pictures_left_out(&done) {
+        report.warn(&mut desk.screen, &code, &message);
+    }
     let mut files = files(&done);
     match pdf::pdf(&done.material()) {
         Ok(bytes) => files.push(figures::File { name: "report.pdf".to_owned(), bytes }),
@@ -52,6 +55,14 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let page = summary::assessment(&done.assessment, named, folder.path(), desk.screen.details);
     report.show(&desk.screen, &page);
     results::publish(desk, report, &folder, &files)
+}
+
+/// Photographs that the report does not show, and why.
+fn pictures_left_out(done: &Assessed) -> Vec<[String; 2]> {
+    let why = |one: &::report::Photograph| {
+        one.source.as_ref().err().map(|why| format!("{} is not in the report: {why}", one.file))
+    };
+    done.photographs.iter().filter_map(why).map(|message| ["F147".to_owned(), message]).collect()
 }
 
 /// What stays of an assessment that is interrupted.
@@ -104,7 +115,8 @@ fn assessed(
 /// The command that makes this bridge's report by itself.
 fn command(arguments: &Arguments, file: &str) -> String {
     let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {}", word_for(STAGES, *stage))).collect();
-    format!("extrados assess {file}{skipped}")
+    let outside = if arguments.allow_outside { " --allow-outside" } else { "" };
+    format!("extrados assess {file}{skipped}{outside}")
 }
 
 /// Today in universal time, as year-month-day; the rule for civil days is Hinnant's.

@@ -3,12 +3,13 @@
 use super::{Desk, Source, read_text};
 use crate::args::Compare as Arguments;
 use crate::failure::Failure;
-use crate::folder::{Folder, Purpose};
+use crate::folder::{self, Folder, Purpose};
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::Spectator;
 use extrados::Compared;
+use findings::visible::cell;
 use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -42,7 +43,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
 }
 
 fn folder(arguments: &Arguments, sources: &[Source; 2]) -> Result<Folder, Failure> {
-    let stem = |file: &Path| file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let stem = |file: &Path| folder::shown_stem(file).to_string_lossy().into_owned();
     let named = || Path::new("out").join(format!("{}-and-{}", stem(&arguments.before), stem(&arguments.after)));
     let out = arguments.out.clone().unwrap_or_else(named);
     let mut inputs: Vec<PathBuf> = sources.iter().flat_map(|source| source.project.inputs()).cloned().collect();
@@ -77,12 +78,6 @@ fn write(
     }
     report.summary = summary(found, &named, folder.path());
     results::publish(desk, report, folder, &files)
-}
-
-/// Text of a cell: quoted where it has what divides cells.
-fn cell(text: &str) -> String {
-    let text = text.replace(['\n', '\r'], " ");
-    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
 fn differences(found: &Compared) -> String {

@@ -3,7 +3,7 @@
 mod section;
 
 use super::model::Model;
-use super::{Desk, Source, read_text};
+use super::{Desk, Source, read_file, read_text};
 use crate::args::Convert;
 use crate::failure::Failure;
 use crate::folder;
@@ -13,7 +13,7 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use drawing::{Drawing, Item, Options, Sheet};
-use extrados::{Disk, Files};
+use extrados::files::LONGEST_DRAWING;
 use outcome::picture::{Motion, Picture, Shape, Snapshot};
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -107,7 +107,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
 }
 
 fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
-    let bytes = Disk.read(&arguments.from).map_err(|error| Failure::unreadable(&arguments.from, &error))?;
+    let bytes = read_file(&arguments.from, LONGEST_DRAWING)?;
     let length = |option: &str, text: &Option<String>, default: f64| match text {
         Some(text) => quantities::length(option, text),
         None => Ok(default),

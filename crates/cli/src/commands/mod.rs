@@ -34,7 +34,8 @@ use crate::signs;
 use crate::status::Status;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
-use extrados::{Disk, Files, Project, Refusal};
+use extrados::files::{self, LONGEST_TEXT};
+use extrados::{Disk, Files, Project, Refusal, WholeDisk};
 use serde_json::json;
 use std::ffi::OsString;
 use std::path::Path;
@@ -199,6 +200,22 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     failure.status.exit_code()
 }
 
+/// Where pictures of a report may come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pictures {
+    /// The folder of the bridge file, and those below.
+    Beside,
+    /// Wherever the file says.
+    Anywhere,
+}
+
+impl Pictures {
+    /// As the command line allows.
+    fn allowed(anywhere: bool) -> Pictures {
+        if anywhere { Pictures::Anywhere } else { Pictures::Beside }
+    }
+}
+
 /// A bridge file that was read, with what it takes from other files.
 struct Source {
     project: Project,
@@ -207,7 +224,12 @@ struct Source {
 impl Source {
     /// Reads a file and shows what was found in it.
     fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
-        let source = Source::read(path)?;
+        Source::open_with(desk, path, Pictures::Beside)
+    }
+
+    /// Reads a file, with pictures from where they may come, and shows what was found in it.
+    fn open_with(desk: &mut Desk, path: &Path, pictures: Pictures) -> Result<Source, Failure> {
+        let source = Source::read_with(path, pictures)?;
         if source.bridge().is_none() || desk.screen.tells_each() {
             let (project, paint) = (&source.project, Paint::for_stderr());
             desk.screen.remark(&render::findings(project.name(), project.text(), project.findings(), &paint));
@@ -217,7 +239,16 @@ impl Source {
 
     /// Reads a file and says nothing.
     fn read(path: &Path) -> Result<Source, Failure> {
-        Ok(Source { project: Project::read(path, &Disk)? })
+        Source::read_with(path, Pictures::Beside)
+    }
+
+    /// The same, with pictures from where they may come.
+    fn read_with(path: &Path, pictures: Pictures) -> Result<Source, Failure> {
+        let files: &dyn Files = match pictures {
+            Pictures::Beside => &Disk,
+            Pictures::Anywhere => &WholeDisk,
+        };
+        Ok(Source { project: Project::read(path, files)? })
     }
 
     /// Its bridge; none where the file cannot be used.
@@ -238,12 +269,13 @@ impl Source {
     }
 }
 
-/// The bytes of a text file, in UTF-8 where it was UTF-16.
+/// The bytes of a file that somebody wrote by hand, in UTF-8 where it was UTF-16; one that is longer than such files are is cut, for its
+/// first bytes tell what it is.
 fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
-    read_file(path).map(bridge::as_utf8)
+    files::head(path, LONGEST_TEXT + 2).map(bridge::as_utf8).map_err(|error| Failure::unreadable(path, &error))
 }
 
-/// The bytes of a file; a folder is refused in words.
-fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
-    Disk.read(path).map_err(|error| Failure::unreadable(path, &error))
+/// The bytes of a file that is not longer than `most`; a folder is refused in words.
+fn read_file(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
+    files::read_at_most(path, most).map_err(|error| Failure::unreadable(path, &error))
 }

@@ -29,6 +29,7 @@ pub fn run(arguments: &New) -> Result<Report, Failure> {
         .saying(summary))
 }
 
+/// Writes the files into a folder beside the place, which then takes its name: it is there whole or not at all.
 fn write(example: &Example, dir: &Path) -> Result<(), Failure> {
     let unwritable = |error: io::Error| Failure::unwritable(dir, &error);
     match fs::read_dir(dir) {
@@ -37,14 +38,28 @@ fn write(example: &Example, dir: &Path) -> Result<(), Failure> {
                 let message = format!("{} exists and is not empty", dir.display());
                 return Err(Failure::input("F103", message, "name a folder that does not exist yet"));
             }
+            // The folder may be the current one, which nothing can take the place of.
+            return fill(example, dir).map_err(unwritable);
         }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => fs::create_dir_all(dir).map_err(unwritable)?,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
         Err(error) => return Err(unwritable(error)),
     }
+    if let Some(parent) = dir.parent() {
+        fs::create_dir_all(parent).map_err(unwritable)?;
+    }
+    let beside = folder::partial(dir);
+    let written = fill(example, &beside).and_then(|()| fs::rename(&beside, dir));
+    if written.is_err() {
+        let _ = fs::remove_dir_all(&beside);
+    }
+    written.map_err(unwritable)
+}
+
+fn fill(example: &Example, dir: &Path) -> io::Result<()> {
     for file in example.files {
         let path = dir.join(file.name);
-        path.parent().map_or(Ok(()), fs::create_dir_all).map_err(unwritable)?;
-        folder::write_whole(&path, file.text.as_bytes()).map_err(unwritable)?;
+        path.parent().map_or(Ok(()), fs::create_dir_all)?;
+        folder::write_whole(&path, file.text.as_bytes())?;
     }
     Ok(())
 }

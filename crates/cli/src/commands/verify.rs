@@ -8,6 +8,7 @@ use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher;
+use extrados::files::head;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -68,7 +69,7 @@ const MANUAL: &str = "# Verification manual";
 
 /// The manual replaces an earlier manual and no other file.
 fn free(path: &Path) -> Result<(), Failure> {
-    match std::fs::read(path) {
+    match head(path, MANUAL.len() as u64) {
         Ok(bytes) if !bytes.starts_with(MANUAL.as_bytes()) => {
             let message = format!("{} exists and is no verification manual", path.display());
             Err(Failure::input("F119", message, "name another file with --manual FILE"))

@@ -16,9 +16,12 @@ pub fn keep(folder: &Path, list: &mut List) -> io::Result<Option<PathBuf>> {
         list.last.clear();
         return Ok(None);
     }
-    let place = free(&folder.join(NAME), if list.kind.is_empty() { "run" } else { &list.kind }, &list.of)?;
-    fs::create_dir_all(&place)?;
-    list.only(&there).write(&place)?;
+    let kind = if list.kind.is_empty() { "run" } else { &list.kind };
+    let place = free(&folder.join(NAME), kind, list)?;
+    if !half_moved(&place, list) {
+        fs::create_dir_all(&place)?;
+        list.only(&there).write(&place)?;
+    }
     // The seal goes last: what is half moved is taken up by the next run.
     for name in there.iter().filter(|name| *name != SEAL).chain(there.iter().filter(|name| *name == SEAL)) {
         let target = place.join(name);
@@ -32,17 +35,27 @@ pub fn keep(folder: &Path, list: &mut List) -> io::Result<Option<PathBuf>> {
     Ok(Some(place))
 }
 
+/// Whether a run was killed while it moved the answer of this list here: the seal comes last. What is there is part of that answer, and
+/// the rest follows.
+fn half_moved(place: &Path, list: &List) -> bool {
+    let moved = List::read(place);
+    moved.last.iter().any(|name| name == SEAL) && !place.join(SEAL).exists() && list.only(&moved.last) == moved
+}
+
 /// The place for an answer of this kind: the one that holds an older answer of the same run, emptied, or a new one. What
 /// somebody changed or added there is left alone.
-fn free(earlier: &Path, kind: &str, of: &str) -> io::Result<PathBuf> {
+fn free(earlier: &Path, kind: &str, whole: &List) -> io::Result<PathBuf> {
     for number in 1.. {
         let name = if number == 1 { kind.to_owned() } else { format!("{kind}-{number}") };
         let place = earlier.join(name);
         if fs::symlink_metadata(&place).is_err() {
             return Ok(place);
         }
+        if half_moved(&place, whole) {
+            return Ok(place);
+        }
         let list = List::read(&place);
-        if list.of == of && list.kind == kind && empty(&place, &list)? {
+        if list.of == whole.of && list.kind == kind && empty(&place, &list)? {
             return Ok(place);
         }
     }

@@ -3,6 +3,7 @@
 //! inside where nothing can be written beside it.
 
 use super::{SEAL, write_whole};
+use extrados::files::{LONGEST, head, read_at_most};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::fs;
@@ -30,7 +31,7 @@ impl List {
     /// The list of a folder. Where there is none, files that a result names count as made: results of earlier versions have no
     /// list.
     pub fn read(folder: &Path) -> List {
-        let value = |path: PathBuf| serde_json::from_slice::<Value>(&fs::read(path).ok()?).ok();
+        let value = |path: PathBuf| serde_json::from_slice::<Value>(&read_at_most(&path, LONGEST).ok()?).ok();
         let listed = places(folder).into_iter().filter_map(value).find(|value| value["schema"] == SCHEMA);
         if let Some(value) = listed {
             return List::from_value(&value);
@@ -120,6 +121,8 @@ fn places(folder: &Path) -> Vec<PathBuf> {
 
 /// The hash of a file's content, in hexadecimal digits.
 pub fn hash(path: &Path) -> io::Result<String> {
+    // What is no plain file is refused before it is opened.
+    head(path, 0)?;
     let mut hasher = blake3::Hasher::new();
     io::copy(&mut fs::File::open(path)?, &mut hasher)?;
     Ok(hasher.finalize().to_hex().to_string())
@@ -130,6 +133,7 @@ pub fn is_inside(name: &str) -> bool {
     !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }
 
-fn strings(value: &Value) -> Vec<String> {
+/// Texts of a list.
+pub fn strings(value: &Value) -> Vec<String> {
     value.as_array().into_iter().flatten().filter_map(|one| one.as_str().map(str::to_owned)).collect()
 }

@@ -10,6 +10,7 @@ use crate::refusal::Refusal;
 use crate::watch::{Remembering, Watch};
 use bridge::document::ReportDocument;
 use bridge::inputs::Input;
+use findings::visible::one_line;
 use outcome::assessment::Assessment;
 use outcome::published;
 use outcome::warning::{self, Warning};
@@ -87,9 +88,9 @@ pub fn assess(
     let appendix = Appendix {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         program: means.program.to_owned(),
-        file: project.name().to_owned(),
+        file: one_line(project.name()).into_owned(),
         input: blake3::hash(project.text()).to_hex().to_string(),
-        command: options.command.clone(),
+        command: one_line(&options.command).into_owned(),
         day: options.day.clone(),
         stages: lines,
     };

@@ -100,7 +100,7 @@ fn wrong(path: &Path, reason: impl Into<String>, help: impl Into<String>) -> Cor
 }
 
 fn read<T: DeserializeOwned>(path: &Path, help: &str) -> Result<T, CorpusError> {
-    let text = fs::read_to_string(path).map_err(|error| wrong(path, error.to_string(), "make the file readable"))?;
+    let text = crate::read_text(path).map_err(|error| wrong(path, error.to_string(), "make the file readable"))?;
     toml::from_str(&text).map_err(|error| wrong(path, error.to_string().trim().to_owned(), help))
 }
 

@@ -1,9 +1,9 @@
 //! A folder of bridge files: each is assessed into a folder of its own, side by side over the cores, and one table lists them,
 //! worst first. A file that cannot be used is a row and stops nothing. What is finished is taken up by the next run.
 
-use super::{answer, assessed, command, files};
+use super::{answer, assessed, command, files, pictures_left_out};
 use crate::args::Assess as Arguments;
-use crate::commands::{Desk, Source};
+use crate::commands::{Desk, Pictures, Source, read_text};
 use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::program;
@@ -17,6 +17,7 @@ use ::report::FleetRow;
 use bridge::Severity;
 use extrados::Means;
 use extrados::shard::Shard;
+use findings::visible::{is_hidden, one_line};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -169,7 +170,7 @@ fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = fs::read_dir(folder).map_err(|error| Failure::unreadable(folder, &error))?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.is_file() && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
-    files.retain(|path| fs::read(path).map_or(true, |text| !bridge::is_block_file(&text)));
+    files.retain(|path| read_text(path).map_or(true, |text| !bridge::is_block_file(&text)));
     files.sort();
     if files.is_empty() {
         let message = format!("the folder {} holds no bridge file (.toml)", folder.display());
@@ -181,17 +182,17 @@ fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 /// The folder of a bridge below that of the fleet: its file's name without the ending, and with it where two differ by that or by
 /// capital letters alone.
 fn folder_of(path: &Path, files: &[PathBuf]) -> String {
-    let stem = |path: &Path| path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let stem = |path: &Path| folder::shown_stem(path).to_string_lossy().into_owned();
     let same = files.iter().filter(|other| stem(other).to_lowercase() == stem(path).to_lowercase());
     match same.count() {
         0 | 1 => stem(path),
-        _ => name_of(path),
+        _ => name_of(path).replace(is_hidden, "_"),
     }
 }
 
 /// One bridge, into a folder of this name; none where somebody asked to stop.
 fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &str) -> Option<FleetRow> {
-    let file = name_of(path);
+    let file = one_line(&name_of(path)).into_owned();
     let blank = |status: Status, words: String| FleetRow {
         file: file.clone(),
         name: String::new(),
@@ -210,7 +211,7 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         report: String::new(),
     };
     let refused = |failure: Failure| blank(failure.status, format!("{} ({})", failure.message, failure.code));
-    let source = match Source::read(path) {
+    let source = match Source::read_with(path, Pictures::allowed(arguments.allow_outside)) {
         Ok(source) => source,
         Err(failure) => return Some(refused(failure)),
     };
@@ -231,6 +232,8 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         Err(failure) => return Some(refused(failure)),
     };
     let mut report = answer(&done, &source);
+    let left_out = pictures_left_out(&done).into_iter();
+    report.warnings.extend(left_out.map(|[code, message]| json!({ "code": code, "message": message })));
     let written = folder.fill(
         |staging| files(&done).iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
         |names, place, _| {

@@ -1,9 +1,10 @@
 //! A surveyed section of an intrados becomes a bridge file to fill in, a drawing or a table of its deviations.
 
-use super::{Desk, Report, folder, guard, read_text, results};
+use super::{Desk, Report, folder, guard, read_file, results};
 use crate::args::Convert;
 use crate::failure::Failure;
 use crate::status::Status;
+use extrados::files::LONGEST;
 use outcome::section::{Section, Surveyed};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -26,7 +27,7 @@ pub fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Fai
         Failure::input("F133", format!("{from}: {error}"), "extrados explain F133 tells what a section is")
     };
     let unit = arguments.unit.as_deref().and_then(LengthUnit::named);
-    let table = read_text(&arguments.from)?;
+    let table = bridge::as_utf8(read_file(&arguments.from, LONGEST)?);
     let points = section::read(&String::from_utf8_lossy(&table), unit).map_err(refused)?;
     let found = section::fit(&points).map_err(refused)?;
     let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();

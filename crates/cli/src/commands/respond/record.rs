@@ -4,9 +4,9 @@ use crate::args::{Logger as Arguments, RecordNoise, Respond};
 use crate::failure::Failure;
 use crate::{folder, quantities};
 use assess::analysis::passage::record::{Logger, Scatter, record};
+use extrados::files::{LONGEST, read_at_most};
 use outcome::passage::Passage;
 use records::{Dimension, ReadOptions, Recording};
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -66,7 +66,7 @@ fn free(path: &Path) -> Result<(), Failure> {
     if path.is_dir() {
         return refuse("is a folder");
     }
-    match fs::read(path) {
+    match read_at_most(path, LONGEST) {
         Ok(bytes) => match records::read(&bytes, &ReadOptions::default()).run {
             Some(run) if run.synthetic.is_some() => Ok(()),
             _ => refuse("exists and is not labelled synthetic"),

@@ -7,6 +7,7 @@ use crate::render::{self, Paint};
 use crate::report::Report;
 use bridge::vary::Request;
 use extrados::Refusal;
+use extrados::files::LONGEST_TEXT;
 
 /// The ranges, or everything that is wrong with them. Findings about another file of ranges are shown with their places and stand in
 /// the report.
@@ -22,7 +23,7 @@ pub fn gather(
             false => extrados::settings(&source.project, &arguments.set),
         });
     };
-    let text = read_file(path)?;
+    let text = read_file(path, LONGEST_TEXT)?;
     let (requests, findings) = bridge::read_ranges(&text, &source.project.document_without_ranges()?);
     let name = path.display().to_string();
     desk.screen.remark(&render::findings(&name, &text, &findings, &Paint::for_stderr()));
