@@ -106,3 +106,22 @@ impl Diagnostic {
         self.note = Some(note.into());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Hundreds of warnings do not hide an error.
+    #[test]
+    fn an_error_outranks_warnings() {
+        let mut findings = Findings::of(b"");
+        (0..900).for_each(|k| {
+            findings.warning("P001", TextRange::new(k, k + 1), "odd", "", "");
+        });
+        findings.error("B405", TextRange::new(0, 1), "wrong", "", "");
+        assert!(findings.any_error());
+        let list = findings.in_order(1000);
+        assert_eq!(list.len(), MOST);
+        assert_eq!(list.iter().filter(|finding| finding.code == "B405").count(), 1);
+    }
+}

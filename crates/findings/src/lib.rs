@@ -3,8 +3,8 @@
 
 mod card;
 mod finding;
-pub mod words;
 pub mod visible;
+pub mod words;
 
 pub use card::Card;
 pub use finding::{Finding, Place, Severity};
