@@ -48,8 +48,20 @@ impl Claim {
                 }
             }
         }
-        Ok(())
+        list::places(folder).iter().try_for_each(|list| remove_partial(list))
     }
+}
+
+/// Takes away what a killed run had written of a file.
+fn remove_partial(file: &Path) -> io::Result<()> {
+    let (Some(parent), Some(name)) = (file.parent(), file.file_name()) else { return Ok(()) };
+    let start = format!(".{}{PARTIAL}", name.to_string_lossy());
+    for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
+        if entry.file_name().to_string_lossy().starts_with(&start) {
+            remove(&entry.path())?;
+        }
+    }
+    Ok(())
 }
 
 /// Moves complete results into their place, from wherever a kill cut that off: the list of the folder tells what was there before.

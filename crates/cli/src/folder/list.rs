@@ -112,7 +112,7 @@ impl List {
 }
 
 /// Where the list of a folder may stand: beside it, and inside.
-fn places(folder: &Path) -> Vec<PathBuf> {
+pub fn places(folder: &Path) -> Vec<PathBuf> {
     let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let beside = whole.parent().zip(whole.file_name());
     let beside = beside.map(|(parent, name)| parent.join(format!(".{}{NAME}", name.to_string_lossy())));

@@ -202,7 +202,12 @@ pub fn is_sealed(folder: &Path) -> Result<bool, String> {
 
 /// Files that are there for a while only, and outlived their run.
 pub fn left_over(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
-    names.filter(|name| name.contains(".extrados-") && !name.ends_with("extrados-files.json")).collect()
+    let own = format!("..{}.", folder.file_name().unwrap_or_default().to_string_lossy());
+    let names = |place: &Path| {
+        let entries = fs::read_dir(place).into_iter().flatten().flatten();
+        entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect::<Vec<_>>()
+    };
+    let inside = names(folder).into_iter().filter(|name| name.contains(".extrados-"));
+    let beside = names(folder.parent().unwrap_or(folder)).into_iter().filter(|name| name.starts_with(&own));
+    inside.chain(beside).filter(|name| !name.ends_with("extrados-files.json")).collect()
 }
