@@ -177,11 +177,10 @@ impl Field {
 
     /// Most characters of a text: as the card says. Names stand in drawings, tables and titles; other texts are some sentences.
     pub fn most_characters(&self) -> usize {
-        match self.key {
-            _ if self.limits.most.is_finite() => self.limits.most as usize,
-            "name" => 200,
-            _ => 2000,
+        if self.limits.most.is_finite() {
+            return self.limits.most as usize;
         }
+        if self.key == "name" { 200 } else { 2000 }
     }
 
     /// Most tables or entries of a list: as the card says, or as many as are ever drawn beside one another.
