@@ -202,7 +202,8 @@ mod tests {
         let mut ask = || {
             used.write_all(format!("GET / HTTP/1.1\r\nHost: {address}\r\n\r\n").as_bytes()).unwrap();
             let mut answer = [0; 4096];
-            String::from_utf8_lossy(&answer[..used.read(&mut answer).unwrap()]).into_owned()
+            let count = used.read(&mut answer).unwrap();
+            String::from_utf8_lossy(&answer[..count]).into_owned()
         };
         assert!(ask().contains("200 OK"));
         let held: Vec<TcpStream> = (0..2 * MOST_CONNECTIONS).filter_map(|_| TcpStream::connect(address).ok()).collect();
