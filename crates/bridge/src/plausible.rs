@@ -3,6 +3,7 @@
 use crate::fields::Kind;
 use crate::fields::structure::PlacedSpan;
 use crate::findings::Findings;
+use crate::mixed_units;
 use crate::model::{Joint, JointStiffness, Masonry};
 use crate::quantity;
 use crate::tree::{At, Raw, Table};
@@ -110,6 +111,7 @@ pub(crate) fn check(
             unusual(&table, usual, findings);
         }
     }
+    mixed_units::check(file, findings);
     strength(file, masonry, findings);
     fill(file, masonry, findings);
     joints(file, spans, masonry, joint, findings);

@@ -65,6 +65,11 @@ impl<'t> Table<'t> {
         Table { section, entries: None, range, misspelt: Vec::new(), under: None }
     }
 
+    /// What the file has of it; nothing where it is left out.
+    pub(crate) fn written(&self) -> Option<&'t DeTable<'t>> {
+        self.entries
+    }
+
     /// Whether a key is written, rightly or wrongly.
     pub(crate) fn has(&self, key: &str) -> bool {
         self.raw(key).is_some()

@@ -50,6 +50,15 @@ fn every_card_bites() {
         let files: Vec<Vec<u8>> = match card.code {
             "B001" => vec![b"[bridge]\nname = \"Pont de Pal\xe9\"\n".to_vec()],
             "B003" => vec![vec![b'#'; 2 << 20]],
+            // A text of two hundred letters stands on no card.
+            "B110" => vec![GOOD[0].replacen("name = \"", &format!("name = \"{}", "x".repeat(201)), 1).into_bytes()],
+            // Nor one that cannot be seen.
+            "B111" => vec![GOOD[0].replacen("name = \"", "name = \"\u{202e}", 1).into_bytes()],
+            // Nor two thousand loads.
+            "B112" => {
+                let load = "[[load]]\nkind = \"knife-edge\"\nforce = \"1 kN/m\"\nlength = \"0.3 m\"\nat = \"2 m\"\n";
+                vec![format!("[bridge]\nname = \"b\"\n{}", load.repeat(2000)).into_bytes()]
+            }
             "B217" => vec![b"  0\nSECTION\n".to_vec()],
             "B218" => vec![b"PK\x03\x04".to_vec()],
             _ => GOOD

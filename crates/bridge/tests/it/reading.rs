@@ -304,3 +304,22 @@ fn soils_are_as_the_fill() {
     let without = crate::files::SERVICE.replace("density = \"1850 kg/m^3\"\n", "");
     assert_eq!(good(&without).service.fill.density, Some(1800.0), "that of the lowest layer");
 }
+
+/// A length in feet among metres is doubted, and a whole file in feet is not.
+#[test]
+fn lengths_in_two_systems_are_doubted() {
+    let file = |span: &str, rise: &str, width: &str| {
+        format!(
+            "[bridge]\nname = \"b\"\nwidth = \"{width}\"\n[[span]]\nprofile = \"segmental\"\nspan = \"{span}\"\nrise = \"{rise}\"\nthickness = \"{rise}\"\n"
+        )
+    };
+    let doubts = |text: String| {
+        let found = bridge::read(text.as_bytes());
+        found.diagnostics.iter().filter(|one| one.code == "P033").map(|one| one.message.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(doubts(file("5 m", "1.25 m", "6 m")), Vec::<String>::new());
+    assert_eq!(doubts(file("16 ft", "4 ft", "20 ft")), Vec::<String>::new());
+    let told = doubts(file("5 m", "1.25 m", "20 ft"));
+    assert!(told.len() == 1 && told[0].contains("`width` is in feet"), "{told:?}");
+    assert_eq!(doubts(file("5 m", "4 ft", "20 ft")).len(), 1, "the one that stands alone");
+}
