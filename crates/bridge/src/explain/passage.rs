@@ -107,7 +107,7 @@ pub(super) const CARDS: &[FileCard] = &[
         meaning: "Track moduli are 5 to 200 MPa for one rail, bending stiffnesses of rails 0.5 to 10 MNm^2, and \
                   sleepers are 0.4 to 1 m apart.",
         why: "They determine over how many sleepers an axle load spreads.",
-        wrong: r#"track_modulus = "30 GPa""#,
+        wrong: r#"track_modulus = "300 MPa""#,
         right: r#"track_modulus = "30 MPa""#,
         source: "A. D. Kerr, Fundamentals of Railway Track Engineering, 2003; C. Esveld, Modern Railway Track, 2001",
     },
