@@ -55,4 +55,5 @@ findings::cards! {
     "R064", "nothing left after cutting", "not cut";
     "R065", "no alignment found", "not aligned";
     "R066", "speed that axle timing contradicts", "used, and named";
+    "R067", "level before the train in records taken as they are", "used, and named";
 }

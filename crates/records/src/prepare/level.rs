@@ -3,7 +3,7 @@
 use super::Log;
 use crate::Recording;
 use crate::health::smooth;
-use crate::signal::{Loaded, line, loaded, median};
+use crate::signal::{Loaded, least_count, line, loaded, median, noise, range};
 
 /// What is taken as zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -35,7 +35,7 @@ fn state(run: &Recording) -> Loaded {
 
 pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Log) {
     let samples = match zero {
-        Zero::AsRecorded => return,
+        Zero::AsRecorded => return kept(run, log),
         Zero::QuietStart => 0..state(run).quiet,
         Zero::Between([from, to]) => {
             let first = run.times.partition_point(|time| *time < from);
@@ -67,6 +67,33 @@ pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Log) {
             span[1]
         );
         log.did(run, &title, what);
+    }
+}
+
+/// Share of a channel's range from which a level before the train is not small beside what a peak is read to.
+const KEPT: f64 = 0.02;
+
+/// Names the levels that stay in records taken as they are: each is a part of its channel's peak, and temperature moves all of them at once.
+fn kept(run: &Recording, log: &mut Log) {
+    let quiet = state(run).quiet;
+    if quiet == 0 {
+        return;
+    }
+    for channel in run.channels.iter().filter(|channel| channel.used()) {
+        let values = &channel.values[..quiet];
+        let level = median(&mut values.to_vec());
+        // Standard deviation of a median of normal noise, three times.
+        let chance = 3.0 * 1.25 * noise(values) / (quiet as f64).sqrt();
+        let whole = range(&channel.values);
+        if level.abs() > (KEPT * whole).max(chance).max(2.0 * least_count(values)) {
+            let message = format!(
+                "its level before the train is {}, {:.0} % of its range, and stays in every value",
+                channel.unit.words(level),
+                100.0 * level.abs() / whole
+            );
+            let help = "take the level before the train as zero, unless it belongs to the response";
+            log.warn(run, &channel.title(), "R067", message, help);
+        }
     }
 }
 

@@ -71,6 +71,11 @@ impl Log {
         self.done.push(Done::new(&run.name, channel, what));
     }
 
+    fn warn(&mut self, run: &Recording, channel: &str, code: &'static str, message: String, help: &str) {
+        let place = Place { run: run.name.clone(), channel: channel.to_owned(), ..Place::default() };
+        self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
+    }
+
     fn could_not(&mut self, run: &Recording, code: &'static str, message: String, help: &str) {
         let place = Place { run: run.name.clone(), ..Place::default() };
         self.findings.push(Finding::new(Severity::Warning, code, place, message, help));

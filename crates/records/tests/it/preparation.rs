@@ -40,6 +40,22 @@ fn zero_is_the_quiet_start() {
 }
 
 #[test]
+fn a_level_that_stays_in_a_record_is_named() {
+    let as_recorded = Preparation { zero: Zero::AsRecorded, ..Preparation::default() };
+    let named = |by: f64, preparation: &Preparation| {
+        let mut run = train::good();
+        run.channels[2].values.iter_mut().for_each(|value| *value += by);
+        let found = prepared(vec![run], preparation).findings;
+        found.into_iter().filter(|finding| finding.code == "R067").collect::<Vec<_>>()
+    };
+    // A warm morning: 2 of about 22 microstrain. Small levels, and those that are taken off, are in no peak that matters.
+    let found = named(2e-6, &as_recorded);
+    assert!(found.len() == 1 && found[0].place.channel.contains("crown strain"), "{found:?}");
+    assert!(found[0].message.contains("2.000 microstrain"), "{found:?}");
+    assert!(named(0.1e-6, &as_recorded).is_empty() && named(2e-6, &Preparation::default()).is_empty());
+}
+
+#[test]
 fn a_line_between_quiet_ends_takes_drift_off() {
     let mut drifting = train::good();
     let times = drifting.times.clone();
