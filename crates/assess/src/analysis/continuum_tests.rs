@@ -212,3 +212,25 @@ fn a_run_that_is_stopped_while_it_looks_for_the_range_is_no_collapse() {
     let shorter = mechanics::watch::Pace::of(whole.beats() - 5);
     assert_eq!(by_bounds::whole(&b, &d, &earth, true, &shorter).unwrap().status, Status::Cancelled);
 }
+
+/// Sand without cohesion, shallow under a narrow load: stresses that carry any of the load are not found, and zero is told as zero, with
+/// the gap to what is not carried.
+#[test]
+fn a_lower_bound_of_nothing_is_zero_and_its_gap_is_told() {
+    let file = coarse()
+        .replace("cohesion = \"3 kPa\"", "cohesion = \"0 kPa\"")
+        .replace("axle_forces = [\"100 kN\"]", "axle_forces = [\"1 kN\"]");
+    for file in [file.clone(), file.replace("at = \"1/4 of span 1\"", "at = \"3/4 of span 1\"")] {
+        let mut b = of(&file);
+        b.continuum.as_mut().unwrap().elements = 300;
+        let found = by_bounds::with_strength_of_the_file(&b, &mut Unwatched).unwrap();
+        assert_eq!(found.status, Status::Collapsed);
+        let limit = found.limit().unwrap();
+        let (lower, upper) = (limit.lower_bound.unwrap(), limit.upper_bound.unwrap());
+        assert!(lower >= 0.0 && lower.is_sign_positive() && upper > 1.5 * lower, "{lower} {upper}");
+        let told = found.warnings.iter().find(|w| w.code == outcome::warning::BOUNDS_APART);
+        let told = told.unwrap_or_else(|| panic!("{lower} {upper}: {:?}", found.warnings)).message.clone();
+        assert!(told.contains("1.500 times was wanted"), "{told}");
+        assert!(lower > 0.0 || told.contains("lower one zero"), "{told}");
+    }
+}

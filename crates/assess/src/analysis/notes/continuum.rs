@@ -79,15 +79,24 @@ fn range(report: &ContinuumReport, c: &Collapse) -> Option<Warning> {
 }
 
 fn apart(report: &ContinuumReport, c: &Collapse) -> Option<Warning> {
-    let ratio = report.bound_ratio.filter(|ratio| *ratio > report.wanted_ratio && c.status == Status::Collapsed)?;
+    let limit = c.limit().filter(|_| c.status == Status::Collapsed)?;
+    let (lower, upper) = (limit.lower_bound?, limit.upper_bound?);
+    if upper <= report.wanted_ratio * lower {
+        return None;
+    }
     let broken = report.rounds.last().is_some_and(|(_, lower, upper)| lower.is_none() || upper.is_none());
     let remedy = match broken {
         true => "the programs of the next mesh were not solved",
         false => "`elements` in [continuum] allows more triangles",
     };
+    let (apart, carried) = match report.bound_ratio {
+        Some(ratio) => (format!("{ratio:.3} times the lower one"), "the lower bound is carried all the same"),
+        None => {
+            (format!("{} kN/m and the lower one zero", told(upper)), "no load is known to be carried beside the weight")
+        }
+    };
     let message = format!(
-        "the upper bound is {ratio:.3} times the lower one after {} triangles, {:.3} times was wanted; the \
-         lower bound is carried all the same. {remedy}",
+        "the upper bound is {apart} after {} triangles, {:.3} times was wanted; {carried}. {remedy}",
         report.elements, report.wanted_ratio
     );
     Some(Warning::new(warning::BOUNDS_APART, message))
