@@ -231,6 +231,9 @@ pub struct LimitReport {
     pub yield_violation: Option<f64>,
     /// Iterations of the solver.
     pub iterations: u32,
+    /// Whether blocks stand without dilation only as far as they are jammed, so that no load is known.
+    #[serde(default)]
+    pub jammed: bool,
     /// What soil that yields as a continuum adds.
     #[serde(default)]
     pub continuum: Option<Box<crate::soil::ContinuumReport>>,

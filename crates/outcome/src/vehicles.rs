@@ -207,6 +207,17 @@ impl Swept {
         }
     }
 
+    /// Takes points of the envelope at which cases found no answer as answered: this factor is proven to be carried there by all of them,
+    /// and does not govern.
+    pub fn is_settled(&mut self, at: &EnvelopePoint, carried: f64) {
+        let same = |p: &&mut EnvelopePoint| {
+            p.position == at.position && p.direction == at.direction && p.arrangement == at.arrangement
+        };
+        for point in self.envelope.iter_mut().filter(same).filter(|p| !p.converged) {
+            (point.converged, point.adequacy) = (true, Some(carried));
+        }
+    }
+
     /// Says how it ended, with the least factor of what was answered: an adequacy factor only where everything was.
     pub fn end(&mut self, whole: bool, least: Option<f64>) {
         self.positions_not_converged = self.envelope.iter().filter(|p| !p.converged).count();

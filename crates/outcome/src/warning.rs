@@ -55,13 +55,13 @@ findings::cards! {
          Providência and Lemos print the last stable step as collapse load for their cases 1 and 2 (204.82 and \
          325.30 kN/m), and the collapsing one for case 3.";
     /// Discrete elements against the limit load.
-    ABOVE_LIMIT = "A106", "the discrete element load lies above the limit load",
+    ABOVE_LIMIT = "A106", "the load lies above the limit load of the same blocks",
         "Deformable joints and displacements lower the load of an arch below the limit load of the same blocks as \
          built, usually by 0 to 15 %. A load above it has one of these reasons: crushing, which limit analysis places \
          under the edge about which a joint turns, while a contact point spreads its force over the length that it \
          represents (compare with the limit load for \"unlimited\" strength, and use the smaller number); friction \
          with less dilation than limit analysis assumes; displacements that improve the thrust line; or a load step \
-         that is too coarse. Find the reason before you use the number.";
+         that is too coarse. In finite elements joints do not slide (A205). Find the reason before you use the number; the smaller load leads.";
     /// Far below the limit load.
     FAR_BELOW_LIMIT = "A107", "the discrete element load lies far below the limit load",
         "The load is more than 15 % below the limit load of the same blocks. Possible reasons are soft joints, large \
@@ -395,6 +395,16 @@ findings::cards! {
         "Internal spandrel walls, and backing over a share of the width, act on every metre of the barrel with their mean weight. In truth the \
          barrel carries more under a wall and less between two, and loads come down through walls, not through voids: check the strip under a wall \
          with the whole density. Friction and bending of the walls themselves are left out.";
+    /// Finite elements hold joints that would slide.
+    HELD_AGAINST_SLIDING = "A205", "joints that finite elements do not let slide would slide",
+        "Joints of finite elements shear elastically and never slide. At each load that was in balance their shear is held against what friction          on their compression, and cohesion on their compressed length, hold. Where it is more, the joint would slide there, and loads above the one          that is named may be too high: use limit analysis or the path of equilibrium, in which joints slide.";
+    /// Blocks that stand by being jammed.
+    JAMMED = "A206", "what blocks carry depends on how hard they are jammed",
+        "Friction holds blocks only where they are pressed together. Between faces that do not give, blocks may be pressed by nothing but \
+         self-stress: a key between two parallel walls holds any load where it was driven in hard, and slips under its own weight where it was \
+         not. How hard they were jammed no analysis of rigid blocks can tell, and no load is given. With dilation, as associated friction has \
+         it, such blocks wedge themselves as they slide, and seem to lock. Discrete elements begin with blocks that are not jammed; \
+         support them by faces that lean against their load, or by what they rest on.";
 }
 
 impl Warning {

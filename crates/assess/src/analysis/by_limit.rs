@@ -146,20 +146,9 @@ pub fn watched(
     pieces::alone("limit load", false, watch, |pace| solve(d, settings, pace))
 }
 
-/// Beside a load so many times the weight of all blocks, weight is less than what the solver can see: geometry and
-/// friction alone carry the load, and would carry any other.
-pub(super) const LOCKED: f64 = 1e3;
-
-/// The limit load of the model. Where only the iteration without dilation finds one, and it is beyond all bounds, the
-/// blocks lock.
+/// The limit load of the model.
 pub fn solve(d: &Discretised, settings: &limit::Settings, pace: &Pace) -> Result<limit::Outcome, AnalysisError> {
-    let outcome = limit::collapse_load_while(&d.model, &d.loading, settings, pace)?;
-    let beyond = outcome.factor.is_some_and(|f| f * d.reference_load > LOCKED * d.model.free_weight());
-    if outcome.associated_factor.is_some() || outcome.friction == limit::Friction::Associated || !beyond {
-        return Ok(outcome);
-    }
-    let limit::Outcome { interfaces, iterations, friction, .. } = outcome;
-    Ok(limit::Outcome::without_numbers(limit::Status::Locks, friction, interfaces, iterations))
+    Ok(limit::collapse_load_while(&d.model, &d.loading, settings, pace)?)
 }
 
 /// The flow rule that numbers belong to.
@@ -213,6 +202,7 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         equilibrium_residual: Some(outcome.equilibrium_residual),
         yield_violation: Some(outcome.yield_violation),
         iterations: outcome.iterations,
+        jammed: outcome.jammed,
         continuum: None,
     });
 }

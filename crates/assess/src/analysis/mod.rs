@@ -230,6 +230,8 @@ mod headline_tests;
 #[cfg(test)]
 mod horizontal_tests;
 #[cfg(test)]
+mod one_rule_tests;
+#[cfg(test)]
 mod path_many_tests;
 #[cfg(test)]
 mod path_tests;

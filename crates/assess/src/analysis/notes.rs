@@ -1,5 +1,6 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
+use super::by_fe::Sliding;
 use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Plan};
 use mechanics::limit;
 use outcome::collapse::By;
@@ -9,7 +10,7 @@ use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, Origin, pressure};
 
 mod continuum;
-mod joints;
+pub(super) mod joints;
 mod shape;
 
 pub use continuum::continuum;
@@ -32,6 +33,7 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             warning::ASSOCIATED_SLIDING,
             format!("{} joints slide in the mechanism and friction is associated: the load is an upper bound", c.sliding_joints.len()),
         )),
+        (FlowRule::NonAssociated, _) if report.jammed => warnings.push(joints::jammed()),
         (FlowRule::NonAssociated, bound) if c.status == Status::NotConverged => {
             let bound = bound.map_or(String::new(), |load| format!(" of {:.2} kN/m", load / 1e3));
             warnings.push(Warning::new(
@@ -223,7 +225,7 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
 }
 
 /// Notes on a run by finite elements; `parts` says what stones and joints are made of.
-pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
+pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, sliding: Option<Sliding>, c: &mut Collapse) {
     common(bridge, d, c);
     let springs = c.finite().map_or(0, |finite| finite.springs_per_joint);
     c.assumptions.push(format!(
@@ -241,6 +243,17 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     );
     if bridge.joint.tensile_strength > 0.0 {
         c.assumptions.push("The tensile strength of the joints is left out.".into());
+    }
+    c.warnings.extend(sliding.map(joints::would_slide));
+    if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load)
+        && stable > bound
+    {
+        let message = format!(
+            "last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m: the smaller is the headline",
+            stable / 1e3,
+            bound / 1e3
+        );
+        c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
     }
     c.warnings.extend(joints::cohesive(bridge).map(|warning| {
         let message = format!("in the limit load that stands beside this result {}", warning.message);

@@ -149,6 +149,7 @@ fn limit(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collap
     c.assumptions.push(
         "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
     );
+    c.warnings.extend(outcome.jammed.then(super::notes::joints::jammed));
     if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.sliding_joints.is_empty() {
         let message = format!(
             "{} joints slide in the mechanism and friction is associated: the load is an upper bound",

@@ -1,13 +1,13 @@
 //! Loads under somebody's hand: the bridge is prepared once, and answers wherever its loads or a vehicle are put.
 //!
-//! Limit analysis of rigid rings, as in a sweep: with dilatant friction first, and without dilation where joints slide or lock. What one
+//! Limit analysis of rigid rings, as in a sweep and by itself: the least of the loads with and without dilation. What one
 //! place has taught is kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off.
 
 use super::vehicles::Driven;
 use super::{AnalysisError, by_limit, places};
 use bridge::Bridge;
 use mechanics::blocks::PointForce;
-use mechanics::limit::{self, Experience, Factor, Friction, Ground, Outcome};
+use mechanics::limit::{self, Experience, Friction, Ground, Level, Outcome, Starts};
 use outcome::collapse::{FlowRule, Status};
 use outcome::picture::{LoadArrow, Picture, Point};
 use structure::discretise::dispersal::{self, Strip};
@@ -30,6 +30,8 @@ struct Stand {
     d: Discretised,
     ground: Ground<'static>,
     learnt: Experience,
+    /// The end of the last iteration without dilation, against which others are held.
+    near: Option<Level>,
 }
 
 /// What is carried at a place.
@@ -279,7 +281,7 @@ impl Stand {
         d.loading.variable.clear();
         let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(bridge) };
         let ground = Ground::owning(d.model.clone(), &d.loading, &settings)?;
-        Ok(Stand { d, ground, learnt: Experience::default() })
+        Ok(Stand { d, ground, learnt: Experience::default(), near: None })
     }
 
     fn carried(&mut self, forces: &[PointForce], friction: Friction) -> Carried {
@@ -292,44 +294,20 @@ impl Stand {
         }
         let mut sweeper = self.ground.sweeper_with(std::mem::take(&mut self.learnt));
         let effect = sweeper.effect(forces);
-        let Factor { status, lower, slides, .. } = sweeper.factor(&effect);
-        let mut found = Carried { status: by_limit::status(status), factor: lower, dilatant: lower, slides };
-        let level = match friction {
-            Friction::Associated => false,
-            Friction::NonAssociated => true,
-            Friction::Automatic => slides || status == limit::Status::Locks,
-        };
-        if level && matches!(status, limit::Status::Solved | limit::Status::Locks) {
-            let place = sweeper.place(forces, Friction::NonAssociated);
-            found.status = by_limit::status(place.status);
-            found.factor = match (place.factor, lower) {
-                (Some(level), Some(dilatant)) => Some(level.min(dilatant)),
-                (level, _) => level,
-            };
-            if found.dilatant.is_none() && found.factor.is_some_and(|factor| self.is_beyond(factor, forces)) {
-                (found.status, found.factor) = (Status::Locks, None);
-            }
-        }
+        let found = sweeper.least(&effect, friction, Starts::Every, self.near.as_ref());
         self.learnt = sweeper.learnt();
-        found
-    }
-
-    /// Whether a load is so many times the weight of all blocks that they lock, as an analysis by itself has it.
-    fn is_beyond(&self, factor: f64, forces: &[PointForce]) -> bool {
-        let load: f64 = forces.iter().map(|force| force.force.norm()).sum();
-        factor * load > by_limit::LOCKED * self.d.model.free_weight()
+        let dilatant = found.dilatant.lower;
+        let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
+        self.near = found.level.or(self.near.take());
+        Carried { status: by_limit::status(found.status), factor, dilatant, slides: found.dilatant.slides }
     }
 
     fn outcome(&mut self, forces: &[PointForce], friction: Friction) -> Outcome {
         let mut sweeper = self.ground.sweeper_with(std::mem::take(&mut self.learnt));
         let effect = sweeper.effect(forces);
-        let outcome = sweeper.outcome_by(&effect, friction);
+        let (outcome, level) = sweeper.outcome_by(&effect, friction, self.near.as_ref());
         self.learnt = sweeper.learnt();
-        let beyond = outcome.factor.is_some_and(|factor| self.is_beyond(factor, forces));
-        if outcome.associated_factor.is_some() || outcome.friction == Friction::Associated || !beyond {
-            return outcome;
-        }
-        let Outcome { interfaces, iterations, friction, .. } = outcome;
-        Outcome::without_numbers(limit::Status::Locks, friction, interfaces, iterations)
+        self.near = level.or(self.near.take());
+        outcome
     }
 }

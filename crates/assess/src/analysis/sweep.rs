@@ -1,8 +1,9 @@
 //! Limit analysis with the loads moved over the bridge.
 //!
-//! Every position is answered with dilatant friction first. Where joints slide or lock, cases up to twice the least factor are
-//! answered again without dilation, from the end point of the one beside them. The worst position is then sought between the positions
-//! and answered from every start. With the path of equilibrium as the plan's method, `deformable` puts the factors of joints that give
+//! Every position is answered with dilatant friction first. Cases up to twice the least factor, and those that lock, are answered again
+//! without dilation, from the end point of the one beside them; where nothing slides and the forces keep to what compressions allow there,
+//! both factors are the same. The least counts, as for loads that are analysed by themselves. The worst position is then sought between
+//! the positions and answered from every start. With the path of equilibrium as the plan's method, `deformable` puts the factors of joints that give
 //! beside them.
 
 mod continuum;
@@ -13,7 +14,7 @@ use super::vehicles::{DILATANCY, REFINEMENTS};
 use super::{AnalysisError, by_limit, stiffened};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
-use mechanics::limit::{self, Ground, Level, Sweeper};
+use mechanics::limit::{self, Ground, Least, Level, Starts, Sweeper};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};
@@ -81,6 +82,9 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
     if whole && list.len() > 1 && !yields {
         whole = scene.refined(&mut rows, step, watch)?;
     }
+    if whole {
+        scene.proven(&mut rows, watch);
+    }
     let points: Vec<SweepPoint> = rows.iter().map(|row| scene.point(row)).collect();
     let mut found = Sweep { points, governing: None, step, whole, warnings: Vec::new(), assumptions: Vec::new() };
     if whole && yields {
@@ -122,8 +126,14 @@ fn notes(found: &mut Sweep, rows: &[Row]) {
     }
     if rows.iter().flat_map(|row| &row.cases).any(|case| case.level) {
         found.assumptions.push(format!(
-            "Where joints slide, cases up to {DILATANCY} times the least factor are answered without dilation, from the end point of the one \
-             beside them in groups of {CHUNK}, and the worst one from every start; others keep dilatant friction, which gives more."
+            "Cases up to {DILATANCY} times the least factor are answered without dilation too, from the end point of the one beside them in \
+             groups of {CHUNK}, and the worst one from every start; the least counts. Others keep dilatant friction, which gives more."
+        ));
+    }
+    let proven = rows.iter().flat_map(|row| &row.cases).filter(|case| case.proven).count();
+    if proven > 0 {
+        found.assumptions.push(format!(
+            "For {proven} cases no largest factor was found, but one above the least of the others is proven to be carried, and stands in its place."
         ));
     }
 }
@@ -138,8 +148,12 @@ struct Case {
     factor: Option<f64>,
     /// Whether joints slide in its mechanism.
     slides: bool,
-    /// Whether the factor is that without dilation.
+    /// Whether it was answered without dilation.
     level: bool,
+    /// Whether no largest factor was found with dilation.
+    unknown: bool,
+    /// Whether the factor is one that is proven to be carried, where no largest one was found.
+    proven: bool,
 }
 
 /// What the plan's friction makes of a case.
@@ -152,9 +166,8 @@ struct Answer {
 }
 
 impl Answer {
-    fn without_dilation(level: Option<Level>) -> Answer {
-        let status = if level.is_some() { Status::Collapsed } else { Status::NotConverged };
-        Answer { status, factor: level.as_ref().map(|level| level.factor), level }
+    fn of(found: Least) -> Answer {
+        Answer { status: by_limit::status(found.status), factor: found.factor, level: found.level }
     }
 
     fn put(self, case: &mut Case) {
@@ -213,7 +226,9 @@ impl Scene<'_> {
             let chosen = &spreads[axles[0]..=axles[1]];
             let forces: Vec<_> = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();
             let force = chosen.iter().map(|s| s.strip.force).sum();
-            let case = Case { axles, force, forces, status: Status::Locks, factor: None, slides: false, level: false };
+            let (status, factor) = (Status::Locks, None);
+            let [slides, level, unknown, proven] = [false; 4];
+            let case = Case { axles, force, forces, status, factor, slides, level, unknown, proven };
             (!case.forces.is_empty()).then_some(case)
         };
         Row { position, cases: runs.into_iter().filter_map(case).collect(), axles: n }
@@ -232,6 +247,7 @@ impl Scene<'_> {
                 return None;
             }
             (case.status, case.factor, case.slides) = (by_limit::status(found.status), found.lower, found.slides);
+            case.unknown = found.status == limit::Status::NotConverged;
         }
         pace.step();
         Some(row)
@@ -249,7 +265,7 @@ impl Scene<'_> {
     }
 
     /// Cases that are to be answered without dilation: the same axles at neighbouring positions beside one another.
-    fn sliding(&self, rows: &[Row]) -> Vec<(usize, usize)> {
+    fn asked(&self, rows: &[Row]) -> Vec<(usize, usize)> {
         let all = || {
             rows.iter().enumerate().flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)))
         };
@@ -258,8 +274,7 @@ impl Scene<'_> {
             limit::Friction::Associated => false,
             limit::Friction::NonAssociated => matches!(case.status, Status::Collapsed | Status::Locks),
             limit::Friction::Automatic => {
-                let low = case.factor.is_some_and(|factor| factor <= DILATANCY * least);
-                case.status == Status::Locks || (case.slides && low)
+                case.status == Status::Locks || case.factor.is_some_and(|factor| factor <= DILATANCY * least)
             }
         };
         let mut jobs: Vec<_> = all().filter(|(_, _, case)| asked(case)).map(|(r, c, _)| (r, c)).collect();
@@ -269,21 +284,65 @@ impl Scene<'_> {
 
     /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open.
     fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
-        let jobs = self.sliding(rows);
-        if whole {
-            return Ok(self.levelled(rows, jobs, watch));
+        let jobs = self.asked(rows);
+        if !whole {
+            open(rows, jobs);
+            return Ok(false);
         }
-        open(rows, jobs);
-        Ok(false)
+        let factor = |&(r, c): &(usize, usize)| rows[r].cases[c].factor.map(|factor| (factor, (r, c)));
+        let worst = jobs.iter().filter_map(factor).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, worst)| worst);
+        let stage = Stage { name: "the worst case without dilation", steps: 1, shares: [0.4, 0.42] };
+        let first: Vec<(usize, usize)> = worst.into_iter().collect();
+        let (found, done) = pieces::each(&first, &stage, watch, |&(r, c), pace| {
+            self.as_planned(&rows[r].cases[c], Starts::Every, None, pace)
+        });
+        if !done {
+            open(rows, jobs);
+            return Ok(false);
+        }
+        let near = found.into_iter().flatten().flatten().find_map(|answer| answer.level);
+        Ok(self.levelled(rows, jobs, near.as_ref(), watch))
+    }
+
+    /// Cases of which nothing is known, where a factor above the least of the others is proven to be carried: it stands in place of the
+    /// largest one.
+    fn proven(&self, rows: &mut [Row], watch: &mut dyn Watch) {
+        let all = rows
+            .iter()
+            .enumerate()
+            .flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)));
+        let least = all.clone().filter_map(|(_, _, case)| case.factor).fold(f64::INFINITY, f64::min);
+        let jobs: Vec<(usize, usize)> = all.filter(|(_, _, case)| case.unknown).map(|(r, c, _)| (r, c)).collect();
+        if jobs.is_empty() || !least.is_finite() {
+            return;
+        }
+        let stage = Stage { name: "cases without an answer", steps: jobs.len() as u64, shares: [1.0, 1.0] };
+        let (found, _) = pieces::each(&jobs, &stage, watch, |&(r, c), pace| {
+            let mut sweeper = self.ground.sweeper().paced(pace);
+            let effect = sweeper.effect(&rows[r].cases[c].forces);
+            sweeper.proven_up_to(&effect, DILATANCY * least)
+        });
+        for ((r, c), carried) in jobs.into_iter().zip(found) {
+            if let Some(carried) = carried.flatten().filter(|carried| *carried > least) {
+                let case = &mut rows[r].cases[c];
+                (case.status, case.factor, case.proven) = (Status::Collapsed, Some(carried), true);
+            }
+        }
     }
 
     /// Answers cases without dilation in groups; tells whether all of them were.
-    fn levelled(&self, rows: &mut [Row], jobs: Vec<(usize, usize)>, watch: &mut dyn Watch) -> bool {
+    fn levelled(
+        &self,
+        rows: &mut [Row],
+        jobs: Vec<(usize, usize)>,
+        near: Option<&Level>,
+        watch: &mut dyn Watch,
+    ) -> bool {
         let axles = |&(r, c): &(usize, usize)| rows[r].cases[c].axles;
         let groups: Vec<_> = jobs.chunk_by(|a, b| axles(a) == axles(b)).flat_map(|run| run.chunks(CHUNK)).collect();
-        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.4, 0.9] };
+        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.42, 0.9] };
         let (found, done) =
-            pieces::each(&groups, &stage, watch, |group, pace| self.beside_one_another(rows, group, pace));
+            pieces::each(&groups, &stage, watch, |group, pace| self.beside_one_another(rows, group, near, pace));
         let mut unanswered = Vec::new();
         let mut answers = Vec::new();
         for (group, found) in groups.iter().zip(found) {
@@ -298,13 +357,23 @@ impl Scene<'_> {
         done
     }
 
-    /// Cases without dilation, each from the end point of the one before it; those answered in time.
-    fn beside_one_another(&self, rows: &[Row], group: &[(usize, usize)], pace: &Pace) -> Vec<Answer> {
+    /// Cases without dilation, each from the end point of the one before it; those answered in time. `worst` is the end point of the worst
+    /// case with dilation, against which those are held in which nothing slides.
+    fn beside_one_another(
+        &self,
+        rows: &[Row],
+        group: &[(usize, usize)],
+        worst: Option<&Level>,
+        pace: &Pace,
+    ) -> Vec<Answer> {
         let mut sweeper = self.ground.sweeper().paced(pace);
-        let mut near = None;
+        let mut near: Option<Level> = None;
         let answered = group.iter().map_while(|&(r, c)| {
-            let effect = sweeper.effect(&rows[r].cases[c].forces);
-            let answer = Answer::without_dilation(sweeper.level(&effect, near.as_ref()));
+            let case = &rows[r].cases[c];
+            let effect = sweeper.effect(&case.forces);
+            let still = !case.slides && case.status == Status::Collapsed;
+            let beside = near.as_ref().or(worst.filter(|_| still));
+            let answer = Answer::of(sweeper.least(&effect, self.settings.friction, Starts::Nearby, beside));
             near = answer.level.clone().or(near.take());
             pace.step().then_some(answer)
         });
@@ -312,20 +381,10 @@ impl Scene<'_> {
     }
 
     /// One case as the plan's friction says, without dilation from the end point of a case nearby; none where the work does not go on.
-    fn as_planned(&self, case: &Case, near: Option<&Level>, pace: &Pace) -> Option<Answer> {
+    fn as_planned(&self, case: &Case, starts: Starts, near: Option<&Level>, pace: &Pace) -> Option<Answer> {
         let mut sweeper = self.ground.sweeper().paced(pace);
         let effect = sweeper.effect(&case.forces);
-        let found = sweeper.factor(&effect);
-        let slides = found.slides || found.status == limit::Status::Locks;
-        let level = match self.settings.friction {
-            limit::Friction::Associated => false,
-            limit::Friction::NonAssociated => slides || found.status == limit::Status::Solved,
-            limit::Friction::Automatic => slides,
-        };
-        let answer = match level {
-            true => Answer::without_dilation(sweeper.level(&effect, near)),
-            false => Answer { status: by_limit::status(found.status), factor: found.lower, level: None },
-        };
+        let answer = Answer::of(sweeper.least(&effect, self.settings.friction, starts, near));
         pace.step().then_some(answer)
     }
 
@@ -338,16 +397,16 @@ impl Scene<'_> {
         let factors = cases.filter_map(|(r, c, case)| Some((r, c, case.factor?)));
         let Some((r, c, mut factor)) = factors.min_by(|a, b| a.2.total_cmp(&b.2)) else { return Ok(true) };
         let (started, axles) = (rows[r].position, rows[r].cases[c].axles);
-        let mut ask = |list: &[f64], near: Option<&Level>, shares| {
+        let mut ask = |list: &[f64], starts: Starts, near: Option<&Level>, shares| {
             let stage = Stage { name: "places beside the worst one", steps: list.len() as u64, shares };
             let (found, done) = pieces::each(list, &stage, watch, |&place, pace| {
                 let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
-                case.and_then(|case| self.as_planned(&case, near, pace))
+                case.and_then(|case| self.as_planned(&case, starts, near, pace))
             });
             let found = list.iter().zip(found).filter_map(|(place, answer)| Some((*place, answer.flatten()?)));
             done.then(|| found.collect::<Vec<_>>())
         };
-        let Some(own) = ask(&[started], None, [0.9, 0.92]) else { return Ok(false) };
+        let Some(own) = ask(&[started], Starts::Every, None, [0.9, 0.92]) else { return Ok(false) };
         let mut near = own.into_iter().next().and_then(|(_, answer)| {
             factor = answer.factor.map_or(factor, |own| own.min(factor));
             answer.level
@@ -356,31 +415,35 @@ impl Scene<'_> {
         for round in 0..REFINEMENTS {
             let list: Vec<f64> = (-10..=10).map(|k| position + 0.1 * width * f64::from(k)).collect();
             let share = |round: usize| 0.92 + 0.06 * round as f64 / REFINEMENTS as f64;
-            let Some(found) = ask(&list, near.as_ref(), [share(round), share(round + 1)]) else { return Ok(false) };
+            let shares = [share(round), share(round + 1)];
+            let Some(found) = ask(&list, Starts::Nearby, near.as_ref(), shares) else { return Ok(false) };
             for (place, answer) in found {
                 let Some(smaller) = answer.factor else { continue };
                 sought.extend(answer.level.is_some().then_some((smaller, place)));
                 if smaller < factor {
-                    (factor, position, near) = (smaller, place, answer.level);
+                    (factor, position, near) = (smaller, place, answer.level.or(near.take()));
                 }
             }
             width *= 0.1;
         }
         sought.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let worst: Vec<f64> = sought.iter().map(|one| one.1).take(FROM_EVERY_START).collect();
-        let Some(found) = ask(&worst, None, [0.98, 1.0]) else { return Ok(false) };
+        let mut worst: Vec<f64> = sought.iter().map(|one| one.1).take(FROM_EVERY_START).collect();
+        if !worst.contains(&position) && position != started {
+            worst.push(position);
+        }
+        let Some(found) = ask(&worst, Starts::Every, None, [0.98, 1.0]) else { return Ok(false) };
         for (place, answer) in found {
             if let Some(smaller) = answer.factor
                 && smaller < factor
             {
-                (factor, position) = (smaller, place);
+                (factor, position, near) = (smaller, place, answer.level.or(near.take()));
             }
         }
         if position == started {
             rows[r].cases[c].factor = Some(factor);
             return Ok(true);
         }
-        let (mut row, done) = self.answered_again(position, watch);
+        let (mut row, done) = self.answered_again(position, near.as_ref(), watch);
         if done {
             // The way there is a start as well.
             let sought = row.cases.iter_mut().filter(|case| case.axles == axles);
@@ -391,11 +454,12 @@ impl Scene<'_> {
     }
 
     /// Every case at one position as the plan's friction says; whether all were answered.
-    fn answered_again(&self, position: f64, watch: &mut dyn Watch) -> (Row, bool) {
+    fn answered_again(&self, position: f64, near: Option<&Level>, watch: &mut dyn Watch) -> (Row, bool) {
         let mut row = self.row(position);
         let steps = row.cases.len() as u64;
         let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
-        let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| self.as_planned(case, None, pace));
+        let (found, done) =
+            pieces::each(&row.cases, &stage, watch, |case, pace| self.as_planned(case, Starts::Every, near, pace));
         for (case, found) in row.cases.iter_mut().zip(found) {
             match found.flatten() {
                 Some(answer) => answer.put(case),

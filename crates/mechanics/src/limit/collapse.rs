@@ -4,8 +4,8 @@ use super::bounds;
 use super::compliance::{Resistance, Stiffness};
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength, joints};
+use super::level::{Governs, Level, WithoutDilation, without_dilation};
 use super::mechanism::mechanism;
-use super::nonassociated::settle;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Ending, Program, Role, Solution};
 use super::proven::{Roomy, proven, roomy};
@@ -18,10 +18,6 @@ use std::sync::OnceLock;
 
 /// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
 pub(super) const TOLERANCE: f64 = 1e-9;
-
-/// How far below the load with dilation one without it lies that is a load of its own, relative: starts of the iteration agree
-/// to this.
-const BELOW: f64 = 1e-4;
 
 /// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
 pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
@@ -43,26 +39,8 @@ pub fn collapse_load_while(
     let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
     let found = largest_factor(&equilibrium, &joints, &strengths);
     let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
-    let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty()) || found.status == Status::Locks;
-    let answered = matches!(found.status, Status::Solved | Status::Locks);
-    match settings.friction {
-        Friction::Associated => {}
-        Friction::NonAssociated if answered => relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome),
-        Friction::Automatic if answered && slides => {
-            relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome);
-        }
-        // A mechanism in which no joint slides forms without dilation as well, but another one may form below it.
-        Friction::Automatic if answered => {
-            let mut level = outcome.clone();
-            relax(model, &equilibrium, &joints, &strengths, &found, &mut level);
-            if let (Some(below), Some(load)) = (level.factor, outcome.factor)
-                && below < (1.0 - BELOW) * load
-            {
-                outcome = level;
-            }
-        }
-        Friction::NonAssociated | Friction::Automatic => {}
-    }
+    let parts = (model, &equilibrium, &joints[..], &strengths[..]);
+    by_friction(settings.friction, parts, &found, &OnceLock::new(), &mut outcome);
     if !pace.goes_on() {
         let Outcome { interfaces, iterations, friction, .. } = outcome;
         return Ok(Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations));
@@ -70,32 +48,48 @@ pub fn collapse_load_while(
     Ok(outcome)
 }
 
-/// Puts the non-associated answer in place of the associated one.
-pub(super) fn relax(
-    model: &BlockModel,
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
+/// Puts the answer without dilation in place of the one with it, where it counts by this friction. The end of the iteration, where it was
+/// made and found one.
+pub(super) fn by_friction(
+    friction: Friction,
+    (model, equilibrium, joints, strengths): (&BlockModel, &Equilibrium, &[Joint], &[Strength]),
     found: &Found,
+    slips: &OnceLock<bool>,
     outcome: &mut Outcome,
-) {
-    let associated = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
-    let settled = settle(equilibrium, joints, strengths, associated);
-    outcome.friction = Friction::NonAssociated;
-    let Some(settled) = settled else {
-        // Blocks that lock with dilatancy may still slide without: no load is known, only one that is carried.
-        outcome.status = Status::NotConverged;
-        let sliding = outcome.mechanism.as_ref().map_or(&[][..], |m| &m.sliding[..]);
-        let carried = smooth(model, equilibrium, joints, strengths, sliding);
-        (outcome.factor, outcome.lower_bound) = (None, carried.map(|f| f * equilibrium.factor_scale));
-        return;
-    };
+) -> Option<Level> {
+    if friction == Friction::Associated || !matches!(found.status, Status::Solved | Status::Locks) {
+        return None;
+    }
+    let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty());
+    let level = without_dilation(equilibrium, joints, strengths, found, None, slips);
     let scale = equilibrium.factor_scale;
-    outcome.status = Status::Solved;
-    outcome.iterations += settled.iterations;
-    outcome.spread = Some(settled.spread.map(|f| f * scale));
-    state(equilibrium, joints, strengths, &settled.solution, outcome);
-    outcome.mechanism = mechanism(model, equilibrium, joints, &settled.solution.velocities);
+    let end = level.end(scale);
+    if level.governs(friction, found, slides) == Governs::WithDilation {
+        return end;
+    }
+    outcome.friction = Friction::NonAssociated;
+    match level {
+        WithoutDilation::Load(settled) => {
+            outcome.status = Status::Solved;
+            outcome.iterations += settled.iterations;
+            outcome.spread = Some(settled.spread.map(|f| f * scale));
+            state(equilibrium, joints, strengths, &settled.solution, outcome);
+            outcome.mechanism = mechanism(model, equilibrium, joints, &settled.solution.velocities);
+        }
+        WithoutDilation::Locks => outcome.status = Status::Locks,
+        WithoutDilation::Jammed => {
+            (outcome.status, outcome.jammed) = (Status::NotConverged, true);
+            (outcome.factor, outcome.lower_bound) = (None, None);
+        }
+        // Blocks that lock with dilatancy may still slide without: no load is known, only one that is carried.
+        WithoutDilation::Unsettled => {
+            outcome.status = Status::NotConverged;
+            let sliding = outcome.mechanism.as_ref().map_or(&[][..], |m| &m.sliding[..]);
+            let carried = smooth(model, equilibrium, joints, strengths, sliding).filter(|factor| *factor > 0.0);
+            (outcome.factor, outcome.lower_bound) = (None, carried.map(|f| f * scale));
+        }
+    }
+    end
 }
 
 /// A solved program and what it means.
@@ -112,9 +106,15 @@ pub(super) struct Carried {
     solution: Solution,
     /// A state with room to every limit, once it is asked for.
     roomy: OnceLock<Option<Roomy>>,
+    /// Whether blocks slip under the permanent loads where they are not jammed, once it is asked for.
+    pub slips: OnceLock<bool>,
 }
 
 impl Carried {
+    /// A state of the permanent loads with room to every limit, where there is one.
+    pub fn roomy(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<&Roomy> {
+        self.roomy.get_or_init(|| roomy(equilibrium, joints, strengths)).as_ref()
+    }
     /// Whether they are known to be carried.
     pub fn is_carried(&self) -> bool {
         self.carried == Some(true)
@@ -131,11 +131,11 @@ pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[
     if let Some(forces) = elastic_state(equilibrium, joints, strengths) {
         let velocities = vec![0.0; equilibrium.rows];
         let solution = Solution { ending: Ending::Solved, forces, factor: 1.0, velocities, iterations: 0 };
-        return Carried { carried: Some(true), solution, roomy: OnceLock::new() };
+        return Carried { carried: Some(true), solution, roomy: OnceLock::new(), slips: OnceLock::new() };
     }
     let solution = share_carried(equilibrium, joints, strengths);
     let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
-    Carried { carried, solution, roomy: OnceLock::new() }
+    Carried { carried, solution, roomy: OnceLock::new(), slips: OnceLock::new() }
 }
 
 /// Maximises the load factor, and asks what is wrong where there is no largest one.
@@ -155,13 +155,17 @@ pub(super) fn largest_factor_of_carried(
     if stands.carried == Some(false) {
         return Found { status: Status::NoEquilibrium, solution: stands.solution.clone(), iterations: 0 };
     }
-    let solution = Program::of_the_factor(equilibrium, joints, strengths).solve(TOLERANCE);
+    let mut solution = Program::of_the_factor(equilibrium, joints, strengths).solve(TOLERANCE);
     let iterations = solution.iterations;
+    // Where the permanent loads are carried the largest factor is zero at least.
+    if stands.carried == Some(true) {
+        solution.factor = if solution.factor > 0.0 { solution.factor } else { 0.0 };
+    }
     if solution.ending == Ending::Solved && stands.carried == Some(true) {
         return Found { status: Status::Solved, solution, iterations };
     }
     if stands.carried == Some(true)
-        && let Some(roomy) = stands.roomy.get_or_init(|| roomy(equilibrium, joints, strengths))
+        && let Some(roomy) = stands.roomy(equilibrium, joints, strengths)
         && let Some(solution) = proven(equilibrium, joints, strengths, roomy, &solution)
     {
         return Found { status: Status::Solved, solution, iterations };
@@ -209,7 +213,7 @@ fn share_carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Stren
 }
 
 /// Whether the variable loads alone can grow without end: forces that no strength limits carry them.
-fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
+pub(super) fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
     // Without any strength in force units the largest share is all or nothing; crushing limits every load.
     let endless: Vec<Strength> = strengths
         .iter()
@@ -272,7 +276,7 @@ fn state(
 ) {
     outcome.factor = Some(solution.factor * equilibrium.factor_scale);
     let lower = bounds::lower(equilibrium, &solution.forces);
-    outcome.lower_bound = Some(lower.factor * equilibrium.factor_scale);
+    outcome.lower_bound = Some(lower.factor.max(0.0) * equilibrium.factor_scale);
     // Permanent loads sum to one in their scaled form, and so do the variable ones.
     let loads = 1.0 + solution.factor.abs();
     outcome.equilibrium_residual = lower.violation / loads;

@@ -128,6 +128,9 @@ pub struct Outcome {
     pub associated_factor: Option<f64>,
     /// Lowest and highest load factor over the starts of the non-associated iteration; `factor` is the lowest.
     pub spread: Option<[f64; 2]>,
+    /// Whether blocks stand without dilation only as far as they are jammed: by friction on compressions that self-stress alone brings about.
+    /// What they carry then is not known.
+    pub jammed: bool,
     /// Iterations of the solver in all.
     pub iterations: u32,
 }
@@ -151,6 +154,7 @@ impl Outcome {
             friction,
             associated_factor: None,
             spread: None,
+            jammed: false,
             iterations,
         }
     }

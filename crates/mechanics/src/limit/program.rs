@@ -46,14 +46,14 @@ pub(super) enum Role {
 pub(super) enum Ending {
     /// To its tolerance.
     Solved,
-    /// To [`NEARLY`]: the interior point came to rest a little early, as it does where joints crush.
+    /// To [`NEARLY`], or as nearly as was asked for: the interior point came to rest a little early, as it does where joints crush.
     Nearly,
     /// Anything else; not an answer by itself.
     Unknown,
 }
 
 /// Relative gap and residuals of a program that is nearly solved.
-const NEARLY: f64 = 1e-6;
+pub(super) const NEARLY: f64 = 1e-6;
 
 /// What a program returned, scaled.
 #[derive(Debug, Clone)]
@@ -88,6 +88,11 @@ impl<'a> Program<'a> {
 
     /// Solves to a relative gap and residual of `tolerance`.
     pub fn solve(&self, tolerance: f64) -> Solution {
+        self.solve_or(tolerance, NEARLY)
+    }
+
+    /// The same, where a program that comes to rest early counts as nearly solved down to another gap and residual.
+    pub fn solve_or(&self, tolerance: f64, nearly: f64) -> Solution {
         let forces = self.equilibrium.columns.len();
         let (a, b, cones) = self.constraints();
         let mut q = vec![0.0; forces + 1];
@@ -106,7 +111,7 @@ impl<'a> Program<'a> {
             iterations: 0,
         };
         let pace = &self.equilibrium.pace;
-        let accuracy = Accuracy { tolerance, nearly: NEARLY, iterations: 100, refinements: 10 };
+        let accuracy = Accuracy { tolerance, nearly, iterations: 100, refinements: 10 };
         let found = pace.goes_on().then(|| minimise((&p, &q), (&a, &b), &cones, accuracy, pace)).flatten();
         let Some(found) = found else { return unknown() };
         Solution {

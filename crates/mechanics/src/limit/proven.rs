@@ -50,6 +50,34 @@ pub(super) fn proven(
     roomy: &Roomy,
     found: &Solution,
 ) -> Option<Solution> {
+    let (forces, factor) = within(equilibrium, joints, strengths, roomy, found)?;
+    let upper = bounds::least_upper(equilibrium, joints, strengths, &forces, &found.velocities);
+    let meet = upper.violation < TOLERANCE && (upper.factor - factor).abs() <= GAP * factor.abs();
+    (factor > 0.0 && meet).then(|| Solution { ending: Ending::Solved, forces, factor, ..found.clone() })
+}
+
+/// A factor up to `most` that is proven to be carried, scaled; none where nothing is. The load may be far from a mechanism, which makes
+/// forces easier to find than those of the largest one.
+pub(super) fn carried_up_to(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    roomy: &Roomy,
+    most: f64,
+) -> Option<f64> {
+    let program = Program { cap: Some(most), ..Program::of_the_factor(equilibrium, joints, strengths) };
+    let found = program.solve(TOLERANCE);
+    within(equilibrium, joints, strengths, roomy, &found).map(|(_, factor)| factor)
+}
+
+/// Forces in equilibrium and within strength near those of a solution, and the factor that they carry.
+pub(super) fn within(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    roomy: &Roomy,
+    found: &Solution,
+) -> Option<(Vec<f64>, f64)> {
     let mut forces = balanced(equilibrium, joints, found.forces.clone(), found.factor)?;
     let outside = -bounds::room(equilibrium, joints, strengths, &forces);
     let mut factor = found.factor;
@@ -60,10 +88,8 @@ pub(super) fn proven(
         }
         factor *= share;
     }
-    let upper = bounds::least_upper(equilibrium, joints, strengths, &forces, &found.velocities);
-    let meet = upper.violation < TOLERANCE && (upper.factor - factor).abs() <= GAP * factor.abs();
     let kept = bounds::yield_violation(equilibrium, joints, strengths, &forces) <= ROUND_OFF * (1.0 + factor.abs());
-    (factor > 0.0 && meet && kept).then(|| Solution { ending: Ending::Solved, forces, factor, ..found.clone() })
+    kept.then_some((forces, factor))
 }
 
 /// Round-off of sums of scaled forces.

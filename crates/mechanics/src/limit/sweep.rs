@@ -3,7 +3,7 @@
 use super::ground::Ground;
 use super::outcome::Status;
 use super::settings::{Friction, Settings};
-use super::sweeper::Sweeper;
+use super::sweeper::{Starts, Sweeper};
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 
 /// The answer for one place of the load.
@@ -53,31 +53,16 @@ pub fn sweep(
 }
 
 impl Sweeper<'_> {
-    /// The load factor of a load.
+    /// The load factor of a load by itself.
     pub fn place(&mut self, load: &[PointForce], friction: Friction) -> LoadPosition {
         let effect = self.effect(load);
-        let found = self.factor(&effect);
-        let mut place = LoadPosition {
+        let found = self.least(&effect, friction, Starts::Every, None);
+        LoadPosition {
             status: found.status,
-            factor: found.lower,
-            upper_bound: found.upper,
-            associated_factor: found.lower,
-            friction: Friction::Associated,
-        };
-        let level = match friction {
-            Friction::Associated => false,
-            Friction::NonAssociated => true,
-            Friction::Automatic => found.status == Status::Locks || found.slides,
-        };
-        if level && matches!(found.status, Status::Solved | Status::Locks) {
-            place.friction = Friction::NonAssociated;
-            place.factor = self.level(&effect, None).map(|level| level.factor);
-            place.status = match place.factor {
-                Some(_) => Status::Solved,
-                None if !self.goes_on() => Status::Cancelled,
-                None => Status::NotConverged,
-            };
+            factor: found.factor,
+            upper_bound: found.dilatant.upper,
+            associated_factor: found.dilatant.lower,
+            friction: found.friction,
         }
-        place
     }
 }

@@ -3,12 +3,14 @@
 
 use super::bounds;
 use super::boxed::{Bounded, greatest_between};
-use super::collapse::{Found, largest_factor_of_carried, relax, report};
+use super::collapse::{Found, by_friction, largest_factor_of_carried, report};
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
-use super::nonassociated;
+use super::joints::{Joint, Strength};
+use super::level::{Governs, Level, WithoutDilation, without_dilation};
 use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
+use super::proven::carried_up_to;
 use super::reduced::{Elastic, tangents};
 use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member, Start};
@@ -47,13 +49,28 @@ pub struct Factor {
     pub by_interior_point: bool,
 }
 
-/// A load without dilation, and what the iteration for a load that differs a little may start from. It belongs to its ground.
+/// Where the iteration without dilation starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Starts {
+    /// From every start, as an analysis of the load by itself does; the least load counts.
+    Every,
+    /// From the end of the iteration for a load nearby, where that leads to an end: one start in place of three.
+    Nearby,
+}
+
+/// The least of what is carried with dilation and without it, as an analysis of the load by itself has it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Level {
-    /// The load factor.
-    pub factor: f64,
-    /// Scaled compressions of the joints at the end of the iteration.
-    compressions: Vec<f64>,
+pub struct Least {
+    /// With dilation.
+    pub dilatant: Factor,
+    /// How it ended.
+    pub status: Status,
+    /// The factor; none unless solved.
+    pub factor: Option<f64>,
+    /// The flow rule that the factor belongs to.
+    pub friction: Friction,
+    /// The end of the iteration without dilation, where there was one: a start for loads nearby.
+    pub level: Option<Level>,
 }
 
 impl Ground<'_> {
@@ -69,6 +86,28 @@ impl Ground<'_> {
         let Experience { reduced, kept, next, given, moved, oldest } = learnt;
         let reduced = reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
         Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, pace: Pace::default() }
+    }
+}
+
+/// Whether forces keep to the shear that these compressions allow.
+fn keeps_to(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    forces: &[f64],
+    compressions: &[f64],
+) -> bool {
+    let each = joints.iter().zip(strengths).zip(&equilibrium.first_column).zip(compressions);
+    each.into_iter().all(|(((joint, strength), &c), compression)| {
+        let most = strength.friction * compression.max(0.0) + strength.cohesion / equilibrium.force;
+        !strength.friction.is_finite() || forces[c + joint.points.len()].abs() <= most
+    })
+}
+
+impl Factor {
+    /// No factor, and why.
+    fn without_numbers(status: Status) -> Factor {
+        Factor { status, lower: None, upper: None, slides: false, iterations: 0, by_interior_point: false }
     }
 }
 
@@ -142,10 +181,6 @@ impl Sweeper<'_> {
         self
     }
 
-    pub(super) fn goes_on(&self) -> bool {
-        self.pace.goes_on()
-    }
-
     /// What it has learnt, for [`Ground::sweeper_with`].
     pub fn learnt(self) -> Experience {
         let Sweeper { reduced, kept, next, given, moved, oldest, .. } = self;
@@ -180,58 +215,115 @@ impl Sweeper<'_> {
 
     /// The factor at which a load makes a mechanism, with dilatant friction.
     pub fn factor(&mut self, effect: &Effect) -> Factor {
-        let none = |status| Factor {
-            status,
-            lower: None,
-            upper: None,
-            slides: false,
-            iterations: 0,
-            by_interior_point: false,
-        };
-        let found = self.any_factor(effect).unwrap_or_else(|| none(Status::Locks));
-        if self.pace.goes_on() { found } else { none(Status::Cancelled) }
+        let reached = self.corner(effect);
+        match &reached {
+            Reached::Lost => self.slowly(effect).0,
+            reached => self.quickly(reached),
+        }
     }
 
-    /// That factor; none where the blocks lock.
-    fn any_factor(&mut self, effect: &Effect) -> Option<Factor> {
-        Some(match self.corner(effect) {
-            Reached::Locks => return None,
+    /// What the fast method found.
+    fn quickly(&self, reached: &Reached) -> Factor {
+        match reached {
+            _ if !self.pace.goes_on() => Factor::without_numbers(Status::Cancelled),
             Reached::Corner(corner, scale) => Factor {
                 status: Status::Solved,
-                lower: corner.z.last().map(|z| z * scale),
-                upper: Some(corner.upper * scale),
-                slides: self.slides(&corner),
+                lower: corner.z.last().map(|z| z.max(0.0) * scale),
+                upper: Some(corner.upper.max(0.0) * scale),
+                slides: self.slides(corner),
                 iterations: corner.pivots,
                 by_interior_point: false,
             },
+            Reached::Locks | Reached::Lost => Factor::without_numbers(Status::Locks),
+        }
+    }
+
+    /// The same by the interior-point method.
+    fn slowly(&mut self, effect: &Effect) -> (Factor, Equilibrium, Found) {
+        let (equilibrium, found) = self.by_interior_point(effect);
+        if !self.pace.goes_on() {
+            return (Factor::without_numbers(Status::Cancelled), equilibrium, found);
+        }
+        let ground = self.ground;
+        let solved = found.status == Status::Solved;
+        let scale = equilibrium.factor_scale;
+        let mechanism =
+            super::mechanism::mechanism(&ground.model, &equilibrium, &ground.joints, &found.solution.velocities);
+        let upper = solved.then(|| {
+            let s = &found.solution;
+            bounds::least_upper(&equilibrium, &ground.joints, &ground.strengths, &s.forces, &s.velocities).factor
+                * scale
+        });
+        self.learn(&found.solution.velocities);
+        let factor = Factor {
+            status: found.status,
+            lower: solved.then_some(found.solution.factor * scale),
+            upper,
+            slides: solved && mechanism.is_some_and(|m| !m.sliding.is_empty()),
+            iterations: found.iterations as usize,
+            by_interior_point: true,
+        };
+        (factor, equilibrium, found)
+    }
+
+    /// The factor by the friction that is asked for: with [`Friction::Automatic`] the least of those with and without dilation, as an
+    /// analysis of the load by itself has it. `near` is the end of the iteration for a load nearby: where nothing slides, and the forces
+    /// keep to the shear that its compressions allow, the iteration from there begins and ends with the load of the mechanism with dilation,
+    /// and is not made.
+    pub fn least(&mut self, effect: &Effect, friction: Friction, starts: Starts, near: Option<&Level>) -> Least {
+        let reached = self.corner(effect);
+        let (dilatant, slow) = match &reached {
             Reached::Lost => {
-                let (equilibrium, found) = self.by_interior_point(effect);
-                let ground = self.ground;
-                let solved = found.status == Status::Solved;
-                let scale = equilibrium.factor_scale;
-                let mechanism = super::mechanism::mechanism(
-                    &ground.model,
-                    &equilibrium,
-                    &ground.joints,
-                    &found.solution.velocities,
-                );
-                let upper = solved.then(|| {
-                    let s = &found.solution;
-                    bounds::least_upper(&equilibrium, &ground.joints, &ground.strengths, &s.forces, &s.velocities)
-                        .factor
-                        * scale
-                });
-                self.learn(&found.solution.velocities);
-                Factor {
-                    status: found.status,
-                    lower: solved.then_some(found.solution.factor * scale),
-                    upper,
-                    slides: solved && mechanism.is_some_and(|m| !m.sliding.is_empty()),
-                    iterations: found.iterations as usize,
-                    by_interior_point: true,
-                }
+                let (factor, equilibrium, found) = self.slowly(effect);
+                (factor, Some((equilibrium, found)))
             }
-        })
+            reached => (self.quickly(reached), None),
+        };
+        let Factor { status, lower, slides, .. } = dilatant;
+        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated, level: None };
+        if friction == Friction::Associated || !matches!(status, Status::Solved | Status::Locks) {
+            return dilates;
+        }
+        let (equilibrium, found) = match (slow, &reached) {
+            (Some(slow), _) => slow,
+            (None, Reached::Corner(corner, _)) => (self.loaded(effect), self.solution(effect, corner)),
+            (None, _) => self.by_interior_point(effect),
+        };
+        let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
+        let keeps =
+            |near: &Level| keeps_to(&equilibrium, joints, strengths, &found.solution.forces, &near.compressions);
+        let still = friction == Friction::Automatic && status == Status::Solved && !slides;
+        if still && near.is_some_and(keeps) {
+            return dilates;
+        }
+        let near = near.filter(|_| starts == Starts::Nearby).map(|near| &near.compressions[..]);
+        let level = without_dilation(&equilibrium, joints, strengths, &found, near, &self.ground.stands.slips);
+        if !self.pace.goes_on() {
+            let dilatant = Factor::without_numbers(Status::Cancelled);
+            return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
+        }
+        let counts = level.governs(friction, &found, slides) == Governs::WithoutDilation;
+        let end = level.end(equilibrium.factor_scale);
+        if !counts {
+            return Least { level: end, ..dilates };
+        }
+        let status = match level {
+            WithoutDilation::Load(_) => Status::Solved,
+            WithoutDilation::Locks => Status::Locks,
+            WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
+        };
+        let factor = end.as_ref().map(|level| level.factor);
+        Least { status, factor, friction: Friction::NonAssociated, level: end, ..dilates }
+    }
+
+    /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.
+    pub fn proven_up_to(&self, effect: &Effect, most: f64) -> Option<f64> {
+        let ground = self.ground;
+        let equilibrium = self.loaded(effect);
+        let scale = equilibrium.factor_scale;
+        let roomy = ground.stands.roomy(&equilibrium, &ground.joints, &ground.strengths)?;
+        let carried = carried_up_to(&equilibrium, &ground.joints, &ground.strengths, roomy, most / scale)?;
+        Some(carried * scale)
     }
 
     /// Upper bound of a load's factor by the mechanisms of loads that were answered before; infinite where none bounds it.
@@ -295,60 +387,41 @@ impl Sweeper<'_> {
         report(&ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
     }
 
-    /// The same by the friction of [`Sweeper::place`]: where joints slide in the mechanism with dilation, or lock, without it.
-    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> Outcome {
+    /// The same by the friction of [`Sweeper::least`], and the end of the iteration without dilation, where it was made.
+    pub fn outcome_by(
+        &mut self,
+        effect: &Effect,
+        friction: Friction,
+        near: Option<&Level>,
+    ) -> (Outcome, Option<Level>) {
         let ground = self.ground;
         let (equilibrium, found) = self.found(effect);
         let (model, joints, strengths) = (&ground.model, &ground.joints, &ground.strengths);
         let mut outcome = report(model, &equilibrium, joints, strengths, ground.interfaces.clone(), &found);
-        let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty()) || found.status == Status::Locks;
-        let level = match friction {
-            Friction::Associated => false,
-            Friction::NonAssociated => true,
-            Friction::Automatic => slides,
+        let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty());
+        let still = friction == Friction::Automatic && found.status == Status::Solved && !slides;
+        let keeps =
+            |near: &Level| keeps_to(&equilibrium, joints, strengths, &found.solution.forces, &near.compressions);
+        let level = match still && near.is_some_and(keeps) {
+            true => None,
+            false => by_friction(
+                friction,
+                (model, &equilibrium, joints, strengths),
+                &found,
+                &ground.stands.slips,
+                &mut outcome,
+            ),
         };
-        if level && matches!(found.status, Status::Solved | Status::Locks) {
-            relax(model, &equilibrium, joints, strengths, &found, &mut outcome);
-        }
         if !self.pace.goes_on() {
             let Outcome { interfaces, iterations, friction, .. } = outcome;
-            return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
+            return (Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations), None);
         }
-        outcome
+        (outcome, level)
     }
 
     /// Scaled velocities of the mechanism at that factor.
     pub fn motion(&mut self, effect: &Effect) -> Vec<f64> {
         self.found(effect).1.solution.velocities
-    }
-
-    /// The load without dilation, where the iteration for it settles: from the end point of a load nearby alone, where one is given
-    /// and leads to an end, or the lowest from all starts.
-    pub fn level(&mut self, effect: &Effect, near: Option<&Level>) -> Option<Level> {
-        let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
-        let beside = near.and_then(|near| {
-            let equilibrium = self.loaded(effect);
-            let settled = nonassociated::settle_near(&equilibrium, joints, strengths, &near.compressions)?;
-            Some((equilibrium, settled))
-        });
-        let (equilibrium, settled) = match beside {
-            Some(beside) => beside,
-            None => {
-                let (equilibrium, found) = self.found(effect);
-                let forces = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
-                let settled = nonassociated::settle(&equilibrium, joints, strengths, forces)?;
-                (equilibrium, settled)
-            }
-        };
-        let factor = settled.solution.factor * equilibrium.factor_scale;
-        self.pace.goes_on().then_some(Level { factor, compressions: settled.compressions })
-    }
-
-    /// The factor at which a load makes a mechanism where sliding does not dilate; the other one where nothing slides.
-    pub fn level_factor(&mut self, effect: &Effect) -> Option<f64> {
-        let factor = self.factor(effect);
-        let level = factor.slides || factor.status == Status::Locks;
-        if level { self.level(effect, None).map(|level| level.factor) } else { factor.lower }
     }
 
     fn found(&mut self, effect: &Effect) -> (Equilibrium, Found) {

@@ -3,7 +3,7 @@
 use crate::limit_models::{Ring, wall};
 use mechanics::blocks::{BlockModel, Held, Loading, PointForce, Restraint};
 use mechanics::ids::{BlockId, Id};
-use mechanics::limit::{Effect, Friction, Ground, Settings, Status, collapse_load};
+use mechanics::limit::{Effect, Friction, Ground, Settings, Starts, Status, collapse_load};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 fn bridgemill() -> (Ring, BlockModel, Loading) {
@@ -430,10 +430,32 @@ fn a_load_without_dilation_may_start_from_its_neighbour() {
         let load: Vec<PointForce> = loading.variable.iter().map(push).collect();
         let effect = sweeper.effect(&load);
         let dilates = sweeper.factor(&effect).lower.unwrap();
-        let full = sweeper.level(&effect, None).unwrap();
-        let beside = sweeper.level(&effect, near.as_ref()).unwrap();
+        let mut level = |starts, near| sweeper.least(&effect, Friction::NonAssociated, starts, near).level.unwrap();
+        let full = level(Starts::Every, None);
+        let beside = level(Starts::Nearby, near.as_ref());
         assert!((beside.factor / full.factor - 1.0).abs() < 0.002 / 0.641, "{k}: {} {}", beside.factor, full.factor);
         assert!(beside.factor <= dilates * (1.0 + 1e-6), "{k}: {} {dilates}", beside.factor);
         near = Some(beside);
+    }
+}
+
+/// Of any load, joints that crush or not: no more than the largest factor is proven, and as much as is asked for below it.
+#[test]
+fn a_factor_below_the_largest_is_proven_to_be_carried() {
+    let (ring, mut model, loading) = bridgemill();
+    for crushing in [f64::INFINITY, 8e6] {
+        model.laws.iter_mut().for_each(|law| law.crushing = crushing);
+        let settings = Settings { crushing: crushing.is_finite(), ..Settings::default() };
+        let ground = Ground::new(&model, &loading, &settings).unwrap();
+        let mut sweeper = ground.sweeper();
+        for (k, load) in places(&ring).iter().enumerate().step_by(7) {
+            let effect = sweeper.effect(load);
+            let Some(largest) = sweeper.factor(&effect).lower else { continue };
+            for share in [0.3, 0.9, 3.0] {
+                let carried = sweeper.proven_up_to(&effect, share * largest).unwrap();
+                assert!(carried <= share.min(1.0) * largest * (1.0 + 1e-7), "{k} {share}: {carried} {largest}");
+                assert!(carried >= share.min(1.0) * largest * (1.0 - 1e-3), "{k} {share}: {carried} {largest}");
+            }
+        }
     }
 }

@@ -42,6 +42,7 @@ mod fem_verify_footing;
 mod fem_verify_joint;
 mod limit_any;
 mod limit_arch;
+mod limit_jammed;
 mod limit_models;
 mod limit_movement;
 mod limit_oracle;

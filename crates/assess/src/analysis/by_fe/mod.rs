@@ -4,6 +4,7 @@
 
 mod draw;
 mod model;
+mod slides;
 
 use super::by_dem::{program, require_stiffness};
 use super::{AnalysisError, by_limit, notes, picture};
@@ -21,6 +22,7 @@ use outcome::collapse::By;
 use outcome::collapse::{Collapse, FiniteReport, Status};
 use outcome::picture::{Motion, Step};
 use outcome::warning::{self, Warning};
+pub use slides::Sliding;
 use structure::discretise::ring_mesh::{RingMesh, ring_mesh};
 use structure::discretise::{Discretised, discretise};
 
@@ -64,11 +66,12 @@ pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse
     let settings = settings(program.resolution.map(|resolution| program.increment / resolution));
     let mut run = Run::new(&d, &ring, &model)?;
     let status = run.load(&program, rigid.status != limit::Status::NoEquilibrium, &settings, watch);
+    let sliding = slides::sliding(&d.model, &run.shown);
     let mut c = run.report(bridge, status);
     c.load_step = Some(load_step);
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
-    notes::finite(bridge, &d, &parts.words, &mut c);
+    notes::finite(bridge, &d, &parts.words, sliding, &mut c);
     Ok(c)
 }
 

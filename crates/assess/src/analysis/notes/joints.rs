@@ -1,11 +1,33 @@
 //! What is to be said of joints: cohesion and tension in limit analysis, joints between rings that were not described, and a ring
 //! that has none.
 
+use crate::analysis::by_fe::Sliding;
 use bridge::{Bridge, Joint};
 use outcome::warning::{self, Warning};
 
 /// A ring in one piece that is thicker than this [m] is thicker than a brick is long.
 const BRICK: f64 = 0.25;
+
+/// Blocks that stand only as far as they are jammed.
+pub fn jammed() -> Warning {
+    let message = "without dilation blocks stand by friction on compressions that self-stress alone brings about: what they carry depends \
+                   on how hard they were jammed, and no load is known. Where they were not, they slip";
+    Warning::new(warning::JAMMED, message)
+}
+
+/// Joints that are held against sliding by the method alone.
+pub fn would_slide(found: Sliding) -> Warning {
+    let Sliding { from, at, joints, most, place } = found;
+    let now = match joints {
+        0 => format!("at {:.2} kN/m none does any more", at / 1e3),
+        _ => format!("at {:.2} kN/m {joints} do, by up to {most:.2} times, at x = {place:.2} m", at / 1e3),
+    };
+    let message = format!(
+        "joints do not slide in this method, and from {:.2} kN/m on some carry more shear than friction and cohesion hold: {now}",
+        from / 1e3
+    );
+    Warning::new(warning::HELD_AGAINST_SLIDING, message)
+}
 
 /// Cohesion and tension of joints in limit analysis.
 pub fn cohesive(bridge: &Bridge) -> Option<Warning> {

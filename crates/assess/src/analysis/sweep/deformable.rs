@@ -141,7 +141,7 @@ impl Along<'_> {
             width *= 0.1;
         }
         if position != started {
-            let (row, done) = self.scene.answered_again(position, watch);
+            let (row, done) = self.scene.answered_again(position, None, watch);
             if !done {
                 return false;
             }

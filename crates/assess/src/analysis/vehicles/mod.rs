@@ -23,6 +23,8 @@ mod screened;
 mod search;
 mod sections;
 mod seeds;
+#[cfg(test)]
+mod settled_tests;
 mod standing;
 #[cfg(test)]
 pub(crate) mod tests;

@@ -12,7 +12,7 @@ use super::standing::{Key, Scene};
 use super::twins::twins;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
-use mechanics::limit::{self, Effect, Ground, Sweeper};
+use mechanics::limit::{self, Effect, Friction, Ground, Level, Starts, Sweeper};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::vehicles::Weights;
@@ -30,8 +30,10 @@ pub const FAR_ABOVE: f64 = 1.25;
 const LOOSE: f64 = 2.0;
 /// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
 const NEAR: f64 = 2.0;
-/// Cases in which joints slide that are answered again without dilation, for each vehicle.
+/// Cases in which joints slide that are answered again without dilation, for each vehicle; and as many in which none does.
 const SLIDING: usize = 3;
+/// Positions, the lowest, at which nothing slides that are held against the end of the iteration without dilation at the worst one.
+const STILL: usize = 24;
 /// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
 /// associated load in walls of blocks (docs/theory/limit-analysis.md), less in arches.
 pub const DILATANCY: f64 = 2.0;
@@ -66,9 +68,19 @@ struct Part {
     governing: Vec<Answer>,
     /// The lowest cases in which joints slide, best first.
     sliding: Vec<Answer>,
+    /// Cases without an answer.
+    open: Vec<Open>,
     extremes: Extremes<Key>,
     cases: usize,
     slow: usize,
+}
+
+/// A case of which no largest factor was found.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    key: Key,
+    /// The least factor of the others at its position.
+    least: Option<f64>,
 }
 
 /// Share of the work that all positions are; the rest seeks the worst ones.
@@ -179,6 +191,7 @@ impl Scene<'_> {
             envelope: Vec::with_capacity(positions.len()),
             governing: Vec::new(),
             sliding: Vec::new(),
+            open: Vec::new(),
             extremes: Extremes::new(self.watched),
             cases: 0,
             slow: 0,
@@ -208,7 +221,7 @@ impl Scene<'_> {
         pace: &Pace,
     ) -> Option<f64> {
         let mut waiting = self.waiting(sweepers, part, position, looseness.is_some());
-        let (mut lowest, mut converged) = (f64::INFINITY, true);
+        let (mut lowest, mut open) = (f64::INFINITY, Vec::new());
         let mut answered: Vec<(usize, Answer)> = Vec::with_capacity(waiting.len());
         let mut bounded: Vec<[f64; 2]> = Vec::new();
         while let Some(next) = next(&waiting) {
@@ -232,7 +245,7 @@ impl Scene<'_> {
                     lowest = lowest.min(answer.factor);
                 }
                 Met::Locks => {}
-                Met::Open => converged = false,
+                Met::Open => open.push(key),
             }
             if part.slow > by_interior_point {
                 share_newest(sweepers, key.weights);
@@ -245,6 +258,8 @@ impl Scene<'_> {
         answered.sort_by_key(|(order, _)| *order);
         let least = least(&answered.into_iter().map(|(_, answer)| answer).collect::<Vec<_>>());
         part.governing.extend(least);
+        let converged = open.is_empty();
+        part.open.extend(open.into_iter().map(|key| Open { key, least: least.map(|least| least.factor) }));
         let empty = Key { drive: part.drive, weights: 0, position, axles: None, critical: None, uniform: None };
         part.envelope.push(EnvelopePoint {
             converged,
@@ -304,6 +319,7 @@ impl Scene<'_> {
         let mut swept = blank(chosen, foot);
         let mut extremes = Extremes::new(self.watched);
         let (mut governing, mut sliding): (Vec<Answer>, Vec<Answer>) = (Vec::new(), Vec::new());
+        let mut open: Vec<Open> = Vec::new();
         for part in &all.parts {
             swept.envelope.extend(part.envelope.iter().cloned());
             swept.cases += part.cases;
@@ -311,6 +327,7 @@ impl Scene<'_> {
             extremes.merge(part.extremes.clone());
             sliding.extend(&part.sliding);
             governing.extend(&part.governing);
+            open.extend(&part.open);
         }
         swept.sections = extremes.told(self.watched, |key| self.told(key));
         let Some(worst) = least(&governing) else {
@@ -319,31 +336,43 @@ impl Scene<'_> {
         };
         let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
         let (worst, unanswered) = self.refined(&mut sweepers, worst, step, pace);
+        open.extend(&unanswered);
         swept.envelope.extend(unanswered.into_iter().map(|key| EnvelopePoint {
             adequacy: None,
             converged: false,
-            ..self.point(&key)
+            ..self.point(&key.key)
         }));
         swept.envelope.push(EnvelopePoint { adequacy: Some(worst.factor * self.capacity), ..self.point(&worst.key) });
         swept.bounds = Some([worst.factor, worst.upper].map(|f| f * self.capacity));
-        sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
-        sliding.truncate(SLIDING);
-        sliding.retain(|answer| answer.factor <= DILATANCY * worst.factor);
+        self.settle(&mut sweepers, &mut swept, &open, worst.factor);
+        let near = |answer: &Answer| answer.factor <= DILATANCY * worst.factor;
+        let sorted = |mut all: Vec<Answer>, most: usize| {
+            all.retain(near);
+            all.sort_by(|a, b| a.factor.total_cmp(&b.factor));
+            all.truncate(most);
+            all
+        };
+        let (sliding, still) = (sorted(sliding, SLIDING), sorted(governing, STILL));
         let mut governing = (worst.factor, worst.key);
-        // The refined position comes first: it may slide too.
-        for answer in std::iter::once(worst).chain(sliding) {
-            if !pace.goes_on() {
+        // The refined position comes first: it may slide too. Where nothing slides, what is carried there without dilation tells of others.
+        let (mut ends, mut iterated): (Vec<Option<Level>>, usize) = (vec![None; self.grounds.len()], 0);
+        let (first, others) = (std::iter::once((worst, true)), sliding.into_iter().map(|answer| (answer, true)));
+        for (answer, slides) in first.chain(others).chain(still.into_iter().map(|answer| (answer, false))) {
+            if !pace.goes_on() || (!slides && iterated == SLIDING) {
                 break;
             }
             let Some((key, effect)) = self.again(&mut sweepers, &answer.key, answer.key.position) else { continue };
-            let sweeper = &mut sweepers[key.weights];
-            if !sweeper.factor(&effect).slides {
-                continue;
-            }
-            let level = sweeper.level_factor(&effect).map(|level| level * self.capacity);
+            let end = ends[key.weights].as_ref();
+            let found = sweepers[key.weights].least(&effect, Friction::Automatic, Starts::Every, end);
             if !pace.goes_on() {
                 break;
             }
+            iterated += usize::from(!slides && found.level.is_some());
+            ends[key.weights] = found.level.or(ends[key.weights].take());
+            if found.friction == Friction::Associated {
+                continue;
+            }
+            let level = found.factor.map(|level| level * self.capacity);
             swept.slides_at(&self.point(&key), level);
             if let Some(adequacy) = level {
                 swept.without_dilation = Some(swept.without_dilation.map_or(adequacy, |old| old.min(adequacy)));
@@ -357,6 +386,23 @@ impl Scene<'_> {
         swept.end(all.whole && pace.goes_on(), Some(governing.0 * self.capacity));
         pace.step();
         swept
+    }
+
+    /// Cases without an answer that cannot govern: a factor above the least of all others is proven to be carried. Their positions count as
+    /// answered, by no more than that.
+    fn settle(&self, sweepers: &mut [Sweeper], swept: &mut Swept, open: &[Open], least: f64) {
+        for at in open.chunk_by(|a, b| a.key.position == b.key.position && a.key.drive == b.key.drive) {
+            let mut lowest = at[0].least.unwrap_or(f64::INFINITY);
+            for Open { key, .. } in at {
+                let carried = self
+                    .again(sweepers, key, key.position)
+                    .and_then(|(key, effect)| sweepers[key.weights].proven_up_to(&effect, DILATANCY * least));
+                lowest = lowest.min(carried.unwrap_or(0.0));
+            }
+            if lowest > least {
+                swept.is_settled(&self.point(&at[0].key), lowest * self.capacity);
+            }
+        }
     }
 
     /// A vehicle whose loads are so many times those of one that was answered: the same cases govern, by factors that are so many
@@ -391,7 +437,7 @@ impl Scene<'_> {
     }
 
     /// The worst position between the positions, with the same axles and weights, and those that were not answered.
-    fn refined(&self, sweepers: &mut [Sweeper], mut worst: Answer, step: f64, pace: &Pace) -> (Answer, Vec<Key>) {
+    fn refined(&self, sweepers: &mut [Sweeper], mut worst: Answer, step: f64, pace: &Pace) -> (Answer, Vec<Open>) {
         let (mut width, mut open) = (step, Vec::new());
         for _ in 0..REFINEMENTS {
             let mut answers = vec![worst];
@@ -404,7 +450,7 @@ impl Scene<'_> {
                 }
                 match (found.lower, found.upper) {
                     (Some(factor), Some(upper)) => answers.push(Answer { key, factor, upper }),
-                    _ if found.status != limit::Status::Locks => open.push(key),
+                    _ if found.status != limit::Status::Locks => open.push(Open { key, least: None }),
                     _ => {}
                 }
             }
