@@ -49,6 +49,26 @@ impl Banded {
         }
     }
 
+    /// Number of equations.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Most diagonals on either side of the main one.
+    pub fn below(&self) -> usize {
+        self.below
+    }
+
+    /// The last equation that one or one before it acts with.
+    pub fn last(&self, k: usize) -> usize {
+        self.last[k] as usize
+    }
+
+    /// A row of a matrix that is not factorised, over all diagonals.
+    pub fn about_diagonal(&self, row: usize) -> &[f64] {
+        &self.entries[row * self.width..][..=2 * self.below]
+    }
+
     /// Back to zeros.
     pub fn clear(&mut self) {
         self.entries.fill(0.0);

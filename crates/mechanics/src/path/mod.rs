@@ -5,7 +5,7 @@
 //! (Riks 1979; Crisfield 1981), so that the load may fall.
 //!
 //! Read in the order of the method: `model` numbers the equations, `joint` gives the forces of one joint, `restraint` that of
-//! fill which a block moves against, and `system` those of all, `correct` balances a guess, `relax` lets blocks come to rest or
+//! fill which a block moves against, and `system` those of all, `correct` balances a guess, `inertia` tells whether what is balanced stands, `relax` lets blocks come to rest or
 //! fall, `stand` finds the first state, `trace` goes from state to state, `frame` and `mechanism` say what a state is like and how it ends, `sweep` follows many loads on the same blocks.
 
 mod banded;
@@ -13,6 +13,7 @@ mod beyond;
 mod correct;
 mod dual;
 mod frame;
+mod inertia;
 mod joint;
 mod mechanism;
 mod model;

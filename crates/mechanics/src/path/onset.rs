@@ -103,7 +103,7 @@ impl Path<'_> {
         (low.0 < below).then_some(low.0)
     }
 
-    /// The balanced state at a factor between those of two states of the path, in numbers.
+    /// The stable state at a factor between those of two states of the path, in numbers; none where none is found.
     fn at(&mut self, measure: Measure, factor: f64, [from, to]: [usize; 2]) -> Option<PathPoint> {
         let (one, other) = (&self.states[from], &self.states[to]);
         let share = (factor - one.factor) / (other.factor - one.factor);
@@ -118,9 +118,13 @@ impl Path<'_> {
         if !holds {
             commit(self.model, self.settings, &mut state);
         }
+        self.assembled = holds;
+        if !self.is_stable(&state) {
+            return None;
+        }
         let mut numbers = point(self.model, (self.settings, self.program), &state, (found.iterations, found.residual));
         if measure == Measure::Softening {
-            self.assembled = holds;
+            self.assembled = true;
             numbers.rate = self.heading(&state, None).map(|heading| self.rate(&heading));
         }
         Some(numbers)

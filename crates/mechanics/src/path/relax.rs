@@ -92,7 +92,7 @@ impl Falling {
         let largest = work.largest();
         let balanced = largest <= model.rounding.max(settings.tolerance * acting);
         // A balanced state that needs a drag is left again.
-        if balanced && work.tangent.factorise() && work.tangent.sign > 0 {
+        if balanced && work.is_stable() {
             let found = Balanced { iterations: self.corrections, residual: largest / acting };
             return Some(Fall::Rests(self.state.clone(), found));
         }
@@ -139,7 +139,10 @@ fn dragged(
     let enough = enough.max(LEFT * largest(&left));
     for correction in 1..=MOST_CORRECTIONS {
         work.tangent.add_times(dashpots, drag);
-        if !work.tangent.factorise() || work.tangent.sign <= 0 {
+        // Where joints slide, motions that do not happen would seem to take no work: there the determinant alone is asked. The first correction finds them
+        // holding, and so does the state in which the blocks come to rest.
+        let stays = work.slides || work.is_stable();
+        if !(stays && work.tangent.factorise() && work.tangent.sign > 0) {
             return (None, correction);
         }
         let mut change = left.clone();

@@ -1,4 +1,4 @@
-//! The way up: steps along the path to where the load grows no more, a stiffness turns negative or no next state is found.
+//! The way up: steps along the path to where the load grows no more, a state does not stand or no next state is found.
 
 use super::correct::Constraint;
 use super::trace::{End, Heading, Next, Path, Stage};
@@ -81,7 +81,7 @@ impl Path<'_> {
         }
     }
 
-    /// Follows the path by a step up to where the load grows no more, a stiffness turns negative or no next state is found; that is
+    /// Follows the path by a step up to where the load grows no more, a state does not stand or no next state is found; that is
     /// found to the resolution, and the state is left just before it.
     pub fn climb(&mut self, rise: &mut Rise) -> Option<End> {
         if rise.step >= self.settings.most_steps {
@@ -112,19 +112,25 @@ impl Path<'_> {
         };
         let on = self.heading(&next, Some(&rise.heading));
         let falls = next.factor <= factor || on.as_ref().is_some_and(|on| on.factor <= 0.0);
-        let turns = on.as_ref().is_none_or(|on| on.sign <= 0);
+        let turns = on.as_ref().is_none_or(|on| !on.stable);
         // Where a joint opens or closes the path has a corner; where it forks it has none. Whether a crack grows is not known beforehand.
         let smooth = !self.work.cracks && on.as_ref().is_some_and(|on| rise.heading.goes_on_as(on));
         let on = match on {
             Some(on) if !falls && !turns => on,
             on => {
                 if close {
-                    self.mechanism.clone_from(&rise.heading.direction);
-                    return Some(match (falls, smooth) {
+                    let end = match (falls, smooth) {
                         (true, _) => End::Limit,
                         (false, true) => End::Bifurcation,
                         (false, false) => End::Lost,
-                    });
+                    };
+                    self.mechanism.clone_from(&rise.heading.direction);
+                    if end == End::Bifurcation
+                        && let Some(sideways) = self.easiest()
+                    {
+                        self.mechanism = sideways;
+                    }
+                    return Some(end);
                 }
                 rise.past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: rise.share, rate: on.factor });
                 rise.share *= rise.past.as_ref().map_or(0.5, |past| past.short_of_peak(&rise.heading));

@@ -64,7 +64,9 @@ impl Path<'_> {
         }
         let next = if joints.pressed < joints.widest * LET_GO { 0.0 } else { joints.pressed * joints.share };
         let mut guess = State { pressed: next, ..self.state.clone() };
-        match balance(self.model, self.settings, Constraint::Load, &mut guess, &mut self.work) {
+        let found = balance(self.model, self.settings, Constraint::Load, &mut guess, &mut self.work);
+        // Joints that slide while they are let go are judged at the end, when they remember what has slid.
+        match found.filter(|_| self.work.slides || self.work.is_stable()) {
             Some(balanced) => {
                 self.iterations += balanced.iterations;
                 (self.state, joints.pressed) = (guess, next);
@@ -72,7 +74,7 @@ impl Path<'_> {
                 if next == 0.0 {
                     commit(self.model, self.settings, &mut self.state);
                     let state = self.state.clone();
-                    let stays = self.heading(&state, None).is_some_and(|heading| heading.sign > 0);
+                    let stays = self.is_stable(&state);
                     return Next::On(if stays { Stage::Stood(balanced) } else { self.settle() });
                 }
             }

@@ -165,8 +165,8 @@ impl Sweeper<'_> {
         let near = self.near.most_similar(&self.model.variable, factor)?;
         let mut state = State { motions: near.motions.clone(), factor, ..stood.clone() };
         balance(&self.model, settings, Constraint::Load, &mut state, &mut self.work)?;
-        let Workspace { slides, cracks, tangent, .. } = &mut self.work;
-        if *slides || *cracks || !tangent.factorise() || tangent.sign <= 0 {
+        let work = &mut self.work;
+        if work.slides || work.cracks || !work.is_stable() || !work.tangent.factorise() {
             return None;
         }
         self.near.keep(&self.model.variable, state.clone());

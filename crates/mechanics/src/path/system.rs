@@ -2,6 +2,7 @@
 
 use super::banded::Banded;
 use super::dual::{Half, between, half_of, whole};
+use super::inertia::Elimination;
 use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::{HELD, Model};
 use super::restraint::Restrained;
@@ -58,6 +59,7 @@ pub(super) struct Workspace {
     pub cracks: bool,
     /// Half of the turn of each block.
     turns: Vec<Half>,
+    elimination: Elimination,
 }
 
 impl Workspace {
@@ -69,7 +71,12 @@ impl Workspace {
             slides: false,
             cracks: false,
             turns: Vec::new(),
+            elimination: Elimination::default(),
         }
+    }
+    /// Whether every small motion from the state whose tangent stands here, not factorised, takes work.
+    pub fn is_stable(&mut self) -> bool {
+        self.elimination.is_definite(&self.tangent)
     }
     /// Largest out-of-balance force [N/m].
     pub fn largest(&self) -> f64 {

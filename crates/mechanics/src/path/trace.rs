@@ -94,8 +94,8 @@ pub(super) enum Next {
 pub(super) struct Heading {
     pub direction: Vec<f64>,
     pub factor: f64,
-    /// Sign of the determinant of the tangent.
-    pub sign: i8,
+    /// Whether the blocks stand there.
+    pub stable: bool,
 }
 
 impl Heading {
@@ -275,11 +275,23 @@ impl<'m> Path<'m> {
         Some((next, balanced))
     }
 
-    /// Where the path goes at a balanced state, on from where it came; none where the tangent is singular.
-    pub fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
+    /// Sets up the tangent of a balanced state, where the last step did not leave it.
+    fn assemble(&mut self, state: &State) {
         if !std::mem::take(&mut self.assembled) {
             assemble(self.model, self.settings, state, &mut self.work);
         }
+    }
+
+    /// Whether the blocks stand in a balanced state.
+    pub fn is_stable(&mut self, state: &State) -> bool {
+        self.assemble(state);
+        self.work.is_stable()
+    }
+
+    /// Where the path goes at a balanced state, on from where it came; none where the tangent is singular.
+    pub fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
+        self.assemble(state);
+        let stable = self.work.is_stable();
         if !self.work.tangent.factorise() {
             return None;
         }
@@ -292,7 +304,7 @@ impl<'m> Path<'m> {
         let on = before.is_none_or(|before| dot(&before.direction, &direction) >= 0.0);
         let factor = if on { 1.0 } else { -1.0 } / length;
         direction.iter_mut().for_each(|d| *d *= factor);
-        Some(Heading { direction, factor, sign: self.work.tangent.sign })
+        Some(Heading { direction, factor, stable })
     }
 
     pub fn accept(&mut self, next: State, balanced: Balanced) {

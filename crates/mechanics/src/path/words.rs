@@ -17,14 +17,14 @@ use crate::digest::checksum;
 use crate::words::{Words, fields};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_5041_0003;
+const LAYOUT: u64 = 0x4558_5452_5041_0004;
 
 fields! {
     Bond { lost }
     Memory { sheared, glide, bond }
     State { motions, factor, memory, pressed }
     Balanced { iterations, residual }
-    Heading { direction, factor, sign }
+    Heading { direction, factor, stable }
     Past { distance, rate }
     LetGo { pressed, share, widest }
     Falling { from, state, drag, corrections, granted }
