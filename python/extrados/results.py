@@ -361,6 +361,10 @@ class Collapse(Result):
     associated_load_kn_per_m: float | None
     non_associated_load_kn_per_m: float | None
     non_associated_spread_kn_per_m: list[float] | None
+    help_left_out: list[str]
+    """What may help the bridge and may come and go: it is not counted. There where it makes a difference."""
+    with_help: list[dict[str, Any]]
+    """What it would add: `what`, `last_stable_load_kn_per_m` and so on."""
     without_fill_pressure_load_kn_per_m: float | None
     full_fill_pressure_load_kn_per_m: float | None
     unlimited_strength_load_kn_per_m: float | None
@@ -489,6 +493,10 @@ class Sweep(Result):
     """The position with the least load factor."""
     positions: list[dict[str, Any]]
     """Every position: `position_m`, `load_factor`, `status` and so on."""
+    help_left_out: list[str]
+    """What may help the bridge at the governing position and is not counted. There where it makes a difference."""
+    with_help: list[dict[str, Any]]
+    """What it would add there: `what`, `factor` and so on."""
     positions_not_converged: int
     step_m: float
 

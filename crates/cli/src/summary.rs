@@ -19,6 +19,7 @@ pub use vehicles::vehicles;
 use crate::page::Page;
 use ::outcome::calibration::{CalibrationReport, Measured, Spread};
 use ::outcome::collapse::{Collapse, Combination};
+use ::outcome::help::Help;
 use ::outcome::picture::{Hinge, HingeAt};
 use ::outcome::sweep::Sweep;
 use bridge::{Analysis, Method};
@@ -70,6 +71,11 @@ pub fn sweep(sweep: &Sweep, out: &str) -> Page {
             );
             if let Some(factor) = worst.load_factor {
                 let _ = writeln!(page, "  load factor there       {factor:.4}");
+            }
+            for with in &sweep.not_counted.with_help {
+                if let Some(factor) = with.factor {
+                    let _ = writeln!(page, "  with {:<17}  {factor:.4}", Help::all_told(&with.helps));
+                }
             }
             if let Some(most) = worst.load_factor_at_most {
                 let _ = writeln!(page, "  load factor at most     {most:.4}, which is a bound and no answer");
@@ -204,6 +210,9 @@ fn loads(page: &mut String, found: &Collapse, details: bool) {
     };
     line("last stable load", found.last_stable_load);
     line("collapse load", found.collapse_load);
+    for with in &found.not_counted.with_help {
+        line(&format!("with {}", Help::all_told(&with.helps)), with.headline);
+    }
     line("stalled at", found.stalled_load);
     line("load step", found.load_step);
     line("limit load, rigid", found.limit_load.filter(|_| found.method() != Method::Limit));
@@ -217,7 +226,7 @@ fn loads(page: &mut String, found: &Collapse, details: bool) {
         let own = |load: &f64| found.collapse_load != Some(*load);
         line("associated friction", limit.associated_load.filter(own));
         line("without dilation", limit.non_associated_load);
-        line("without fill pressure", limit.without_fill_pressure_load);
+        line("without fill pressure", limit.without_fill_pressure_load.filter(own));
         line("all passive pressure", limit.full_fill_pressure_load);
         if let Some(soil) = &limit.continuum {
             line("half of the strength", soil.range.map(|r| r[0]).filter(|_| soil.shares[0] == 0.5));

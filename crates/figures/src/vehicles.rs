@@ -144,6 +144,7 @@ mod tests {
             by_interior_point: 0,
             rigid: None,
             deformable: None,
+            not_counted: Default::default(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! What a collapse analysis found.
 
+use crate::help::NotCounted;
 use crate::picture::{Hinge, Picture, Point};
 use crate::warning::Warning;
 use crate::words::words;
@@ -458,6 +459,9 @@ pub struct Collapse {
     pub combination: Option<Combination>,
     /// The strip below the walls, where this is the one between them.
     pub wall_strip: Option<Box<Collapse>>,
+    /// What may help the bridge and is not counted.
+    #[serde(default)]
+    pub not_counted: NotCounted,
     /// Axles of the file, on widths of their own.
     pub asked: Vec<AskedAxles>,
     /// Names of the blocks, in the order of the picture's shapes.

@@ -2,6 +2,7 @@
 //! nothing else, and a finished stage is kept in this form.
 
 use crate::collapse::{Collapse, Permissible, Status};
+use crate::help::NotCounted;
 use crate::passage::PassageStatus;
 use crate::update::{Update, UpdateStatus};
 use crate::vehicles::PermissibleFactor;
@@ -211,6 +212,9 @@ pub struct UltimateFacts {
     pub load_factor: Option<f64>,
     /// The same with fill that presses, where the file has it; `load_factor` is the lower end.
     pub load_factor_with_fill_pressure: Option<f64>,
+    /// What may help the bridge and is not counted.
+    #[serde(default)]
+    pub not_counted: NotCounted,
     /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
     #[serde(default)]
     pub load_factor_at_most: Option<f64>,
@@ -366,6 +370,9 @@ pub struct SweptFacts {
     pub adequacy: Option<f64>,
     /// The same with fill that presses, where the file has it; `adequacy` is the lower end.
     pub adequacy_with_fill_pressure: Option<f64>,
+    /// What may help the bridge and is not counted.
+    #[serde(default)]
+    pub not_counted: NotCounted,
     /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
     #[serde(default)]
     pub adequacy_at_most: Option<f64>,

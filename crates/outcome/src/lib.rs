@@ -9,6 +9,7 @@ pub mod condition;
 pub mod facts;
 pub mod given;
 pub mod ground;
+pub mod help;
 pub mod mesh;
 pub mod passage;
 pub mod picture;

@@ -28,6 +28,7 @@ pub use validation::{record, validation, validation_table};
 pub use vary::{collapse_numbers, run_from_record, run_record, vary, vary_table};
 pub use vehicles::{vehicle_envelope_table, vehicle_sections_table, vehicle_sweep, vehicles_table};
 
+use crate::help::{Help, NotCounted};
 use crate::warning::Warning;
 use findings::visible::is_hidden;
 use serde::Serialize;
@@ -164,6 +165,25 @@ fn list<T>(of: impl IntoIterator<Item = T>, one: impl FnMut(T) -> Object) -> Vec
 /// Warnings of an analysis.
 fn warnings(of: &[Warning]) -> Vec<Object> {
     list(of, |warning| object! { code: warning.code, message: warning.message, })
+}
+
+/// What may help the bridge and is not counted; nothing where nothing is left out.
+fn not_counted(found: &NotCounted) -> Option<Object> {
+    (!found.left_out.is_empty() || !found.with_help.is_empty()).then(|| {
+        object! {
+            help_left_out: found.left_out,
+            with_help: list(&found.with_help, |with| object! {
+                what: Help::all_told(&with.helps),
+                helps: with.helps,
+                status: with.status,
+                last_stable_load_kn_per_m?: with.last_stable_load.map(kilo),
+                headline_kn_per_m?: with.headline.map(kilo),
+                factor?: with.factor,
+                minimum_thickness_factor?: with.thickness_factor,
+                last_stable_movement_m?: with.movement,
+            }),
+        }
+    })
 }
 
 /// Any object as JSON text, with a newline at its end. Characters that act instead of being seen stand as their numbers: it is the same

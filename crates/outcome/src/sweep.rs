@@ -1,6 +1,7 @@
 //! Loads of the file moved over the bridge: what was found.
 
 use crate::collapse::Status;
+use crate::help::NotCounted;
 use crate::warning::Warning;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
@@ -50,6 +51,9 @@ pub struct Sweep {
     pub step: f64,
     /// Whether every position was answered before the onlooker wished to stop.
     pub whole: bool,
+    /// What may help the bridge and is not counted at the governing position.
+    #[serde(default)]
+    pub not_counted: NotCounted,
     /// What a reader should look at.
     pub warnings: Vec<Warning>,
     /// What was assumed.

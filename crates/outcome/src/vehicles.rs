@@ -1,6 +1,7 @@
 //! Vehicles moved over the bridge under the factors of a rule: what was found.
 
 use crate::collapse::{Collapse, Criterion, Status};
+use crate::help::NotCounted;
 use crate::sweep::Ended;
 use crate::warning::Warning;
 use crate::words::words;
@@ -193,6 +194,9 @@ pub struct Swept {
     pub rigid: Option<f64>,
     /// What came of joints that give; `adequacy` is the smaller factor then.
     pub deformable: Option<Deformable>,
+    /// What may help the bridge and is not counted.
+    #[serde(default)]
+    pub not_counted: NotCounted,
 }
 
 impl Swept {
@@ -361,6 +365,15 @@ impl Swept {
             (_, Some(factor), _) => Some(factor >= 1.0),
             (_, None, Some(most)) if most < 1.0 => Some(false),
             _ => None,
+        }
+    }
+
+    /// The size by which runs of a vehicle are compared: one without an answer comes first, since its factor may be the least.
+    pub fn size(&self) -> f64 {
+        match self.factor() {
+            Some(factor) => factor,
+            None if self.status == Status::Locks => f64::INFINITY,
+            None => f64::NEG_INFINITY,
         }
     }
 

@@ -337,8 +337,8 @@ findings::cards! {
     PRESSURE_RANGE = "A195", "fill pressure gives a range, and a verdict uses its lower end",
         "The effect of fill depends on how far its pressure is mobilised, which is not known for any bridge: with half \
          of the passive pressure the prediction is 1.33 times the load of one test and 0.53 times that of another. A \
-         result with [fill_pressure] also gives the load by weight alone and the load with all of the passive \
-         pressure, and ultimate checks use the lower end. Along the path of equilibrium the movement of the ring decides what is \
+         result with [fill_pressure] leads with the load by weight alone where that is less, and gives the load with the file's share of the \
+         passive pressure and with all of it beside; ultimate checks use the lower end. Along the path of equilibrium the movement of the ring decides what is \
          mobilised; its result gives the load by weight alone and that of rigid blocks beside it.";
     /// Paths of equilibrium that broke off.
     PATHS_BROKEN_OFF = "A196", "a path of equilibrium broke off",
@@ -405,6 +405,13 @@ findings::cards! {
          not. How hard they were jammed no analysis of rigid blocks can tell, and no load is given. With dilation, as associated friction has \
          it, such blocks wedge themselves as they slide, and seem to lock. Discrete elements begin with blocks that are not jammed; \
          support them by faces that lean against their load, or by what they rest on.";
+    /// Help that is left out.
+    HELP_NOT_COUNTED = "A207", "what may come and go helps the bridge, and is not counted",
+        "Water in the fill, a support that has moved, the tensile strength and the cohesion of joints, and parapets may help a bridge today and be \
+         gone tomorrow: drains are cleared, joints crack, mortar is washed out, walls are taken down. Every analysis is made with and without \
+         them, and what is least leads; the message gives both. A joint that has once opened or slid has lost its bond for good, and the bond \
+         of a brittle joint is not there all at once along its length. Where the load rests on it, ask what the load without it means for the \
+         bridge; a strength that was measured does not change that. Fill pressure is treated alike and told by A195.";
 }
 
 impl Warning {

@@ -42,6 +42,7 @@ pub(super) fn of_blocks(plan: &Plan, d: &Discretised, by: By, picture: Picture) 
         packing: None,
         combination: None,
         wall_strip: None,
+        not_counted: Default::default(),
         asked: Vec::new(),
         block_names: Vec::new(),
         warnings: Vec::new(),

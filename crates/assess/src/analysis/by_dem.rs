@@ -2,7 +2,7 @@
 
 use super::blank;
 use super::places::{lines, moving, point, scaled};
-use super::{AnalysisError, by_limit, notes, picture};
+use super::{AnalysisError, by_limit, notes, picture, policy};
 use bridge::{Bridge, ContactLength, Damping, JointContact, Plan, Strip};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
@@ -64,8 +64,10 @@ pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
 }
 
 /// The blocks of a bridge and a run of them in the hands of the caller: what [`collapse_by_dem`] computes, some steps at a time.
-/// `Discretised::load` turns its factor into a load, and the blocks of its frames are those of `Discretised::model`.
+/// `Discretised::load` turns its factor into a load, and the blocks of its frames are those of `Discretised::model`. The bridge has nothing that may
+/// come and go.
 pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), AnalysisError> {
+    let bridge = &policy::bare(bridge);
     let (d, rigid) = increased(bridge, &mut Unwatched)?;
     let bound = rigid.factor.or(rigid.associated_factor);
     let (program, _) = program(&bridge.plan, &d, bound, &mut Vec::new())?;
@@ -100,8 +102,17 @@ pub(super) fn uncrushed(
     by_limit::watched(d, &uncrushed, watch)
 }
 
-/// Raises the loads of the file in steps until the blocks collapse.
+/// Raises the loads of the file in steps until the blocks collapse; what may help and may come and go is not counted.
 pub fn collapse_by_dem(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    policy::collapse(bridge, resume, watch, &as_described)
+}
+
+/// The same with all that the file says of the bridge.
+pub(super) fn as_described(
     bridge: &Bridge,
     resume: Option<&[u64]>,
     watch: &mut dyn Watch,

@@ -3,7 +3,7 @@
 use super::blank;
 use super::by_bounds::collapse_by_bounds;
 use super::places::{between_rings, edge_at, lines, point, scaled};
-use super::{AnalysisError, careful, notes, picture, pieces};
+use super::{AnalysisError, notes, picture, pieces, policy};
 use bridge::{Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
@@ -68,10 +68,9 @@ fn fully_pressed(bridge: &Bridge) -> Bridge {
     own
 }
 
-/// The load factor at which the blocks become a mechanism; the smaller one where a support has moved or water fills pores.
+/// The load factor at which the blocks become a mechanism; what may help and may come and go is not counted.
 pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let found = as_described(bridge, watch)?;
-    careful::least(bridge, found, watch)
+    policy::collapse(bridge, None, watch, &|state, _, watch| as_described(state, watch))
 }
 
 /// The load factor at which the blocks become a mechanism, with all that the file says of them.
@@ -103,7 +102,7 @@ fn whole(bridge: &Bridge, d: &Discretised, pace: &Pace) -> Result<Collapse, Anal
     let walls = d.road.is_some() && settings.friction == limit::Friction::Associated;
     let pressed = !d.loading.restraints.is_empty();
     // The loads that are found, one after the other.
-    let count = 1 + usize::from(settings.crushing) + 2 * usize::from(pressed) + usize::from(walls);
+    let count = 1 + usize::from(settings.crushing) + usize::from(pressed) + usize::from(walls);
     let mut parts = (0..count).map(|k| pace.part(k, count));
     let mut solve =
         |d: &Discretised, settings: &limit::Settings| solve(d, settings, &parts.next().unwrap_or_else(|| pace.clone()));
@@ -114,19 +113,13 @@ fn whole(bridge: &Bridge, d: &Discretised, pace: &Pace) -> Result<Collapse, Anal
     };
     let mut c = report(bridge, d, &outcome, unlimited);
     if pressed {
-        let mut bare = d.clone();
-        bare.loading.restraints.clear();
-        let without = solve(&bare, &settings)?.factor.map(|f| d.load(f));
-        if let By::Limit(report) = &mut c.by {
-            report.without_fill_pressure_load = without;
-        }
         let mut whole = d.clone();
         whole.loading.restraints = pressure::restraints(&fully_pressed(bridge), &d.extrados);
         let full = solve(&whole, &settings)?.factor.map(|f| d.load(f));
         if let By::Limit(report) = &mut c.by {
             report.full_fill_pressure_load = full;
         }
-        notes::pressed(bridge, without, full, &mut c);
+        notes::pressed(bridge, &mut c);
     }
     // Walls of blocks lock where sliding dilates: their associated load never stands alone.
     if walls {

@@ -2,7 +2,7 @@
 
 use super::by_dem::{contact_length, require_stiffness, uncrushed};
 use super::places::{lines, moving, point, scaled};
-use super::{AnalysisError, blank, by_limit, notes, picture, service, softened, stiffened};
+use super::{AnalysisError, blank, by_limit, notes, picture, policy, service, softened, stiffened};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::Interface;
 use mechanics::contact::ContactLength;
@@ -25,8 +25,17 @@ const BEYOND: f64 = 1.5;
 /// Pictures of the path: as many as its result shows.
 const MOST_PICTURES: usize = 24;
 
-/// Follows the balanced states of the bridge from its own weight to its largest load.
+/// Follows the balanced states of the bridge from its own weight to its largest load; what may help and may come and go is not counted.
 pub fn collapse_by_path(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    policy::collapse(bridge, resume, watch, &as_described)
+}
+
+/// The same with all that the file says of the bridge.
+pub(super) fn as_described(
     bridge: &Bridge,
     resume: Option<&[u64]>,
     watch: &mut dyn Watch,
@@ -61,10 +70,7 @@ pub fn collapse_by_path(
     c.load_step = Some(d.load(program.increment));
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     if !d.loading.restraints.is_empty() {
-        let mut weight = d.clone();
-        weight.loading.restraints.clear();
-        let without = path::collapse(&weight.model, &weight.loading, (&settings, &program), None, watch)?;
-        pressed(&d, &outcome, &without, &mut c);
+        pressed(&outcome, &mut c);
     }
     if let (Some(own), Some(rigid)) = (outcome.collapse_factor, rigid.factor) {
         let own = (own, outcome.iterations);
@@ -72,11 +78,6 @@ pub fn collapse_by_path(
     }
     let distributed = settings.contact_length == ContactLength::Distributed;
     notes::path(bridge, &d, distributed, &mut c);
-    if distributed && bonded(&d) {
-        let unit = rigid.factor.or(rigid.associated_factor).unwrap_or(program.increment / FIRST_STEP);
-        let without = softened::without_bond(&d, (&settings, &program), unit)?;
-        c.assumptions.push(notes::without_bond(without.map(|factor| d.load(factor))));
-    }
     notes::apart(rigid.status, &mut c);
     c.warnings.extend(taken);
     c.warnings.extend(broken_off(&c));
@@ -94,14 +95,12 @@ pub fn collapse_by_path(
     Ok(c)
 }
 
-/// What fill that presses against movement does to the path.
-fn pressed(d: &Discretised, outcome: &path::Outcome, without: &path::Outcome, c: &mut Collapse) {
+/// What movement has mobilised of the fill's pressure at the largest load.
+fn pressed(outcome: &path::Outcome, c: &mut Collapse) {
     let By::Path(report) = &mut c.by else { return };
     let at_peak = outcome.peak.and_then(|k| outcome.path.get(outcome.frames[k].step));
-    report.fill_pressure = Some(PathPressure {
-        without: without.last_stable_factor.map(|factor| d.load(factor)),
-        mobilised: at_peak.map_or(0.0, |point| point.mobilised),
-    });
+    report.fill_pressure =
+        Some(PathPressure { without: None, mobilised: at_peak.map_or(0.0, |point| point.mobilised) });
 }
 
 /// What is to be said of a path that broke off, or never began.
@@ -117,11 +116,6 @@ fn broken_off(c: &Collapse) -> Option<Warning> {
         None => return None,
     };
     Some(Warning::new(warning::PATHS_BROKEN_OFF, format!("{words}; try --method dem")))
-}
-
-/// Whether joints have a bond.
-fn bonded(d: &Discretised) -> bool {
-    d.model.laws.clone().iter_mut().any(|law| law.tension > 0.0)
 }
 
 /// Whether joints have cohesion.

@@ -2,7 +2,7 @@
 
 use super::blank;
 use super::by_dem::{loads, report, require_stiffness, settings};
-use super::{AnalysisError, by_limit, notes};
+use super::{AnalysisError, by_limit, notes, policy};
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
 use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
@@ -73,6 +73,7 @@ pub fn stepping(
     particles: &Particles,
     watch: &mut dyn Watch,
 ) -> Result<Option<(Discretised, dem::Stepping)>, AnalysisError> {
+    let bridge = &policy::bare(bridge);
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoLoad) };

@@ -9,7 +9,6 @@ pub mod by_fe;
 pub mod by_limit;
 pub mod by_path;
 pub mod calibrate;
-mod careful;
 mod caveats;
 mod defects;
 mod deforming;
@@ -25,6 +24,7 @@ pub(crate) mod pieces;
 mod places;
 pub mod placing;
 mod planned;
+mod policy;
 mod service;
 mod softened;
 mod statics;
@@ -44,6 +44,7 @@ pub use ground::ground_plan;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use planned::planned;
+pub use policy::bare;
 pub use statics::statics;
 pub use stiffened::stiffened;
 pub use sweep::{Places, sweep};
@@ -191,11 +192,13 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),
         (Analysis::Load, Method::Path) => collapse_by_path(bridge, resume, watch),
         (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
-            Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
+            Some(particles) => policy::collapse(bridge, resume, watch, &|state, resume, watch| {
+                filled::collapse_filled(state, particles, resume, watch)
+            }),
             None => collapse_by_dem(bridge, resume, watch),
         },
-        (Analysis::Thickness, _) => thickness(bridge, watch),
-        (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
+        (Analysis::Thickness, _) => policy::collapse(bridge, None, watch, &|state, _, watch| thickness(state, watch)),
+        (Analysis::SupportMovement, _) => policy::collapse(bridge, resume, watch, &support_movement),
     }?;
     found.picture.moves_supports = found.support().is_some();
     found.picture.collapse_load = found.support().map_or(found.collapse_load, |support| support.collapse);

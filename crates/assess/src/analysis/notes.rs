@@ -82,27 +82,38 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.extend(assumptions);
 }
 
-/// Notes on fill that presses against movement, with the loads that are found without it and with all of it [N/m].
-pub fn pressed(bridge: &Bridge, without: Option<f64>, full: Option<f64>, c: &mut Collapse) {
+/// The range of loads with fill that presses: by weight alone, as described, and with all that could be there.
+pub fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Option<Warning> {
+    let fill = bridge.fill_pressure?;
+    let told = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.2} kN/m", load / 1e3));
+    let message = match &with.by {
+        By::Limit(report) => format!(
+            "{} by weight alone, {} with {:.0} % of the passive pressure, {} with all of it; a verdict uses the lower end",
+            told(bare.collapse_load),
+            told(with.collapse_load),
+            100.0 * fill.mobilisation,
+            told(report.full_fill_pressure_load)
+        ),
+        By::Path(_) => format!(
+            "{} by weight alone, {} with the pressure that the ring's own movement mobilises, {} on rigid blocks, where all of the \
+             file's share acts at once",
+            told(bare.last_stable_load),
+            told(with.last_stable_load),
+            told(with.limit_load)
+        ),
+        By::Dem(_) | By::Fe(_) => return None,
+    };
+    Some(Warning::new(warning::PRESSURE_RANGE, message))
+}
+
+/// Notes on fill that presses against movement.
+pub fn pressed(bridge: &Bridge, c: &mut Collapse) {
     let Some(fill) = &bridge.fill_pressure else { return };
     let k = pressure::coefficients(fill);
-    let told = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.2} kN/m", load / 1e3));
-    c.warnings.push(Warning::new(
-        warning::PRESSURE_RANGE,
-        format!(
-            "{} by weight alone, {} with {:.0} % of the passive pressure, {} with all of it; a verdict uses the lower \
-             end",
-            told(without),
-            told(c.collapse_load),
-            100.0 * fill.mobilisation,
-            told(full)
-        ),
-    ));
-    let without = without.map_or("no load is found".to_owned(), |load| format!("the load is {:.2} kN/m", load / 1e3));
     c.assumptions.push(format!(
         "Fill presses sideways on the backs with {:.2} of its vertical stress, and with up to {:.2} of it plus {:.1} \
          kPa where a back moves against it: {:.0} % of Rankine's passive pressure for {:.1} degrees and {:.0} % of \
-         that for cohesion. It acts at once; real fill needs movement. Without it {without}.",
+         that for cohesion. It acts at once; real fill needs movement.",
         k.least,
         k.most,
         k.cohesion / 1e3,
@@ -132,21 +143,10 @@ fn moved_against(bridge: &Bridge, c: &mut Collapse) {
         return;
     };
     let k = pressure::coefficients(fill);
-    let told = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.2} kN/m", load / 1e3));
-    let (without, rigid) = (told(found.without), told(c.limit_load));
-    c.warnings.push(Warning::new(
-        warning::PRESSURE_RANGE,
-        format!(
-            "{without} by weight alone, {} with the pressure that the ring's own movement mobilises, {rigid} on rigid \
-             blocks, where all of the file's share acts at once",
-            told(c.last_stable_load),
-        ),
-    ));
     c.assumptions.push(format!(
         "Fill presses sideways on the backs with {:.2} of its vertical stress, and the more the further a back moves against it: \
          half of the way to {:.2} of it plus {:.1} kPa at a movement of {:.1} % of the depth below the top of the fill. At the \
-         largest load {:.0} % of what movement could add is there. Movement counts from the blocks as built. Without it the load \
-         is {without}.",
+         largest load {:.0} % of what movement could add is there. Movement counts from the blocks as built.",
         k.least,
         k.most,
         k.cohesion / 1e3,
@@ -304,20 +304,6 @@ fn strongest(bridge: &Bridge) -> f64 {
     let walls = bridge.spandrel_wall.as_ref().map(|wall| &wall.joint);
     let joints = [Some(&bridge.joint), rings, walls];
     joints.into_iter().flatten().map(|joint| joint.tensile_strength).fold(0.0, f64::max)
-}
-
-/// What is carried where the bond of joints has gone [N/m].
-pub fn without_bond(load: Option<f64>) -> String {
-    match load {
-        Some(load) => format!(
-            "The load rests on the tensile strength of the joints, which is lost where a joint has once been open: without it \
-             {:.2} kN/m are carried.",
-            load / 1e3
-        ),
-        None => "The load rests on the tensile strength of the joints, which is lost where a joint has once been open: what is \
-                 carried without it was not found."
-            .into(),
-    }
 }
 
 /// Notes on fill that is particles.

@@ -1,6 +1,6 @@
 //! Collapse of a block model that a file lists or a drawing holds.
 
-use super::{AnalysisError, by_dem, by_limit, pieces};
+use super::{AnalysisError, by_dem, by_limit, pieces, policy};
 use bridge::{Method, Plan};
 use mechanics::dem::Body;
 use mechanics::ids::{GroupId, Id};
@@ -19,13 +19,18 @@ pub fn blocks_as_built(scene: &Scene) -> Picture {
     built(scene, "as built")
 }
 
-/// Raises the loads of the model until its blocks collapse. `resume` is a state that [`Watch::keep`] was offered by a
-/// run of the same model.
+/// Raises the loads of the model until its blocks collapse; bonds of joints that may be lost are not counted. `resume` is a state that
+/// [`Watch::keep`] was offered by a run of the same model.
 pub fn collapse_of_blocks(
     scene: &Scene,
     resume: Option<&[u64]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
+    policy::of_blocks(scene, resume, watch, &as_described)
+}
+
+/// The same with all that the file says of the blocks.
+fn as_described(scene: &Scene, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let d = scene.discretised();
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);

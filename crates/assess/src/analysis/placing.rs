@@ -4,11 +4,12 @@
 //! place has taught is kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off.
 
 use super::vehicles::Driven;
-use super::{AnalysisError, by_limit, places};
-use bridge::Bridge;
+use super::{AnalysisError, by_limit, places, policy};
+use bridge::{Bridge, Method};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Experience, Friction, Ground, Level, Outcome, Starts};
 use outcome::collapse::{FlowRule, Status};
+use outcome::help::Help;
 use outcome::picture::{LoadArrow, Picture, Point};
 use structure::discretise::dispersal::{self, Strip};
 use structure::discretise::{Discretised, continuum};
@@ -16,8 +17,10 @@ use structure::discretise::{Discretised, continuum};
 /// A bridge that waits for its loads.
 pub struct Placing {
     bridge: Bridge,
-    /// Under each combination of a rule's factors on weights; one where loads are those of the file.
+    /// Under each combination of a rule's factors on weights, and in every state without help that may come and go: the worst counts.
     stands: Vec<Stand>,
+    /// What the file describes of such help.
+    helps: Vec<Help>,
     driven: Option<Driven>,
     /// Reference point of the file's first load [m].
     first: f64,
@@ -82,9 +85,10 @@ impl Placing {
         if bridge.loads.iter().any(|load| load.block.is_some()) {
             return Err(AnalysisError::MovedBlock);
         }
-        let stand = Stand::new(bridge)?;
-        let friction = by_limit::single(bridge, &stand.d).friction;
-        Ok(Placing { bridge: bridge.clone(), stands: vec![stand], driven: None, first, friction, capacity: 1.0 })
+        let (states, helps) = states(bridge);
+        let stands = states.iter().map(Stand::new).collect::<Result<Vec<_>, _>>()?;
+        let friction = by_limit::single(bridge, &stands[0].d).friction;
+        Ok(Placing { bridge: bridge.clone(), stands, helps, driven: None, first, friction, capacity: 1.0 })
     }
 
     /// The bridge with a vehicle, all of whose axles and uniform loads stand, under the factors of a rule.
@@ -92,11 +96,12 @@ impl Placing {
     /// # Errors
     /// A vehicle or a rule that is not known, blocks that cannot be analysed.
     pub fn vehicle(bridge: &Bridge, driven: Driven) -> Result<Placing, AnalysisError> {
-        let bridges = driven.bridges(bridge);
+        let (states, helps) = states(bridge);
+        let bridges: Vec<Bridge> = states.iter().flat_map(|state| driven.bridges(state)).collect();
         let stands = bridges.iter().map(Stand::new).collect::<Result<Vec<_>, _>>()?;
         let capacity = driven.rule.capacity_factor();
         let friction = by_limit::single(&bridges[0], &stands[0].d).friction;
-        Ok(Placing { bridge: bridges[0].clone(), stands, driven: Some(driven), first: 0.0, friction, capacity })
+        Ok(Placing { bridge: bridges[0].clone(), stands, helps, driven: Some(driven), first: 0.0, friction, capacity })
     }
 
     /// Places at which a load acts on the arches [m]: of the first axle, or of the reference point of the first load.
@@ -136,6 +141,9 @@ impl Placing {
         if continuum::wanted(&self.bridge).is_some() {
             said.push("Layers that are a continuum in the file are weight alone here.".to_owned());
         }
+        if !self.helps.is_empty() {
+            said.push(format!("What may come and go is not counted where it helps: {}.", Help::all_told(&self.helps)));
+        }
         if self.stands[0].d.fill.is_some() {
             said.push("Layers that are particles in the file take no part here.".to_owned());
         }
@@ -152,17 +160,11 @@ impl Placing {
         (bridge, strips)
     }
 
-    /// The forces that strips bring onto the blocks.
-    fn forces(&self, bridge: &Bridge, strips: &[Strip]) -> Vec<PointForce> {
-        strips.iter().flat_map(|strip| self.stands[0].d.spread(bridge, *strip).forces).collect()
-    }
-
     /// What is carried with the loads at a place [m].
     pub fn carried(&mut self, position: f64) -> Carried {
         let (bridge, strips) = self.standing(position);
-        let forces = self.forces(&bridge, &strips);
         let (friction, capacity) = (self.friction, self.capacity);
-        let all = self.stands.iter_mut().map(|stand| stand.carried(&forces, friction));
+        let all = self.stands.iter_mut().map(|stand| stand.carried(&stand.forces(&bridge, &strips), friction));
         let worst = all.reduce(|a, b| if b.is_worse_than(&a) { b } else { a });
         let times = |factor: Option<f64>| factor.map(|factor| factor * capacity);
         let found = worst.unwrap_or(Carried { status: Status::Locks, factor: None, dilatant: None, slides: false });
@@ -189,18 +191,18 @@ impl Placing {
 
     fn placed(&mut self, position: f64, friction: Friction) -> Placed {
         let (bridge, strips) = self.standing(position);
-        let forces = self.forces(&bridge, &strips);
-        // Of several combinations of weights the one that carries least is shown.
+        // Of several combinations of weights and states the one that carries least is shown.
         let mut worst: Option<(usize, Carried)> = None;
         if self.stands.len() > 1 {
             for (k, stand) in self.stands.iter_mut().enumerate() {
-                let found = stand.carried(&forces, friction);
+                let found = stand.carried(&stand.forces(&bridge, &strips), friction);
                 if worst.as_ref().is_none_or(|(_, known)| found.is_worse_than(known)) {
                     worst = Some((k, found));
                 }
             }
         }
         let stand = &mut self.stands[worst.map_or(0, |(k, _)| k)];
+        let forces = stand.forces(&bridge, &strips);
         let outcome = stand.outcome(&forces, friction);
         let times = |factor: Option<f64>| factor.map(|factor| factor * self.capacity);
         let mut picture = Picture::default();
@@ -240,8 +242,9 @@ impl Placing {
     /// Blocks that cannot be analysed.
     pub fn zone(&self, position: f64, factor: f64) -> Result<Vec<Vec<[Point; 2]>>, AnalysisError> {
         let (bridge, strips) = self.standing(position);
-        let d = &self.stands[0].d;
-        let loading = mechanics::blocks::Loading { variable: self.forces(&bridge, &strips), ..d.loading.clone() };
+        let stand = &self.stands[0];
+        let d = &stand.d;
+        let loading = mechanics::blocks::Loading { variable: stand.forces(&bridge, &strips), ..d.loading.clone() };
         let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(&self.bridge) };
         let zone = limit::thrust_zone(&d.model, &loading, factor / self.capacity, &settings)?;
         let reach = zone.interfaces.iter().zip(&zone.reach).filter_map(|(joint, reach)| {
@@ -265,6 +268,17 @@ impl Carried {
     }
 }
 
+/// The states of the bridge of which the least counts, and what its file describes of help that may come and go. Loads are moved by limit
+/// analysis, whatever the plan's method; strength that may be lost only adds, so that no state counts it.
+fn states(bridge: &Bridge) -> (Vec<Bridge>, Vec<Help>) {
+    let mut own = bridge.clone();
+    own.plan.method = Method::Limit;
+    let states = policy::states(&own);
+    let helps = states.last().map_or_else(Vec::new, |described| described.helps.clone());
+    let weak = states.into_iter().filter(|state| !state.counts_strength());
+    (weak.map(|state| state.bridge).collect(), helps)
+}
+
 /// What is said of a vehicle that stands with all of its axles.
 const WHOLE: &str = "The vehicle stands with all of its axles and uniform loads, in its first arrangement. A sweep also leaves out those that \
                      help, and may find much less: it gives the verdict.";
@@ -282,6 +296,11 @@ impl Stand {
         let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(bridge) };
         let ground = Ground::owning(d.model.clone(), &d.loading, &settings)?;
         Ok(Stand { d, ground, learnt: Experience::default(), near: None })
+    }
+
+    /// The forces that strips bring onto the blocks.
+    fn forces(&self, bridge: &Bridge, strips: &[Strip]) -> Vec<PointForce> {
+        strips.iter().flat_map(|strip| self.d.spread(bridge, *strip).forces).collect()
     }
 
     fn carried(&mut self, forces: &[PointForce], friction: Friction) -> Carried {

@@ -1,4 +1,4 @@
-//! What a ring would carry on joints of other stiffness, or without their bond: nobody knows these of an old bridge well.
+//! What a ring would carry on joints of other stiffness: nobody knows that of an old bridge well.
 
 use super::AnalysisError;
 use mechanics::blocks::{BlockModel, Stiffness};
@@ -41,18 +41,6 @@ pub(super) fn over_stiffness(
         points.extend(load.map(|factor| [times, d.load(factor)]));
     }
     Ok(Some(OverStiffness { points, rigid: d.load(rigid) }))
-}
-
-/// The largest factor that was found with joints whose bond has gone, where it was found within some steps; `rigid` is the factor of
-/// rigid blocks.
-pub(super) fn without_bond(
-    d: &Discretised,
-    (settings, program): (&Settings, &Program),
-    rigid: f64,
-) -> Result<Option<f64>, AnalysisError> {
-    let mut model = d.model.clone();
-    model.laws.iter_mut().for_each(|law| law.tension = 0.0);
-    followed(&model, d, (settings, program), rigid, &mut Pace::of(MOST_STEPS))
 }
 
 /// Largest factor with joints so many times as stiff.

@@ -11,7 +11,7 @@ mod deformable;
 
 use super::pieces::{self, Pace, Stage};
 use super::vehicles::{DILATANCY, REFINEMENTS};
-use super::{AnalysisError, by_limit, stiffened};
+use super::{AnalysisError, by_limit, policy, stiffened};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Least, Level, Starts, Sweeper};
@@ -60,6 +60,11 @@ const MOST_POSITIONS: f64 = 1e5;
 /// arch can help it. Positions are independent, so results do not depend on the number of threads. Where the onlooker wishes
 /// to stop, the positions answered by then are returned.
 pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Watch) -> Result<Sweep, AnalysisError> {
+    policy::swept(bridge, places, watch, &|state, places, watch| as_described(state, places, subsets, watch))
+}
+
+/// The same on one state of the bridge.
+fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Watch) -> Result<Sweep, AnalysisError> {
     let first = bridge.loads.first().ok_or(AnalysisError::NoLoad)?.position;
     if bridge.loads.iter().any(|load| load.block.is_some()) {
         return Err(AnalysisError::MovedBlock);
@@ -86,7 +91,9 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
         scene.proven(&mut rows, watch);
     }
     let points: Vec<SweepPoint> = rows.iter().map(|row| scene.point(row)).collect();
-    let mut found = Sweep { points, governing: None, step, whole, warnings: Vec::new(), assumptions: Vec::new() };
+    let not_counted = Default::default();
+    let mut found =
+        Sweep { points, governing: None, step, whole, not_counted, warnings: Vec::new(), assumptions: Vec::new() };
     if whole && yields {
         found.whole = continuum::instead(&scene, &rows, &mut found, watch)?;
     }

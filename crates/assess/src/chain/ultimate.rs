@@ -6,6 +6,7 @@ use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, ShortenedFacts, UltimateFacts};
+use outcome::help::Help;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 
@@ -70,28 +71,23 @@ pub fn at_position(
     })
 }
 
-/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that
-/// presses both ends are made, and the lower one counts. None where the onlooker wished to stop.
+/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With soil that yields it is
+/// also made with fill as weight alone, and the lower one counts. None where the onlooker wished to stop.
 pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
     let Some(found) = moved(bridge, watch)? else { return Ok(None) };
-    let Some(bare) = by_weight_alone(bridge) else { return Ok(Some(found)) };
+    let bare = by_weight_alone(bridge).filter(|_| bridge.continuum.is_some());
+    let Some(bare) = bare else { return Ok(Some(found)) };
     let Some(lower) = moved(&bare, watch)? else { return Ok(None) };
     let [with, without] = [&found, &lower].map(|one| one.facts.load_factor);
     let told = |factor: Option<f64>| factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
     let message = format!(
-        "factor on the loads of the file: {} by weight alone, {} with {}; the lower one counts",
+        "factor on the loads of the file: {} by weight alone, {} with soil that yields, its lower bound; the lower one counts",
         told(without),
         told(with),
-        if bridge.continuum.is_some() { "soil that yields, its lower bound," } else { "fill pressure" }
     );
     // A bridge that does not stand by weight alone has no factor: that is the lower end.
     let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
-    if bridge.continuum.is_some() {
-        counts.facts.warnings.push(Warning::new(warning::STRENGTH_RANGE, message));
-    } else {
-        counts.facts.load_factor_with_fill_pressure = with;
-        counts.facts.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
-    }
+    counts.facts.warnings.push(Warning::new(warning::STRENGTH_RANGE, message));
     Ok(Some(counts))
 }
 
@@ -110,15 +106,12 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     let (at_file, at_status) = (factor(&file), file.status);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
-        method: match bridge.fill_pressure.is_some_and(|fill| fill.applies) {
-            _ if gives(bridge) => {
-                "the smaller load of limit analysis (rigid blocks as built) and of the path of equilibrium (joints that give)"
-            }
-            _ if own.continuum.is_some() => {
-                "limit analysis, lower bound of rigid blocks as built beside soil that yields as a continuum"
-            }
-            true => "limit analysis, rigid blocks as built, fill that presses where the ring moves into it",
-            false => "limit analysis, rigid blocks as built, fill by its weight and dispersal alone",
+        method: if gives(bridge) {
+            "the smaller load of limit analysis (rigid blocks as built) and of the path of equilibrium (joints that give)"
+        } else if own.continuum.is_some() {
+            "limit analysis, lower bound of rigid blocks as built beside soil that yields as a continuum"
+        } else {
+            "limit analysis, rigid blocks as built, fill by its weight and dispersal alone"
         }
         .to_owned(),
         positions: sweep.points.len(),
@@ -151,7 +144,17 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
     facts.assumptions.extend(parts.iter().map(told));
     facts.shortened = parts;
-    facts.warnings = sweep.warnings.iter().chain(&collapse.warnings).cloned().collect();
+    // What the sweep says of help that is not counted, the case by itself says again.
+    let again = |warning: &&Warning| {
+        let of_help = [warning::PRESSURE_RANGE, warning::HELP_NOT_COUNTED].contains(&warning.code);
+        !of_help || sweep.warnings.iter().all(|told| told.code != warning.code)
+    };
+    facts.warnings = sweep.warnings.iter().chain(collapse.warnings.iter().filter(again)).cloned().collect();
+    facts.not_counted = match &moved {
+        Some(_) => sweep.not_counted.clone(),
+        None => collapse.not_counted.clone(),
+    };
+    facts.load_factor_with_fill_pressure = facts.not_counted.with(Help::FillPressure).and_then(|with| with.factor);
     facts.collapse = Some(Box::new(collapse));
     Ok(Some(Ultimate { facts, sweep }))
 }

@@ -1,46 +1,23 @@
 //! Vehicles of the file's [sweep], as facts.
 
 use crate::analysis::AnalysisError;
-use crate::analysis::by_weight_alone;
 use crate::analysis::vehicles::{by_acting, vehicle_sweep};
 use crate::plan_facts::{PlanFacts, of_plan};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::facts::{SafetyFacts, SweptFacts, ThrustFacts, VehicleFacts};
+use outcome::help::Help;
 use outcome::statics::pressure;
 use outcome::vehicles::{ByDiscreteElements, Swept, VehicleSweep};
 use outcome::vehicles::{Extreme, Of, SectionEnvelope};
 use outcome::warning::{self, Warning};
 use rules::{Confidence, Rule};
 
-/// Moves the vehicles of the file's [sweep] over the bridge. With fill that presses both ends are made, and the lower one counts:
-/// its sweep is drawn.
+/// Moves the vehicles of the file's [sweep] over the bridge.
 pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts, VehicleSweep), AnalysisError> {
-    // Vehicles are moved with fill as weight where the file has it yield: minutes a vehicle otherwise.
-    let presses = bridge.fill_pressure.is_some_and(|fill| fill.applies);
-    let Some(bare) = by_weight_alone(bridge).filter(|_| presses) else {
-        let found = vehicle_sweep(bridge, watch)?;
-        return Ok((vehicle_facts(bridge, &found), found));
-    };
-    let found = vehicle_sweep(&bare, watch)?;
-    let mut pressing = bridge.clone();
-    if let Some(plan) = &mut pressing.sweep {
-        plan.discrete_elements = false;
-    }
-    let with = vehicle_sweep(&pressing, watch)?;
-    let mut facts = vehicle_facts(bridge, &found);
-    let mut told = Vec::new();
-    for (one, with) in facts.vehicles.iter_mut().zip(&with.vehicles) {
-        one.adequacy_with_fill_pressure = with.adequacy;
-        if let (Some(without), Some(with)) = (one.adequacy, with.adequacy) {
-            told.push(format!("{} {without:.3} by weight alone, {with:.3} with fill pressure", one.code));
-            one.adequacy = Some(without.min(with));
-        }
-    }
-    let message = format!("adequacy factors, of which the lower one counts: {}", told.join("; "));
-    facts.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
-    Ok((facts, found))
+    let found = vehicle_sweep(bridge, watch)?;
+    Ok((vehicle_facts(bridge, &found), found))
 }
 
 /// The facts of a sweep of vehicles.
@@ -198,7 +175,8 @@ fn swept(one: &Swept) -> SweptFacts {
         title: one.title.clone(),
         status: one.status,
         adequacy: one.adequacy,
-        adequacy_with_fill_pressure: None,
+        adequacy_with_fill_pressure: one.not_counted.with(Help::FillPressure).and_then(|with| with.factor),
+        not_counted: one.not_counted.clone(),
         adequacy_at_most: one.adequacy_at_most,
         positions: one.envelope.len(),
         positions_not_converged: one.positions_not_converged,

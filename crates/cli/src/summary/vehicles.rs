@@ -2,6 +2,7 @@
 
 use crate::page::Page;
 use bridge::Method;
+use outcome::help::Help;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Case, VehicleSweep};
 use std::fmt::Write;
@@ -52,6 +53,11 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
         let _ = writeln!(page, "\n  governing vehicle        {}", v.title);
         if let Some([lower, upper]) = v.bounds {
             let _ = writeln!(page, "  bounds of its factor     {lower:.6} to {upper:.6}");
+        }
+        for with in &v.not_counted.with_help {
+            if let Some(factor) = with.factor {
+                let _ = writeln!(page, "  with {:<18}  {factor:.3}", Help::all_told(&with.helps));
+            }
         }
         if let Some(level) = v.without_dilation {
             let _ = writeln!(page, "  without dilation         {level:.4}");

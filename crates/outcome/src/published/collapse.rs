@@ -1,6 +1,6 @@
 //! `extrados.collapse/1`.
 
-use super::{Object, kilo, list, object, warnings};
+use super::{Object, kilo, list, not_counted, object, warnings};
 use crate::collapse::Collapse;
 use bridge::{Analysis, Method, Strip};
 
@@ -56,6 +56,7 @@ pub fn collapse(c: &Collapse) -> Object {
         last_stable_load_kn: whole(c.last_stable_load, |both| both.last_stable_load),
         collapse_load_kn_per_m: per_metre(c.collapse_load),
         collapse_load_kn: whole(c.collapse_load, |both| both.collapse_load),
+        ..not_counted(&c.not_counted),
         stalled_load_kn_per_m?: per_metre(c.stalled_load),
         load_step_kn_per_m: per_metre(c.load_step),
         load_step_kn: total(c.load_step),

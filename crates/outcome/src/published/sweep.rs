@@ -1,6 +1,6 @@
 //! `extrados.sweep/1`.
 
-use super::{Object, kilo, list, object, warnings};
+use super::{Object, kilo, list, not_counted, object, warnings};
 use crate::sweep::{Sweep, SweepPoint};
 
 /// The result of a sweep over a bridge of the given name and width [m].
@@ -29,6 +29,7 @@ pub fn sweep(bridge: &str, width: f64, sweep: &Sweep) -> Object {
         status: sweep.ended(),
         bridge: bridge,
         governing: sweep.governing.map(|k| position(&sweep.points[k])),
+        ..not_counted(&sweep.not_counted),
         positions_not_converged: sweep.positions_not_converged(),
         step_m: sweep.step,
         positions: list(&sweep.points, position),

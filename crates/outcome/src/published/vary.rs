@@ -13,6 +13,7 @@ pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
         ("last_stable_load_kn_per_m", c.last_stable_load.map(kilo)),
         ("collapse_load_kn_per_m", c.collapse_load.map(kilo)),
         ("headline_kn_per_m", c.carried().map(kilo)),
+        ("headline_with_help_kn_per_m", c.not_counted.with_all().and_then(|with| with.headline).map(kilo)),
         ("limit_load_kn_per_m", c.limit_load.map(kilo)),
         ("lower_bound_kn_per_m", limit.and_then(|l| l.lower_bound).map(kilo)),
         ("upper_bound_kn_per_m", limit.and_then(|l| l.upper_bound).map(kilo)),

@@ -1,6 +1,6 @@
 //! `extrados.vehicle-sweep/1`, and its tables.
 
-use super::{Object, Quoted, collapse, each, from_one, kilo, list, object, row, said, warnings};
+use super::{Object, Quoted, collapse, each, from_one, kilo, list, not_counted, object, row, said, warnings};
 use crate::vehicles::{Case, SectionEnvelope, Swept, VehicleSweep, Weights};
 use rules::Source;
 
@@ -37,6 +37,7 @@ pub fn vehicle_sweep(found: &VehicleSweep) -> Object {
             adequacy_factor: found.headline().map(|headline| headline.0),
             adequacy_factor_at_most?: v.adequacy_at_most,
             method: found.headline().map(|headline| super::collapse::method(headline.1)),
+            ..not_counted(&v.not_counted),
             ..v.case.as_ref().map(case),
         }),
         vehicles: list(&found.vehicles, vehicle),
@@ -67,6 +68,7 @@ fn vehicle(v: &Swept) -> Object {
         status: v.status,
         adequacy_factor: v.adequacy,
         adequacy_factor_at_most?: v.adequacy_at_most,
+        ..not_counted(&v.not_counted),
         rigid_factor?: v.rigid,
         ..v.deformable.as_ref().map(|d| object! {
             deformable_factor: d.adequacy,

@@ -7,7 +7,7 @@ mod model;
 mod slides;
 
 use super::by_dem::{program, require_stiffness};
-use super::{AnalysisError, by_limit, notes, picture};
+use super::{AnalysisError, by_limit, notes, picture, policy};
 use crate::analysis::blank;
 use bridge::{Bridge, JointContact};
 use draw::Shown;
@@ -36,8 +36,13 @@ const CUTS: u32 = 10;
 /// hinges make a ring several times as soft, the fourth makes it a mechanism.
 const SOFT: f64 = 10.0;
 
-/// Raises the loads of the file in steps until the ring finds no balance.
+/// Raises the loads of the file in steps until the ring finds no balance; what may help and may come and go is not counted.
 pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    policy::collapse(bridge, None, watch, &|state, _, watch| as_described(state, watch))
+}
+
+/// The same with all that the file says of the bridge.
+fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
     if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
         return Err(structure::discretise::DiscretiseError::Horizontal { what: "a ring of finite elements" }.into());

@@ -6,7 +6,7 @@
 //! the edge. So the points are put there: the corners of the blocks are rounded by that much more, with the thrusts of limit
 //! analysis at its hinges.
 
-use super::super::collapse_by_dem;
+use super::super::by_dem;
 use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
@@ -40,7 +40,7 @@ pub fn carried(
     b.plan.load_step = Some(reference * factor / STEPS);
     b.plan.load_limit = Some(1.5 * reference * factor);
     found.step = factor * capacity / STEPS;
-    match collapse_by_dem(&b, None, watch) {
+    match by_dem::as_described(&b, None, watch) {
         Ok(c) => {
             found.status = Some(c.status);
             found.adequacy = match c.status {

@@ -33,6 +33,7 @@ mod twins;
 mod weights;
 
 pub use across::ROAD_LANE;
+pub(super) use braking::worst_of;
 pub use driven::Driven;
 pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;
@@ -41,13 +42,13 @@ pub use outcome::vehicles::{Extreme, SectionEnvelope};
 pub(super) use search::{DILATANCY, REFINEMENTS};
 
 use super::pieces::Portion;
-use super::{AnalysisError, stiffened};
+use super::{AnalysisError, by_limit, by_path, policy, stiffened};
 use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::{Bridge, JointContact, Method};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::sweep::Ended;
-use outcome::vehicles::{Swept, VehicleSweep};
+use outcome::vehicles::{Case, Swept, VehicleSweep};
 use outcome::warning::{self, Warning};
 use rules::{Acting, Confidence, Rule, Source};
 use structure::discretise::DiscretiseError;
@@ -56,6 +57,11 @@ use structure::discretise::DiscretiseError;
 /// along the bridge, to the right and to the left. The least factor of each vehicle counts. Where the onlooker wishes to stop, what is done
 /// by then is returned.
 pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
+    policy::moved(bridge, watch, &with_braking)
+}
+
+/// The same on one state of the bridge.
+fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
     let share = bridge.sweep.as_ref().map_or(0.0, |plan| plan.braking);
     if share == 0.0 {
         return moved(bridge, watch);
@@ -75,7 +81,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
             break;
         }
     }
-    Ok(braking::worst(share, across::across_told(bridge), runs))
+    Ok(braking::worst(share, across::across_told(bridge), &runs))
 }
 
 /// Moves vehicles with one share of their loads along the bridge.
@@ -160,13 +166,30 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
 /// The governing case by itself, by the method that gives less.
 fn alone(bridge: &Bridge, case: &Bridge, gives: bool, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     if !gives {
-        return super::collapse_by_limit(case, watch);
+        return by_limit::as_described(case, watch);
     }
     let mut case = case.clone();
     (case.plan.method, case.plan.contact) = (Method::Path, bridge.plan.contact);
     // The file's steps and largest load are of its own loads.
     (case.plan.load_step, case.plan.load_limit) = (None, None);
-    super::collapse_by_path(&case, None, watch)
+    by_path::as_described(&case, None, watch)
+}
+
+/// The adequacy factor of one case of a vehicle on another state of the bridge, by the methods of its plan; none where it finds none.
+pub(super) fn case_by_itself(
+    bridge: &Bridge,
+    vehicle: &str,
+    case: &Case,
+    watch: &mut dyn Watch,
+) -> Result<Option<f64>, AnalysisError> {
+    let Some(plan) = &bridge.sweep else { return Ok(None) };
+    let (rule, vehicles) = chosen(bridge, plan)?;
+    let Some(chosen) = vehicles.iter().find(|one| one.vehicle.code == vehicle) else { return Ok(None) };
+    let own = stiffened::for_paths(bridge);
+    let bridge = own.as_ref().map_or(bridge, |own| &own.0);
+    let one = factored::with_case(&factored::bridge(bridge, &rule, &case.weights), plan, &rule, chosen, case);
+    let run = alone(bridge, &one, bridge.plan.method == Method::Path, watch)?;
+    Ok(run.carried().map(|load| load / run.reference_load * rule.capacity_factor()))
 }
 
 fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {

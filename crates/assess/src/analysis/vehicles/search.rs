@@ -504,6 +504,7 @@ fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
         by_interior_point: 0,
         rigid: None,
         deformable: None,
+        not_counted: Default::default(),
     }
 }
 

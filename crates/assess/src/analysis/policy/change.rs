@@ -1,0 +1,85 @@
+//! How a bridge loses what may help it.
+
+use bridge::{Analysis, Bridge, Joint, Method, Strip};
+use outcome::help::Help;
+
+/// The helps that a bridge's file describes and its plan's method can see, in the order of [`Help::ALL`].
+pub fn helps(bridge: &Bridge) -> Vec<Help> {
+    Help::ALL.iter().copied().filter(|help| has(bridge, *help)).collect()
+}
+
+/// The bridge with only some of its helps.
+pub fn with_only(bridge: &Bridge, all: &[Help], kept: &[Help]) -> Bridge {
+    let mut own = bridge.clone();
+    all.iter().filter(|help| !kept.contains(help)).for_each(|help| lose(&mut own, *help));
+    own
+}
+
+fn has(bridge: &Bridge, help: Help) -> bool {
+    let joints = joints(bridge);
+    match help {
+        Help::Water => bridge.cover.water.is_some() || bridge.continuum.is_some_and(|plan| plan.water_level.is_some()),
+        Help::Movement => {
+            bridge.plan.analysis == Analysis::Load
+                && bridge.plan.support_movement.is_some_and(|movement| movement.before.is_some())
+        }
+        Help::FillPressure => {
+            // Discrete and finite elements take fill as weight or as particles, and so do the least thickness and support movements.
+            bridge.fill_pressure.is_some_and(|fill| fill.applies)
+                && bridge.plan.analysis == Analysis::Load
+                && matches!(bridge.plan.method, Method::Limit | Method::Path)
+        }
+        // A wall stands on the strip below it, and holds fill that is a continuum. Up to a road that is not level it has no level of its own.
+        Help::Parapets => {
+            let top = bridge.spandrel_wall.and_then(|wall| wall.top);
+            (bridge.plan.strip != Strip::Fill || bridge.continuum.is_some())
+                && bridge.cover.road.is_none()
+                && top.is_some_and(|top| top > bridge.cover.depth)
+        }
+        Help::Tension => {
+            joints.iter().any(|joint| joint.tensile_strength > 0.0)
+                || bridge.continuum.is_some() && soil_tension(bridge).iter().any(|tension| *tension > 0.0)
+        }
+        // Rigid joints that turn about an edge have no cohesion there: it counts where they crush.
+        Help::Cohesion => {
+            joints.iter().any(|joint| joint.cohesion > 0.0)
+                && (bridge.plan.method != Method::Limit || bridge.masonry.compressive_strength.is_some())
+        }
+    }
+}
+
+/// Joints that are in the model.
+fn joints(bridge: &Bridge) -> Vec<Joint> {
+    let several = bridge.spans.iter().any(|span| span.rings.len() > 1);
+    let wall = bridge.spandrel_wall.filter(|_| bridge.plan.strip != Strip::Fill).map(|wall| wall.joint);
+    [Some(bridge.joint), several.then_some(bridge.ring_joint), wall].into_iter().flatten().collect()
+}
+
+/// Tensile strengths of layers and backing that are a continuum [Pa].
+fn soil_tension(bridge: &Bridge) -> Vec<f64> {
+    let layers = bridge.cover.layers.iter().filter(|layer| layer.continuum).filter_map(|layer| layer.tensile_strength);
+    layers.chain(bridge.cover.backing.and_then(|backing| backing.tensile_strength)).collect()
+}
+
+fn lose(bridge: &mut Bridge, help: Help) {
+    match help {
+        Help::Water => {
+            bridge.cover.water = None;
+            bridge.continuum.iter_mut().for_each(|plan| plan.water_level = None);
+        }
+        Help::Movement => bridge.plan.support_movement = None,
+        Help::FillPressure => bridge.fill_pressure.iter_mut().for_each(|fill| fill.applies = false),
+        Help::Parapets => bridge.spandrel_wall.iter_mut().for_each(|wall| wall.top = None),
+        Help::Tension => {
+            each_joint(bridge, |joint| joint.tensile_strength = 0.0);
+            bridge.cover.layers.iter_mut().for_each(|layer| layer.tensile_strength = None);
+            bridge.cover.backing.iter_mut().for_each(|backing| backing.tensile_strength = None);
+        }
+        Help::Cohesion => each_joint(bridge, |joint| joint.cohesion = 0.0),
+    }
+}
+
+fn each_joint(bridge: &mut Bridge, change: fn(&mut Joint)) {
+    [&mut bridge.joint, &mut bridge.ring_joint].into_iter().for_each(change);
+    bridge.spandrel_wall.iter_mut().for_each(|wall| change(&mut wall.joint));
+}

@@ -1,0 +1,183 @@
+//! The least of what the states of a bridge come to: a load, a thickness, a support movement.
+
+use super::super::{AnalysisError, notes};
+use super::{Standing, State, hurts, leading, not_counted, states, warned};
+use bridge::Bridge;
+use mechanics::blocks::ModelError;
+use mechanics::watch::{Progress, Watch, Wish};
+use outcome::collapse::{By, Collapse, PathPressure, Permissible, Sought, Status};
+use outcome::help::{Help, WithHelp};
+use structure::blocks::Scene;
+
+/// A method: a model, a kept state of its own, an onlooker.
+type Method<'a, T> = &'a dyn Fn(&T, Option<&[u64]>, &mut dyn Watch) -> Result<Collapse, AnalysisError>;
+
+/// What a bridge comes to by a method, with what helps it left out.
+pub fn collapse(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+    method: Method<'_, Bridge>,
+) -> Result<Collapse, AnalysisError> {
+    let states = states(bridge);
+    let Some(found) = each(&states, resume, watch, method)? else { return method(bridge, resume, watch) };
+    let mut led = found.led;
+    if let Some(all) = &found.all {
+        pressed(bridge, &states, all, &mut led);
+    }
+    Ok(led)
+}
+
+/// The same for blocks of a file or a drawing.
+pub fn of_blocks(
+    scene: &Scene,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+    method: Method<'_, Scene>,
+) -> Result<Collapse, AnalysisError> {
+    let states = super::scene::states(scene);
+    Ok(match each(&states, resume, watch, method)? {
+        Some(found) => found.led,
+        None => method(scene, resume, watch)?,
+    })
+}
+
+/// The result that leads, and what every state came to; none where the onlooker wished to stop.
+struct Found {
+    led: Collapse,
+    all: Option<Vec<Collapse>>,
+}
+
+/// Analyses every state; none where there is one alone. A kept state starts with the number of the one that was at work; on resuming, those before
+/// it are made again, to the same bits.
+fn each<T>(
+    states: &[State<T>],
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+    method: Method<'_, T>,
+) -> Result<Option<Found>, AnalysisError> {
+    let count = states.len();
+    if count == 1 {
+        return Ok(None);
+    }
+    let kept = match resume.map(<[u64]>::split_first) {
+        None => None,
+        Some(Some((&number, words))) if (number as usize) < count => Some((number as usize, words)),
+        Some(_) => return Err(ModelError::ForeignState.into()),
+    };
+    let mut all = Vec::with_capacity(count);
+    for (number, state) in states.iter().enumerate() {
+        let words = kept.and_then(|(at, words)| (at == number).then_some(words));
+        let what = match &state.helps[..] {
+            [] => "without what may come and go".to_owned(),
+            helps => format!("with {}", Help::all_told(helps)),
+        };
+        let found = method(&state.bridge, words, &mut Part { watch, number, count, what })?;
+        if found.status == Status::Cancelled {
+            return Ok(Some(Found { led: found, all: None }));
+        }
+        all.push(found);
+    }
+    let standings: Vec<Standing> =
+        states.iter().zip(&all).map(|(state, found)| standing(&state.helps, found)).collect();
+    let lead = leading(&standings);
+    let mut led = all[lead].clone();
+    led.not_counted = not_counted(&standings, lead);
+    permissible(&all, &mut led);
+    let own = size(&standings[lead].numbers);
+    led.warnings.extend(warned(&led.not_counted, &own, &size));
+    led.assumptions.extend(hurts(&standings, lead, &size));
+    Ok(Some(Found { led, all: Some(all) }))
+}
+
+/// What a state comes to. What is not known is least; what nothing makes fall is most.
+fn standing(helps: &[Help], found: &Collapse) -> Standing {
+    let carried = found.carried();
+    let mut numbers = WithHelp { helps: helps.to_vec(), status: found.status, ..WithHelp::default() };
+    let known = match found.sought {
+        Sought::Load => {
+            (numbers.last_stable_load, numbers.headline) = (found.last_stable_load, carried);
+            numbers.factor = found.load_factor();
+            carried
+        }
+        Sought::Thickness(report) => {
+            numbers.thickness_factor = report.map(|report| report.factor[1]);
+            numbers.thickness_factor.map(|factor| -factor)
+        }
+        Sought::SupportMovement(report) => {
+            numbers.movement = report.last_stable;
+            report.last_stable
+        }
+    };
+    let stands = match found.sought {
+        Sought::Thickness(_) => found.status == Status::StableToLastLoad,
+        Sought::Load | Sought::SupportMovement(_) => found.status == Status::Locks,
+    };
+    let size = known.unwrap_or(if stands { f64::INFINITY } else { f64::NEG_INFINITY });
+    Standing { helps: helps.to_vec(), size, numbers }
+}
+
+/// The number of a state with its unit.
+fn size(of: &WithHelp) -> String {
+    match (of.headline, of.thickness_factor, of.movement) {
+        (Some(load), ..) => format!("{:.2} kN/m", load / 1e3),
+        (_, Some(factor), _) => format!("{factor:.4} of the given thickness"),
+        (.., Some(movement)) => format!("{:.1} mm", 1e3 * movement),
+        _ => format!("no load that was found ({})", of.status.word().replace('-', " ")),
+    }
+}
+
+/// A state that should not be met in service is met at the least load of any.
+fn permissible(all: &[Collapse], led: &mut Collapse) {
+    let mut least: Vec<Permissible> = Vec::new();
+    for one in all.iter().filter_map(Collapse::along).flat_map(|path| &path.permissible) {
+        match least.iter_mut().find(|known| known.criterion == one.criterion) {
+            Some(known) => known.load = known.load.min(one.load),
+            None => least.push(*one),
+        }
+    }
+    if let By::Path(path) = &mut led.by {
+        path.permissible = least;
+    }
+}
+
+/// With fill that presses, the load by weight alone and that with pressure stand beside one another in every result.
+fn pressed(bridge: &Bridge, states: &[State<Bridge>], all: &[Collapse], led: &mut Collapse) {
+    let presses = |state: &State<Bridge>| state.helps.contains(&Help::FillPressure);
+    let Some((_, with)) = states.iter().zip(all).rfind(|(state, _)| presses(state)) else { return };
+    let size = |found: &Collapse| found.carried().unwrap_or(f64::NEG_INFINITY);
+    let bare = states.iter().zip(all).filter(|(state, _)| !presses(state)).map(|(_, found)| found);
+    let Some(bare) = bare.min_by(|a, b| size(a).total_cmp(&size(b))) else { return };
+    match (&mut led.by, &with.by) {
+        (By::Limit(own), By::Limit(with)) => {
+            own.without_fill_pressure_load = bare.collapse_load;
+            own.full_fill_pressure_load = with.full_fill_pressure_load;
+        }
+        (By::Path(own), By::Path(with)) => {
+            let mobilised = with.fill_pressure.map_or(0.0, |fill| fill.mobilised);
+            own.fill_pressure = Some(PathPressure { without: bare.last_stable_load, mobilised });
+        }
+        _ => {}
+    }
+    led.warnings.extend(notes::pressure_range(bridge, bare, with));
+}
+
+/// An onlooker of one state.
+struct Part<'a> {
+    watch: &'a mut dyn Watch,
+    number: usize,
+    count: usize,
+    what: String,
+}
+
+impl Watch for Part<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let fraction = progress.fraction.map(|share| (share + self.number as f64) / self.count as f64);
+        let stage = format!("{}: {}", self.what, progress.stage);
+        self.watch.look(&Progress { stage, fraction, ..progress.clone() })
+    }
+    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+        let number = self.number as u64;
+        self.watch.keep(&|| [vec![number], words()].concat());
+    }
+}
