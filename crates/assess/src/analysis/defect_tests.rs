@@ -30,7 +30,7 @@ fn two_rings() -> Bridge {
 }
 
 fn load(b: &Bridge) -> f64 {
-    let found = collapse(b, None, &mut Unwatched).unwrap();
+    let found = as_described(b, None, &mut Unwatched).unwrap();
     match found.status {
         Status::Collapsed => found.carried().unwrap(),
         Status::UnstableUnderSelfWeight => 0.0,

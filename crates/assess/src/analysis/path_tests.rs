@@ -201,11 +201,22 @@ fn fill_resists_as_far_as_the_ring_moves_against_it() {
         }),
         ..weight.clone()
     };
-    let load = |b: &Bridge| by_path(b.clone(), None).last_stable_load.unwrap();
+    let load = |b: &Bridge| {
+        let own = Bridge { plan: bridge::Plan { method: Method::Path, ..b.plan.clone() }, ..b.clone() };
+        as_described(&own, None, &mut Unwatched).unwrap().last_stable_load.unwrap()
+    };
     let found = by_path(pressed(0.02), None);
-    let [carried, rigid] = [found.last_stable_load, found.limit_load].map(Option::unwrap);
+    let with = found.not_counted.with(outcome::help::Help::FillPressure).unwrap();
+    let carried = with.last_stable_load.unwrap();
+    let rigid = as_described(
+        &Bridge { plan: bridge::Plan { method: Method::Limit, ..pressed(0.02).plan }, ..pressed(0.02) },
+        None,
+        &mut Unwatched,
+    );
+    let rigid = rigid.unwrap().collapse_load.unwrap();
     let fill = found.along().unwrap().fill_pressure.unwrap();
-    assert_eq!(fill.without, Some(load(&weight)));
+    assert_eq!((fill.without, found.last_stable_load), (Some(load(&weight)), Some(load(&weight))));
+    assert!((carried / load(&pressed(0.02)) - 1.0).abs() < 1e-12);
     assert!(fill.without.unwrap() < carried && carried < 0.8 * rigid, "{fill:?} {carried} {rigid}");
     assert!((0.05..0.6).contains(&fill.mobilised), "{}", fill.mobilised);
     assert!(found.warnings.iter().any(|w| w.code == outcome::warning::PRESSURE_RANGE));

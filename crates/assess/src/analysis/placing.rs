@@ -5,7 +5,7 @@
 
 use super::vehicles::Driven;
 use super::{AnalysisError, by_limit, places, policy};
-use bridge::{Bridge, Method};
+use bridge::Bridge;
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Experience, Friction, Ground, Level, Outcome, Starts};
 use outcome::collapse::{FlowRule, Status};
@@ -268,12 +268,10 @@ impl Carried {
     }
 }
 
-/// The states of the bridge of which the least counts, and what its file describes of help that may come and go. Loads are moved by limit
-/// analysis, whatever the plan's method; strength that may be lost only adds, so that no state counts it.
+/// The states of the bridge of which the least counts, and what its file describes of help that may come and go. Strength that may be lost only
+/// adds, so that no state counts it.
 fn states(bridge: &Bridge) -> (Vec<Bridge>, Vec<Help>) {
-    let mut own = bridge.clone();
-    own.plan.method = Method::Limit;
-    let states = policy::states(&own);
+    let states = policy::states_of_moving(bridge);
     let helps = states.last().map_or_else(Vec::new, |described| described.helps.clone());
     let weak = states.into_iter().filter(|state| !state.counts_strength());
     (weak.map(|state| state.bridge).collect(), helps)

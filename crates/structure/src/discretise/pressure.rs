@@ -286,7 +286,7 @@ mod tests {
     fn load(b: &Bridge) -> f64 {
         let mut b = b.clone();
         b.plan.method = bridge::Method::Limit;
-        assess::analysis::collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
+        assess::analysis::as_described(&b, None, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
     }
 
     #[test]

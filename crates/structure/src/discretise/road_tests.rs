@@ -31,7 +31,7 @@ fn filled() -> Bridge {
 fn load(b: &Bridge) -> f64 {
     let mut b = b.clone();
     b.plan.method = Method::Limit;
-    assess::analysis::collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
+    assess::analysis::as_described(&b, None, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
 }
 
 fn mirrored(b: &Bridge) -> Bridge {

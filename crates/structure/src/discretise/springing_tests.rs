@@ -74,7 +74,7 @@ fn mirrored(b: &Bridge) -> Bridge {
 fn load(b: &Bridge) -> f64 {
     let mut b = b.clone();
     b.plan.method = Method::Limit;
-    assess::analysis::collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
+    assess::analysis::as_described(&b, None, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
 }
 
 fn profiles() -> Vec<(Profile, f64)> {

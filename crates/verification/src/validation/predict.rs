@@ -109,7 +109,8 @@ fn analysed(test: &Test, priors: &Priors, job: &Job, watch: &mut dyn Watch) -> R
         (Predictor::Continuum, at) if at != (Level::Expected, None) => {
             analysis::by_bounds::with_strength_of_the_file(&bridge, watch)
         }
-        _ => analysis::collapse(&bridge, None, watch),
+        // With the help that the method counts on: the prediction is the method's.
+        _ => analysis::as_described(&bridge, None, watch),
     };
     let found = found.map_err(|error| error.to_string())?;
     Ok((found, toml::to_string(&document).map_err(|error| error.to_string())?))

@@ -42,7 +42,7 @@ pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse
 }
 
 /// The same with all that the file says of the bridge.
-fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
     if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
         return Err(structure::discretise::DiscretiseError::Horizontal { what: "a ring of finite elements" }.into());

@@ -15,7 +15,7 @@ pub(super) use least::{collapse, of_blocks};
 pub(super) use sweep::swept;
 pub(super) use vehicles::moved;
 
-use bridge::Bridge;
+use bridge::{Analysis, Bridge, Method};
 use outcome::help::{Help, NotCounted, WithHelp};
 use outcome::warning::{self, Warning};
 
@@ -42,6 +42,20 @@ impl<T> State<T> {
 pub(super) fn states(bridge: &Bridge) -> Vec<State<Bridge>> {
     let all = change::helps(bridge);
     sets(&all).into_iter().map(|helps| State { bridge: change::with_only(bridge, &all, &helps), helps }).collect()
+}
+
+/// The same for loads that are moved over the bridge, which limit analysis does where the plan's method does not.
+pub(super) fn states_of_moving(bridge: &Bridge) -> Vec<State<Bridge>> {
+    let mut moving = bridge.clone();
+    moving.plan.analysis = Analysis::Load;
+    if matches!(moving.plan.method, Method::Dem | Method::Fe) {
+        moving.plan.method = Method::Limit;
+    }
+    let mut states = states(&moving);
+    states.iter_mut().for_each(|state| {
+        (state.bridge.plan.analysis, state.bridge.plan.method) = (bridge.plan.analysis, bridge.plan.method);
+    });
+    states
 }
 
 /// The bridge without anything that may come and go: what leads unless a help hurts.

@@ -6,7 +6,7 @@
 use super::super::AnalysisError;
 use super::super::pieces::Portion;
 use super::super::sweep::Places;
-use super::{Standing, State, hurts, leading, not_counted, states, warned};
+use super::{Standing, State, hurts, leading, not_counted, states_of_moving, warned};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
@@ -27,7 +27,7 @@ pub fn swept(
     watch: &mut dyn Watch,
     method: Method<'_>,
 ) -> Result<Sweep, AnalysisError> {
-    let states = states(bridge);
+    let states = states_of_moving(bridge);
     if states.len() == 1 {
         return method(bridge, places, watch);
     }
@@ -48,48 +48,49 @@ pub fn swept(
     for run in runs.iter().filter(|run| !std::ptr::eq(*run, &runs[base])) {
         run.points.iter().for_each(|point| take(point, &mut found.points));
     }
-    found.points.sort_by(|a, b| a.position.total_cmp(&b.position));
-    found.governing = governing(&found.points);
-    let Some(place) = found.worst().map(|worst| worst.position) else { return Ok(found) };
-    beside(&states, whole[base], place, &mut found, watch, method)?;
-    Ok(found)
-}
-
-/// What every state comes to at the governing position.
-fn beside(
-    states: &[State<Bridge>],
-    lead: &State<Bridge>,
-    place: f64,
-    found: &mut Sweep,
-    watch: &mut dyn Watch,
-    method: Method<'_>,
-) -> Result<(), AnalysisError> {
+    let Some(place) = governing(&found.points).map(|k| found.points[k].position) else {
+        found.governing = None;
+        return Ok(found);
+    };
     let mut standings = Vec::with_capacity(states.len());
-    for state in states {
-        let point = match state.helps == lead.helps {
-            true => found.worst().cloned(),
-            false => method(&state.bridge, Places::At(place), &mut Portion::new(watch, [1.0, 1.0]))?
+    for state in &states {
+        let run = whole.iter().position(|other| other.helps == state.helps).map(|k| &runs[k]);
+        let own = run.and_then(|run| run.points.iter().find(|point| (point.position - place).abs() <= SAME_PLACE));
+        let point = match own {
+            Some(own) => Some(own.clone()),
+            None => method(&state.bridge, Places::At(place), &mut Portion::new(watch, [1.0, 1.0]))?
                 .points
                 .into_iter()
                 .next(),
         };
-        standings.extend(point.map(|point| standing(&state.helps, &point)));
+        let Some(point) = point else { continue };
+        if run.is_some() {
+            take(&point, &mut found.points);
+        }
+        standings.push(standing(&state.helps, &point));
     }
-    let own = standings.iter().position(|one| one.helps == lead.helps).unwrap_or_else(|| leading(&standings));
-    found.not_counted = not_counted(&standings, own);
-    let numbers = &standings[own].numbers;
-    found.warnings.extend(warned(&found.not_counted, &told(numbers), &told));
-    found.assumptions.extend(hurts(&standings, own, &told));
+    found.points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    found.governing = governing(&found.points);
+    tell(&standings, &mut found);
+    Ok(found)
+}
+
+/// What is not counted at the governing position.
+fn tell(standings: &[Standing], found: &mut Sweep) {
+    let lead = leading(standings);
+    let Some(own) = standings.get(lead) else { return };
+    found.not_counted = not_counted(standings, lead);
+    found.warnings.extend(warned(&found.not_counted, &told(&own.numbers), &told));
+    found.assumptions.extend(hurts(standings, lead, &told));
     if let Some(with) = found.not_counted.with(Help::FillPressure) {
         let factor = |of: &WithHelp| of.factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
         let message = format!(
             "factor on the loads of the file: {} by weight alone, {} with fill pressure; the lower one counts",
-            factor(numbers),
+            factor(&own.numbers),
             factor(with)
         );
         found.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
     }
-    Ok(())
 }
 
 /// The number of a state with its unit.

@@ -5,7 +5,7 @@
 use super::super::AnalysisError;
 use super::super::pieces::Portion;
 use super::super::vehicles::{case_by_itself, worst_of};
-use super::{Standing, State, hurts, leading, not_counted, states, warned};
+use super::{Standing, State, hurts, leading, not_counted, states_of_moving, warned};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
@@ -19,7 +19,7 @@ type Method<'a> = &'a dyn Fn(&Bridge, &mut dyn Watch) -> Result<VehicleSweep, An
 
 /// Moves vehicles over a bridge with what helps it left out.
 pub fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) -> Result<VehicleSweep, AnalysisError> {
-    let states = states(bridge);
+    let states = states_of_moving(bridge);
     if states.len() == 1 {
         return method(bridge, watch);
     }
