@@ -6,7 +6,7 @@ use super::AnalysisError;
 use super::cases::{borders, drives, reach};
 use super::factored::{self, Footprint, footprint};
 use super::least::{Answer, least};
-use super::sections::{Extremes, watched};
+use super::sections::{Extremes, Watched, watched};
 use super::seeds::seeds;
 use super::standing::{Key, Scene};
 use super::twins::twins;
@@ -31,7 +31,7 @@ const LOOSE: f64 = 2.0;
 /// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
 const NEAR: f64 = 2.0;
 /// Cases in which joints slide that are answered again without dilation, for each vehicle; and as many in which none does.
-const SLIDING: usize = 3;
+pub const SLIDING: usize = 3;
 /// Positions, the lowest, at which nothing slides that are held against the end of the iteration without dilation at the worst one.
 const STILL: usize = 24;
 /// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
@@ -81,6 +81,23 @@ struct Open {
     key: Key,
     /// The least factor of the others at its position.
     least: Option<f64>,
+}
+
+impl Part {
+    /// Nothing of a drive yet.
+    fn of(drive: usize, watched: &[Watched]) -> Part {
+        let extremes = Extremes::new(watched);
+        Part {
+            drive,
+            envelope: Vec::new(),
+            governing: Vec::new(),
+            sliding: Vec::new(),
+            open: Vec::new(),
+            extremes,
+            cases: 0,
+            slow: 0,
+        }
+    }
 }
 
 /// Share of the work that all positions are; the rest seeks the worst ones.
@@ -186,16 +203,7 @@ impl Scene<'_> {
     fn part(&self, drive: usize, positions: &[f64], pace: &Pace) -> Part {
         let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
         sweepers.iter_mut().for_each(|sweeper| sweeper.take(self.seeds));
-        let mut part = Part {
-            drive,
-            envelope: Vec::with_capacity(positions.len()),
-            governing: Vec::new(),
-            sliding: Vec::new(),
-            open: Vec::new(),
-            extremes: Extremes::new(self.watched),
-            cases: 0,
-            slow: 0,
-        };
+        let mut part = Part::of(drive, self.watched);
         let (mut looseness, mut slow) = (LOOSE, !self.grounds[0].is_fast());
         for &position in positions {
             let before = part.slow;
@@ -203,6 +211,9 @@ impl Scene<'_> {
             match self.position(&mut sweepers, &mut part, position, bounds, pace) {
                 Some(found) => looseness = found,
                 None => break,
+            }
+            if self.twins[self.drives[drive].vehicle].is_none() {
+                pace.step();
             }
             slow = part.slow > before;
         }
@@ -267,9 +278,6 @@ impl Scene<'_> {
             weights: least.map(|l| self.weights[l.key.weights]),
             ..self.point(&least.map_or(empty, |l| l.key))
         });
-        if self.twins[self.drives[part.drive].vehicle].is_none() {
-            pace.step();
-        }
         let near = least.map_or(0.0, |least| NEAR * least.factor);
         let times = bounded.iter().filter(|[_, factor]| *factor <= near).map(|[bound, factor]| bound / factor);
         Some(times.fold(1.0, f64::max))
@@ -335,7 +343,10 @@ impl Scene<'_> {
             return swept;
         };
         let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
-        let (worst, unanswered) = self.refined(&mut sweepers, worst, step, pace);
+        let (worst, mut unanswered) = self.refined(&mut sweepers, worst, step, pace);
+        let again = self.answered_again(&mut sweepers, &worst, pace);
+        let worst = least(&[vec![worst], again.governing].concat()).unwrap_or(worst);
+        unanswered.extend(again.open);
         open.extend(&unanswered);
         swept.envelope.extend(unanswered.into_iter().map(|key| EnvelopePoint {
             adequacy: None,
@@ -352,7 +363,8 @@ impl Scene<'_> {
             all.truncate(most);
             all
         };
-        let (sliding, still) = (sorted(sliding, SLIDING), sorted(governing, STILL));
+        let (mut sliding, still) = (sorted(sliding, SLIDING), sorted(governing, STILL));
+        sliding.extend(again.sliding.into_iter().filter(near));
         let mut governing = (worst.factor, worst.key);
         // The refined position comes first: it may slide too. Where nothing slides, what is carried there without dilation tells of others.
         let (mut ends, mut iterated): (Vec<Option<Level>>, usize) = (vec![None; self.grounds.len()], 0);
@@ -434,6 +446,15 @@ impl Scene<'_> {
     /// A case's place in the envelope, without its factor.
     fn point(&self, key: &Key) -> EnvelopePoint {
         EnvelopePoint::at(&self.placed(key))
+    }
+
+    /// The worst position between the positions with every case: beside the positions another one may govern.
+    fn answered_again(&self, sweepers: &mut [Sweeper], worst: &Answer, pace: &Pace) -> Part {
+        let mut part = Part::of(worst.key.drive, self.watched);
+        let bounds = (self.screen && !self.grounds[0].is_fast()).then_some(LOOSE);
+        // A place that is broken off is not told: the vehicle is not finished then.
+        let _ = self.position(sweepers, &mut part, worst.key.position, bounds, pace);
+        part
     }
 
     /// The worst position between the positions, with the same axles and weights, and those that were not answered.
