@@ -29,9 +29,7 @@ pub enum Dimension {
     Time,
     /// Frequency [Hz].
     Frequency,
-    /// Weight per unit volume [N/m^3]; known only so that it can be told from a mass density.
-    UnitWeight,
-    /// Mass [kg]; known only so that it can be told from a force.
+    /// Mass [kg].
     Mass,
 }
 
@@ -48,6 +46,10 @@ pub struct Unit {
 
 /// Standard acceleration of gravity [m/s^2]; 3rd General Conference on Weights and Measures, 1901.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Gravity by which a weight per volume stands for a density, and a mass for its weight [m/s^2]: that of a bridge file that states none, so
+/// that "22 kN/m^3" weighs 22 kN/m^3 there.
+pub const USUAL_GRAVITY: f64 = 9.81;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// The yard and pound agreement of 1959, exact.
@@ -69,7 +71,8 @@ const fn unit(symbol: &'static str, dimension: Dimension, size: f64) -> Unit {
     Unit { symbol, dimension, size }
 }
 
-/// Every unit that is understood; the first of a dimension is the one suggested. `tonf` is the British ton of 2240 lbf.
+/// Every unit that is understood; the first of a dimension is the one suggested. `tonf` is the British ton of 2240 lbf. Masses stand for their
+/// weights, and weights per volume for densities, by [`USUAL_GRAVITY`].
 pub const UNITS: &[Unit] = &[
     unit("m", Dimension::Length, 1.0),
     unit("mm", Dimension::Length, 1e-3),
@@ -86,6 +89,10 @@ pub const UNITS: &[Unit] = &[
     unit("g/cm^3", Dimension::Density, 1e3),
     unit("lb/ft^3", Dimension::Density, POUND / (FOOT * FOOT * FOOT)),
     unit("pcf", Dimension::Density, POUND / (FOOT * FOOT * FOOT)),
+    unit("kN/m^3", Dimension::Density, 1e3 / USUAL_GRAVITY),
+    unit("N/m^3", Dimension::Density, 1.0 / USUAL_GRAVITY),
+    unit("MN/m^3", Dimension::Density, 1e6 / USUAL_GRAVITY),
+    unit("lbf/ft^3", Dimension::Density, POUND_FORCE / USUAL_GRAVITY / (FOOT * FOOT * FOOT)),
     unit("MPa", Dimension::Stress, 1e6),
     unit("Pa", Dimension::Stress, 1.0),
     unit("kPa", Dimension::Stress, 1e3),
@@ -102,6 +109,8 @@ pub const UNITS: &[Unit] = &[
     unit("ksf", Dimension::Stress, 1e3 * POUND_FORCE / (FOOT * FOOT)),
     unit("lbf/ft^2", Dimension::Stress, POUND_FORCE / (FOOT * FOOT)),
     unit("tonf/ft^2", Dimension::Stress, 2240.0 * POUND_FORCE / (FOOT * FOOT)),
+    unit("t/m^2", Dimension::Stress, 1e3 * USUAL_GRAVITY),
+    unit("kg/m^2", Dimension::Stress, USUAL_GRAVITY),
     unit("tonf/in^2", Dimension::Stress, 2240.0 * POUND_FORCE / (INCH * INCH)),
     unit("GPa/m", Dimension::JointStiffness, 1e9),
     unit("Pa/m", Dimension::JointStiffness, 1.0),
@@ -124,6 +133,8 @@ pub const UNITS: &[Unit] = &[
     unit("N/mm", Dimension::LineLoad, 1e3),
     unit("lbf/ft", Dimension::LineLoad, POUND_FORCE / FOOT),
     unit("kip/ft", Dimension::LineLoad, 1e3 * POUND_FORCE / FOOT),
+    unit("t/m", Dimension::LineLoad, 1e3 * USUAL_GRAVITY),
+    unit("kg/m", Dimension::LineLoad, USUAL_GRAVITY),
     unit("tonf/ft", Dimension::LineLoad, 2240.0 * POUND_FORCE / FOOT),
     unit("m/s^2", Dimension::Acceleration, 1.0),
     unit("rad/m", Dimension::AngleRate, 1.0),
@@ -137,13 +148,24 @@ pub const UNITS: &[Unit] = &[
     unit("s", Dimension::Time, 1.0),
     unit("ms", Dimension::Time, 1e-3),
     unit("Hz", Dimension::Frequency, 1.0),
-    unit("kN/m^3", Dimension::UnitWeight, 1e3),
-    unit("N/m^3", Dimension::UnitWeight, 1.0),
-    unit("lbf/ft^3", Dimension::UnitWeight, POUND_FORCE / (FOOT * FOOT * FOOT)),
     unit("kg", Dimension::Mass, 1.0),
     unit("t", Dimension::Mass, 1e3),
     unit("tonne", Dimension::Mass, 1e3),
     unit("lb", Dimension::Mass, POUND),
+];
+
+/// What a mass is where a force is asked for, its weight, and a force where a mass is.
+const WEIGHTS: &[Unit] = &[
+    unit("kg", Dimension::Force, USUAL_GRAVITY),
+    unit("t", Dimension::Force, 1e3 * USUAL_GRAVITY),
+    unit("tonne", Dimension::Force, 1e3 * USUAL_GRAVITY),
+    unit("lb", Dimension::Force, POUND_FORCE),
+    unit("kN", Dimension::Mass, 1e3 / USUAL_GRAVITY),
+    unit("N", Dimension::Mass, 1.0 / USUAL_GRAVITY),
+    unit("MN", Dimension::Mass, 1e6 / USUAL_GRAVITY),
+    unit("lbf", Dimension::Mass, POUND),
+    unit("kip", Dimension::Mass, 1e3 * POUND),
+    unit("tonf", Dimension::Mass, 2240.0 * POUND),
 ];
 
 impl Dimension {
@@ -152,7 +174,7 @@ impl Dimension {
         match self {
             Dimension::Length => "a length",
             Dimension::Angle => "an angle",
-            Dimension::Density => "a mass density",
+            Dimension::Density => "a density",
             Dimension::Stress => "a pressure",
             Dimension::JointStiffness => "a stiffness per area",
             Dimension::Force => "a force",
@@ -163,7 +185,6 @@ impl Dimension {
             Dimension::Speed => "a speed",
             Dimension::Time => "a time",
             Dimension::Frequency => "a frequency",
-            Dimension::UnitWeight => "a weight per volume",
             Dimension::Mass => "a mass",
         }
     }
@@ -171,6 +192,11 @@ impl Dimension {
     /// Units of this dimension, the usual one first.
     pub fn units(self) -> impl Iterator<Item = &'static Unit> {
         UNITS.iter().filter(move |unit| unit.dimension == self)
+    }
+
+    /// Units in which a value of this dimension may be given: its own, and those of masses that weigh it or forces that it weighs.
+    pub fn accepted(self) -> impl Iterator<Item = &'static Unit> {
+        self.units().chain(WEIGHTS.iter().filter(move |unit| unit.dimension == self))
     }
 
     /// Largest size [SI] that can belong to a bridge; anything beyond is a slip of the pen.
@@ -189,7 +215,6 @@ impl Dimension {
             Dimension::Speed => 200.0,
             Dimension::Time => 1e4,
             Dimension::Frequency => 1e6,
-            Dimension::UnitWeight => 1e6,
             Dimension::Mass => 1e10,
         }
     }
@@ -210,6 +235,15 @@ impl Quantity {
         let unit =
             if self.unit.imperial() { self.unit.dimension.units().next().unwrap_or(self.unit) } else { self.unit };
         Quantity { number: self.si() / unit.size, unit }
+    }
+
+    /// The same as one of these dimensions: as it is, or a mass by its weight and a force by the mass that weighs it.
+    pub fn of(self, wanted: &[Dimension]) -> Option<Quantity> {
+        if wanted.contains(&self.unit.dimension) {
+            return Some(self);
+        }
+        let unit = WEIGHTS.iter().find(|unit| unit.symbol == self.unit.symbol && wanted.contains(&unit.dimension))?;
+        Some(Quantity { unit, ..self })
     }
 
     /// Value in SI.
@@ -331,6 +365,11 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("″", "in"),
     ("kips", "kip"),
     ("lbs", "lb"),
+    ("te", "t"),
+    ("tonnes", "tonne"),
+    ("te/m^3", "t/m^3"),
+    ("te/m3", "t/m^3"),
+    ("te/m", "t/m"),
     ("kips/ft", "kip/ft"),
     ("klf", "kip/ft"),
     ("plf", "lbf/ft"),
@@ -423,6 +462,12 @@ mod tests {
             ("19 ft", Dimension::Length, 5.7912),
             ("19 ft 8 1/2 in", Dimension::Length, 6.0071),
             ("13 1/2 in", Dimension::Length, 0.3429),
+            ("22 kN/m3", Dimension::Density, 22e3 / 9.81),
+            ("22 kN/m³", Dimension::Density, 22e3 / 9.81),
+            ("22 kN/m^3", Dimension::Density, 22e3 / 9.81),
+            ("140 lbf/ft^3", Dimension::Density, 140.0 * 4.448_221_615_260_5 / 9.81 / 0.028_316_846_592),
+            ("8 t/m", Dimension::LineLoad, 8e3 * 9.81),
+            ("1.5 t/m2", Dimension::Stress, 1.5e3 * 9.81),
             ("40 mph", Dimension::Speed, 17.8816),
         ];
         for (text, dimension, value) in cases {
@@ -431,6 +476,21 @@ mod tests {
             // A few roundings of products.
             assert!((quantity.si() - value).abs() <= 4.0 * value.abs() * f64::EPSILON, "{text}: {}", quantity.si());
         }
+    }
+
+    #[test]
+    fn masses_weigh_and_forces_are_weighed() {
+        let of = |text: &str, dimension| parse(text).unwrap().of(&[dimension]).map(|found| found.si());
+        let close = |a: Option<f64>, b: f64| (a.unwrap() / b - 1.0).abs() < 1e-12;
+        for text in ["11.5 t", "11.5 te", "11.5 tonnes", "11500 kg"] {
+            assert!(
+                close(of(text, Dimension::Force), 11.5e3 * 9.81) && close(of(text, Dimension::Mass), 11.5e3),
+                "{text}"
+            );
+        }
+        assert!(close(of("2000 lb", Dimension::Force), 2e3 * 4.448_221_615_260_5));
+        assert!(close(of("98.1 kN", Dimension::Mass), 10e3) && close(of("98.1 kN", Dimension::Force), 98.1e3));
+        assert_eq!([of("1 t", Dimension::Length), of("1 kN", Dimension::Stress)], [None, None]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::explain::cards;
 use crate::fields::{Field, Kind, Need, Section, blocks, sections, sections_of};
-use crate::quantity::Dimension;
+use crate::quantity::{self, Dimension};
 use crate::tree::title;
 
 /// The reference as Markdown.
@@ -82,6 +82,12 @@ fn units(out: &mut String) {
             ),
         );
     }
+    let _ = writeln!(
+        out,
+        "\nA weight per volume such as `22 kN/m^3` is the density that has this weight, and a mass such as `11.5 t` where a force is asked for is its weight, both with \
+         gravity at {} m/s²; the file keeps the unit that was written.",
+        quantity::USUAL_GRAVITY
+    );
     out.push_str("\nExponents may be written `m^3`, `m3` or `m³`. Capitals matter: `MPa`, not `mpa`.\n\n");
 }
 

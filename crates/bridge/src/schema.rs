@@ -136,7 +136,7 @@ fn words(words: &[Word]) -> Value {
 fn quantity(dimensions: &[Dimension]) -> Value {
     let units: Vec<String> = dimensions
         .iter()
-        .flat_map(|dimension| dimension.units())
+        .flat_map(|dimension| dimension.accepted())
         .flat_map(|unit| spellings(unit.symbol))
         .map(|symbol| symbol.replace('^', r"\^"))
         .collect();

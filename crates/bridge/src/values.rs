@@ -309,10 +309,10 @@ pub(crate) fn measure(
     let unit = example_unit(field, wanted[0]);
     match raw.get_ref() {
         DeValue::String(text) => match quantity::parse(text) {
-            Ok(quantity) if wanted.contains(&quantity.unit.dimension) => {
-                check_size(field, quantity, range, findings).then_some((quantity, range))
-            }
-            Ok(quantity) => wrong_dimension(field, quantity, wanted, unit, range, findings),
+            Ok(quantity) => match quantity.of(wanted) {
+                Some(quantity) => check_size(field, quantity, range, findings).then_some((quantity, range)),
+                None => wrong_dimension(field, quantity, wanted, unit, range, findings),
+            },
             Err(reason) => unreadable(field, text, reason, unit, range, findings),
         },
         DeValue::Integer(_) | DeValue::Float(_) => {
@@ -359,16 +359,10 @@ fn wrong_dimension<T>(
     findings: &mut Findings,
 ) -> Option<T> {
     let names = wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");
-    let help = match (found.unit.dimension, wanted[0]) {
-        (Dimension::UnitWeight, Dimension::Density) => {
-            format!("divide by gravity: write \"{:.0} kg/m^3\"", found.si() / quantity::STANDARD_GRAVITY)
-        }
-        (Dimension::Mass, Dimension::Force | Dimension::LineLoad) => {
-            format!("multiply by gravity: write \"{:.2} kN\"", found.si() * quantity::STANDARD_GRAVITY / 1e3)
-        }
-        // Feet and pounds of something else: the number means nothing in metric units.
-        _ if found.unit.imperial() => format!("write {} in {unit}", wanted[0].name()),
-        _ => format!("write \"{} {unit}\", if {unit} is meant", found.number),
+    // Feet and pounds of something else: the number means nothing in metric units.
+    let help = match found.unit.imperial() {
+        true => format!("write {} in {unit}", wanted[0].name()),
+        false => format!("write \"{} {unit}\", if {unit} is meant", found.number),
     };
     findings.error("B104", range, format!("expected {names}, found {}", found.unit.dimension.name()), field.doc, help);
     None

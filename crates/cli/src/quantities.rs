@@ -80,11 +80,10 @@ fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result
     let help = format!("write {option} \"{example}\"");
     let names = || wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");
     match quantity::parse(text) {
-        Ok(quantity) if wanted.contains(&quantity.unit.dimension) => Ok(quantity),
-        Ok(quantity) => {
+        Ok(quantity) => quantity.of(wanted).ok_or_else(|| {
             let found = quantity.unit.dimension.name();
-            Err(Failure::input("F107", format!("{option} \"{text}\": expected {}, found {found}", names()), help))
-        }
+            Failure::input("F107", format!("{option} \"{text}\": expected {}, found {found}", names()), help)
+        }),
         Err(_) => Err(Failure::input("F107", format!("{option} \"{text}\" is not {}", names()), help)),
     }
 }

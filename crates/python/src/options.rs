@@ -57,7 +57,7 @@ impl<'py> Options<'py> {
     fn quantity(&self, name: &str, of: &[Dimension], example: &str) -> PyResult<Option<quantity::Quantity>> {
         let Some(value) = self.take(name)? else { return Ok(None) };
         let read = value.extract::<String>().ok().and_then(|text| quantity::parse(&text).ok());
-        let fits = read.filter(|read| of.contains(&read.unit.dimension) && read.si() > 0.0 && read.si().is_finite());
+        let fits = read.and_then(|read| read.of(of)).filter(|read| read.si() > 0.0 && read.si().is_finite());
         fits.map(Some).ok_or_else(|| {
             let names: Vec<&str> = of.iter().map(|dimension| dimension.name()).collect();
             self.wrong(name, &value, &format!("write {} above zero with its unit: \"{example}\"", names.join(" or ")))

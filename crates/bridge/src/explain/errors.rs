@@ -125,8 +125,8 @@ crown_thickness = "0.60 m""#,
     FileCard {
         code: "B104",
         title: "wrong dimension",
-        meaning: "The unit has another dimension: a pressure where a length is expected, a weight per volume where a \
-                  density is expected.",
+        meaning: "The unit has another dimension: a pressure where a length is expected. A weight per volume (kN/m^3) is read \
+                  as a density, and a mass (t) where a force is asked for as its weight, with gravity at 9.81 m/s^2.",
         why: "The number is then almost certainly wrong.",
         wrong: r#"rise = "2.85 GPa""#,
         right: r#"rise = "2.85 m""#,

@@ -8,6 +8,7 @@ use crate::quantity::Dimension::{Force, Length, Stress};
 use crate::resolve::Layout;
 use crate::tree::{At, Table, shorten, wrong_type};
 use crate::values::decimal;
+use findings::words::counted;
 use toml::de::DeValue;
 
 choice! {
@@ -245,7 +246,7 @@ fn kind(table: &Table<'_>, shape: Option<Shape>, width: Widths, findings: &mut F
                 findings.error(
                     "B302",
                     spacings.range,
-                    format!("{} axles have {} spacings", forces.len(), spacings.value.len()),
+                    format!("{} and {}", counted(forces.len(), "axle"), counted(spacings.value.len(), "spacing")),
                     "one spacing between every two adjacent axles",
                     format!("give as many spacings as axles, less one: {}", forces.len().saturating_sub(1)),
                 );

@@ -7,6 +7,7 @@ use crate::quantity::Dimension::{BendingStiffness, Force, Length, Mass, Stress};
 use crate::train::{AxleLoads, LIBRARY, MOST_AXLES, Train, Vehicle, built_in, read_toml};
 use crate::tree::{At, Table};
 use crate::values::read;
+use findings::words::counted;
 
 pub(crate) static VEHICLE: Section = Section {
     path: "train.vehicle",
@@ -228,7 +229,7 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
             findings.error(
                 "B652",
                 given.range,
-                format!("{other} loads for {axles} axles"),
+                format!("{} for {}", counted(other, "load"), counted(axles, "axle")),
                 "one for each axle, or one for all",
                 format!("give {axles} loads or one; there is one spacing between every two adjacent axles"),
             );

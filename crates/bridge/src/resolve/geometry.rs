@@ -5,6 +5,7 @@ use crate::model::{Cover, Joint, Masonry, Pier, Span};
 use crate::ring::{Intrados, Station};
 use crate::road::Road;
 use crate::tree::Table;
+use findings::words::counted;
 
 use crate::fields::structure::PlacedSpan;
 
@@ -199,7 +200,7 @@ fn check_piers(
         findings.error(
             "B209",
             range,
-            format!("{} need {}, found {}", count(spans.len(), "span"), count(needed, "pier"), piers.len()),
+            format!("{} need {}, found {}", counted(spans.len(), "span"), counted(needed, "pier"), piers.len()),
             "one pier between every two adjacent spans",
             help,
         );
@@ -253,10 +254,6 @@ fn is_convex(pier: &Pier, left: [f64; 2], right: [f64; 2]) -> bool {
     let across = [left[0] - pier.width - right[0], left[1] - pier.step - right[1]];
     let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
     cross(right, across) > 0.0 && cross(across, [-left[0], -left[1]]) > 0.0
-}
-
-fn count(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 /// Backing ends below the road.

@@ -119,7 +119,7 @@ impl<'a> Answers<'a> {
         let help = format!("write {key} with its unit, such as {}", question.example);
         let wanted =
             quantity::parse(question.example).map(|example| example.unit.dimension).unwrap_or(Dimension::Length);
-        match quantity::parse(&text) {
+        match quantity::parse(&text).map(|found| found.of(&[wanted]).unwrap_or(found)) {
             Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
                 // Feet and inches are written with marks that end a text in the file.
                 let marked = text.contains(['"', '\\']);

@@ -4,7 +4,7 @@ use toml_edit::Value;
 
 use crate::fields::loading::read_share;
 use crate::fields::{Field, Kind};
-use crate::quantity::{self, Unit};
+use crate::quantity::{self, Dimension, Unit};
 use crate::values::read_slope;
 
 /// What a number is counted in.
@@ -28,7 +28,13 @@ pub(super) fn measure(field: &Field, literal: &str) -> Option<(f64, Scale)> {
     let text = value.as_str();
     match field.kind {
         Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::LineLoad | Kind::Quantities(_) => {
-            let quantity = quantity::parse(text?).ok()?;
+            let written = quantity::parse(text?).ok()?;
+            // A mass where a force is asked for is its weight.
+            let quantity = match field.kind {
+                Kind::Quantity(of) | Kind::QuantityOr(of, _) | Kind::Quantities(of) => written.of(&[of]),
+                _ => written.of(&[Dimension::LineLoad, Dimension::Force]),
+            };
+            let quantity = quantity.unwrap_or(written);
             Some((quantity.number, Scale::Unit(quantity.unit)))
         }
         Kind::Number | Kind::NumberOr(_) => {

@@ -40,7 +40,7 @@ fn ten_mistakes_are_reported_at_once() {
         ("profile = \"segmental\"", "profile = \"segment\"", "B013"),
         ("thickness = \"0.711 m\"", "thicknes = \"0.711 m\"", "B010"),
         ("voussoirs = 62", "voussoirs = 1000000000", "B108"),
-        ("density = \"2100 kg/m^3\"", "density = \"21 kN/m^3\"", "B104"),
+        ("density = \"2100 kg/m^3\"", "density = \"21 kN/m^2\"", "B104"),
         ("poisson_ratio = 0.2", "poisson_ratio = 2.0", "B107"),
         ("friction_angle = \"35.6 deg\"\n", "", "B011"),
         ("rounding = \"10 mm\"", "rounding = \"10\"", "B102"),
@@ -61,9 +61,15 @@ fn ten_mistakes_are_reported_at_once() {
 }
 
 #[test]
-fn a_weight_is_turned_into_a_density() {
-    let shown = show_all(&TINY.replace("density = \"2200 kg/m^3\"", "density = \"21.6 kN/m^3\""));
-    assert!(shown.contains("divide by gravity: write \"2203 kg/m^3\""), "{shown}");
+fn a_weight_is_a_density_and_a_mass_a_force() {
+    let weighed = read(TINY.replace("density = \"2200 kg/m^3\"", "density = \"21.582 kN/m^3\"").as_bytes());
+    let plain = read(TINY.as_bytes());
+    assert_eq!(weighed.diagnostics, plain.diagnostics);
+    let (weighed, plain) = (weighed.bridge.unwrap(), plain.bridge.unwrap());
+    assert!((weighed.masonry.density - 2200.0).abs() < 1e-9 && plain.masonry.density == 2200.0);
+    // 22 t/m^3 of a file whose writer meant a weight.
+    let shown = show_all(&TINY.replace("density = \"2200 kg/m^3\"", "density = \"22 t/m^3\""));
+    assert!(shown.contains("did you mean \"22 kN/m^3\"?"), "{shown}");
 }
 
 #[test]
