@@ -23,6 +23,7 @@ use ::outcome::help::Help;
 use ::outcome::picture::{Hinge, HingeAt};
 use ::outcome::sweep::Sweep;
 use bridge::{Analysis, Method};
+use findings::words::counted;
 use std::fmt::Write;
 
 /// More hinges than this are a table, not a line.
@@ -54,7 +55,7 @@ pub fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
 /// The governing position of a sweep, and a few of the others.
 pub fn sweep(sweep: &Sweep, out: &str) -> Page {
     let methods = if sweep.is_deformable() { "limit analysis and on joints that give" } else { "limit analysis" };
-    let mut page = format!("{} positions of the loads by {methods}\n\n", sweep.points.len());
+    let mut page = format!("{} of the loads by {methods}\n\n", counted(sweep.points.len(), "position"));
     if !sweep.whole {
         page += "  interrupted: these are the positions that were answered by then\n";
     }
@@ -103,9 +104,9 @@ pub fn sweep(sweep: &Sweep, out: &str) -> Page {
 /// Moduli of the fill, the stiffness that was found, and its check.
 pub fn calibration(found: &CalibrationReport, out: &str) -> String {
     let mut page = format!(
-        "{}: {} squares of {:.2} m out of {}, {} particles\n\n",
+        "{}: {} of {:.2} m out of {}, {} particles\n\n",
         found.bridge,
-        found.squares,
+        counted(found.squares, "square"),
         found.plan.sample_size,
         found.packings(),
         found.particles
@@ -175,7 +176,7 @@ fn title(found: &Collapse) -> String {
         Method::Path => "the path of equilibrium",
         Method::Fe => "finite elements",
     };
-    format!("{} by {method}, {} blocks", found.status.word().replace('-', " "), found.blocks)
+    format!("{} by {method}, {}", found.status.word().replace('-', " "), counted(found.blocks, "block"))
 }
 
 fn loads(page: &mut String, found: &Collapse, details: bool) {

@@ -59,7 +59,7 @@ impl Searching for Seeking<'_> {
         let left = progress.to_come.map_or(String::new(), |left| format!(", at most {left} to come"));
         let whole = progress.to_come.map(|left| (progress.done + left).max(1) as f64);
         let told = Progress {
-            stage: format!("{}: {} evaluations{left}", progress.stage, progress.done),
+            stage: format!("{}: {}{left}", progress.stage, outcome::counted(progress.done, "evaluation")),
             fraction: whole.map(|whole| progress.done as f64 / whole),
             steps: 0,
         };

@@ -27,6 +27,7 @@ mod words;
 
 /// Parameters from channels: the plain data of searches and posteriors, which updates hold.
 pub use calibrate;
+pub use findings::words::{counted, verb};
 /// Records: findings and what was done, which updates hold.
 pub use records;
 /// Load models and rules: the plain data that sweeps of vehicles hold.

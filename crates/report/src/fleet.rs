@@ -2,6 +2,7 @@
 
 use crate::numbers::percent;
 use askama::Template;
+use outcome::counted;
 
 /// A bridge of a fleet.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,9 +109,9 @@ pub fn fleet_html(folder: &str, rows: &[FleetRow], made: &str) -> String {
     let count = |status: &str| rows.iter().filter(|row| row.status == status).count();
     let (met, broken, open) = (count("adequate"), count("inadequate"), count("undetermined"));
     let words = format!(
-        "{} bridges: {broken} not adequate, {open} undetermined, {met} adequate, {} files that could not be assessed.",
-        rows.len(),
-        rows.len() - met - broken - open
+        "{}: {broken} not adequate, {open} undetermined, {met} adequate, {} that could not be assessed.",
+        counted(rows.len(), "bridge"),
+        counted(rows.len() - met - broken - open, "file")
     );
     let row = |row| {
         let row: &FleetRow = row;

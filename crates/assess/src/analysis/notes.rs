@@ -20,6 +20,11 @@ const USUAL_GAP: f64 = 0.15;
 /// Both bounds of limit analysis must agree to this.
 const BOUNDS: f64 = 1e-6;
 
+/// "1 joint slides", "3 joints slide".
+pub(super) fn sliding(joints: usize) -> String {
+    format!("{} {}", findings::words::counted(joints, "joint"), findings::words::verb(joints, "slides", "slide"))
+}
+
 /// Notes on a limit analysis.
 pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
@@ -31,7 +36,10 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     match (report.friction, report.associated_load) {
         (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
             warning::ASSOCIATED_SLIDING,
-            format!("{} joints slide in the mechanism and friction is associated: the load is an upper bound", c.sliding_joints.len()),
+            format!(
+                "{} in the mechanism and friction is associated: the load is an upper bound",
+                sliding(c.sliding_joints.len())
+            ),
         )),
         (FlowRule::NonAssociated, _) if report.jammed => warnings.push(joints::jammed()),
         (FlowRule::NonAssociated, bound) if c.status == Status::NotConverged => {
@@ -39,9 +47,9 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             warnings.push(Warning::new(
                 warning::ASSOCIATED_SLIDING,
                 format!(
-                    "{} joints slide in the mechanism, and the iteration for friction without dilation did not \
+                    "{} in the mechanism, and the iteration for friction without dilation did not \
                      converge: the associated load{bound} is only an upper bound",
-                    c.sliding_joints.len()
+                    sliding(c.sliding_joints.len())
                 ),
             ));
         }

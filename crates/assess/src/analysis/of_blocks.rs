@@ -157,8 +157,8 @@ fn limit(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collap
     c.warnings.extend(outcome.jammed.then(super::notes::joints::jammed));
     if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.sliding_joints.is_empty() {
         let message = format!(
-            "{} joints slide in the mechanism and friction is associated: the load is an upper bound",
-            c.sliding_joints.len()
+            "{} in the mechanism and friction is associated: the load is an upper bound",
+            super::notes::sliding(c.sliding_joints.len())
         );
         c.warnings.push(Warning::new(warning::ASSOCIATED_SLIDING, message));
     }

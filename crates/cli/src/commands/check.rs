@@ -9,6 +9,7 @@ use crate::results;
 use crate::status::Status;
 use assess::analysis::{self, AnalysisError, calibrate, passage};
 use bridge::{Bridge, Strip};
+use findings::words::counted;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use structure::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
@@ -135,7 +136,7 @@ fn span(span: &bridge::Span) -> Value {
 }
 
 fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshError>>, out: &str) -> String {
-    let mut page = format!("{}, {:.2} m wide, {blocks} blocks\n\n", bridge.name, bridge.width);
+    let mut page = format!("{}, {:.2} m wide, {}\n\n", bridge.name, bridge.width, counted(blocks, "block"));
     let _ = writeln!(page, "  span  profile        span [m]  rise [m]  span/rise  ring at crown [m]  voussoirs");
     for (index, one) in bridge.spans.iter().enumerate() {
         let thickness: f64 = one.rings.iter().map(|ring| ring.crown_thickness).sum();
@@ -196,13 +197,13 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
         let weight: f64 = axles.iter().map(|axle| axle.force).sum();
         let _ = writeln!(
             page,
-            "  train: {}, {} axles over {:.1} m, {:.0} kN, at {:.1} km/h; {} sensors",
+            "  train: {}, {} over {:.1} m, {:.0} kN, at {:.1} km/h; {}",
             passage.train.name,
-            axles.len(),
+            counted(axles.len(), "axle"),
             passage.train.wheelbase(),
             weight / 1e3,
             3.6 * passage.plan.speed,
-            if passage.sensors.is_empty() { 6 } else { passage.sensors.len() }
+            counted(if passage.sensors.is_empty() { 6 } else { passage.sensors.len() }, "sensor")
         );
     }
     match meshed {

@@ -12,6 +12,7 @@ use crate::status::Status;
 use crate::watcher::Watcher;
 use bridge::blocks::Role;
 use extrados::{Blocks, CollapseOptions, Disk, collapse_of_blocks};
+use findings::words::counted;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -110,7 +111,12 @@ fn layers(scene: &Scene) -> Vec<Value> {
 }
 
 fn summary(scene: &Scene, out: &str) -> String {
-    let mut page = format!("{}, {} blocks, {} particles\n\n", scene.name, scene.bodies.len(), scene.particles.len());
+    let mut page = format!(
+        "{}, {}, {}\n\n",
+        scene.name,
+        counted(scene.bodies.len(), "block"),
+        counted(scene.particles.len(), "particle")
+    );
     let _ = writeln!(page, "  {:<20}  {:<20}  {:<9}  {:>6}", "layer", "material", "role", "count");
     for ((layer, material, role), count) in counts(scene) {
         let _ = writeln!(page, "  {layer:<20}  {material:<20}  {role:<9}  {count:>6}");

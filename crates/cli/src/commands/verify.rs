@@ -9,6 +9,7 @@ use crate::report::Report;
 use crate::status::Status;
 use crate::watcher;
 use extrados::files::head;
+use findings::words::counted;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -165,7 +166,7 @@ fn tables_in_words(tables: &[TableRow]) -> String {
     let published = compared.iter().filter(|row| row.published).count();
     let mut page = format!(
         "load models against tables: {agree} of {} agree, {numbers} numbers; {published} were published, the others worked out by hand\n",
-        compared.len()
+        counted(compared.len(), "table")
     );
     for row in compared {
         let word = if row.agrees() { "agrees" } else { "differs" };

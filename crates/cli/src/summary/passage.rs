@@ -1,5 +1,6 @@
 //! The answer of a passage in an engineer's words.
 
+use findings::words::counted;
 use outcome::passage::{Passage, PassageStatus};
 use std::fmt::Write;
 
@@ -33,14 +34,17 @@ pub fn passage(found: &Passage, out: &str) -> String {
         );
     }
     page += "  (self-weight taken off; a peak is the value of largest size)\n\n";
-    let _ = write!(page, "  {} positions, {} degrees of freedom", found.times.len(), found.degrees_of_freedom);
+    let _ =
+        write!(page, "  {}, {} degrees of freedom", counted(found.times.len(), "position"), found.degrees_of_freedom);
     if let Some(condensed) = found.condensed_degrees_of_freedom {
         let _ = write!(page, " ({condensed} iterate)");
     }
     let _ = writeln!(
         page,
-        ", {} iterations\n  at most {} joints open and {} points yielding",
-        found.iterations_total, found.open_joints, found.plastic_points
+        ", {}\n  at most {} open and {} yielding",
+        counted(found.iterations_total, "iteration"),
+        counted(found.open_joints, "joint"),
+        counted(found.plastic_points, "point")
     );
     page += "\nSigns:\n";
     for channel in &found.channels {

@@ -1,6 +1,7 @@
 //! The verdict on records in an engineer's words.
 
 use super::update::list;
+use findings::words::counted;
 use outcome::update::Update;
 use std::fmt::Write;
 
@@ -11,7 +12,8 @@ pub fn records(found: &Update, out: &str) -> String {
     for run in &used.runs {
         let speed = run.speed.map_or("speed not stated".to_owned(), |speed| format!("{:.1} km/h", 3.6 * speed));
         let synthetic = if run.synthetic.is_some() { ", SYNTHETIC: computed and not measured" } else { "" };
-        let _ = writeln!(page, "  run {} ({}): {speed}, {} channels used{synthetic}", run.name, run.file, run.channels);
+        let channels = counted(run.channels, "channel");
+        let _ = writeln!(page, "  run {} ({}): {speed}, {channels} used{synthetic}", run.name, run.file);
     }
     if let Some(verdict) = &used.verdict {
         peaks(&mut page, &verdict.peaks);

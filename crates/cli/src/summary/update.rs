@@ -1,5 +1,6 @@
 //! The answer of model updating in an engineer's words.
 
+use findings::words::counted;
 use outcome::update::{UncertaintyFrom, Update, UpdateStatus};
 use std::fmt::Write;
 
@@ -28,8 +29,12 @@ pub fn update(found: &Update, out: &str) -> String {
 fn parameters(page: &mut String, found: &Update) {
     let Some(best) = found.found() else { return };
     let start = found.basis.as_ref().map_or(f64::NAN, |basis| basis.start.norm);
-    let _ =
-        writeln!(page, "  norm {:.4}, from {start:.4} at the start; {} evaluations\n", best.norm, found.evaluations);
+    let _ = writeln!(
+        page,
+        "  norm {:.4}, from {start:.4} at the start; {}\n",
+        best.norm,
+        counted(found.evaluations, "evaluation")
+    );
     let _ = writeln!(page, "  {:<24} {:>11} {:>11}   {:<19}", "parameter", "start", "found", "range");
     for (k, (parameter, value)) in found.problem.parameters().iter().zip(&best.parameters).enumerate() {
         let mut remark = match (value.at_bound, value.converged) {

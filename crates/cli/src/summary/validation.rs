@@ -1,11 +1,13 @@
 //! Predictions over tests, in words.
 
 use ::outcome::validation::{Bias, Prediction, Tested, Validation};
+use findings::words::counted;
 use std::fmt::Write;
 
 /// The table of all predictions, what each method comes to, and which tests it predicts too high.
 pub fn validation(found: &Validation, out: &str) -> String {
-    let mut page = format!("{} bridges loaded to collapse; loads in kN on the whole width\n\n", found.tests.len());
+    let mut page =
+        format!("{} loaded to collapse; loads in kN on the whole width\n\n", counted(found.tests.len(), "bridge"));
     let name = found.tests.iter().map(|test| test.name.len()).chain([6]).max().unwrap_or(6);
     let _ = writeln!(
         page,

@@ -1,5 +1,6 @@
 //! The answer of a study in an engineer's words.
 
+use findings::words::counted;
 use outcome::study::{Design, Sensitivity, Study, Trend, sensitivity};
 use std::fmt::Write;
 
@@ -12,7 +13,8 @@ pub fn vary(study: &Study, out: &str) -> String {
     let mut page = format!("{}: {name} by {}, {}\n\n", study.bridge, study.method_in_words(), design(study));
     let own = study.baseline().map(|row| (row, study.number(row)));
     if let Some((row, number)) = own {
-        let shown = number.map_or("none".to_owned(), |number| format!("{} {unit}", figures::four_digits(number)));
+        let shown =
+            number.map_or("none".to_owned(), |number| format!("{}{}", figures::four_digits(number), behind(unit)));
         let _ = writeln!(page, "  {name} as the file has it: {shown} ({})", row.outcome.status);
     }
     match study.design {
@@ -23,7 +25,7 @@ pub fn vary(study: &Study, out: &str) -> String {
     let own = study.baseline().and_then(|row| study.number(row));
     if study.resolution > 1e-6 * own.unwrap_or(0.0).abs() {
         let sharp = figures::four_digits(study.resolution);
-        let _ = writeln!(page, "\n  changes up to {sharp} {unit} are steps of the search");
+        let _ = writeln!(page, "\n  changes up to {sharp}{} are steps of the search", behind(unit));
     }
     let _ = writeln!(page, "\nThe table and finished runs are in {out}");
     page
@@ -31,15 +33,14 @@ pub fn vary(study: &Study, out: &str) -> String {
 
 fn design(study: &Study) -> String {
     let (runs, cached) = (study.rows.len(), study.rows.iter().filter(|row| row.cached).count());
-    let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let quantities = study.quantities.len();
     let how = match study.design {
         Design::OneAtATime if quantities == 1 => "one quantity".to_owned(),
         Design::OneAtATime => format!("{quantities} quantities one at a time"),
-        Design::Grid => format!("a grid of {}", number(quantities, "quantity").replace("quantitys", "quantities")),
+        Design::Grid => format!("a grid of {}", counted(quantities, "quantity")),
     };
     let kept = if cached > 0 { format!(", {cached} of them computed earlier") } else { String::new() };
-    format!("{how}, {}{kept}", number(runs, "run"))
+    format!("{how}, {}{kept}", counted(runs, "run"))
 }
 
 /// The quantities, the one that moves the answer most first.
@@ -71,8 +72,9 @@ fn sensitivities(page: &mut String, study: &Study, unit: &str) {
             ]
         })
         .collect();
-    let heads = ["quantity", &format!("smallest [{unit}]"), &format!("largest [{unit}]"), "change", "elasticity"];
-    let heads = heads.map(str::to_owned);
+    // A result such as a factor has no unit.
+    let of_unit = |word: &str| if unit.is_empty() { word.to_owned() } else { format!("{word} [{unit}]") };
+    let heads = ["quantity".into(), of_unit("smallest"), of_unit("largest"), "change".into(), "elasticity".into()];
     let width = |at: usize| cells.iter().chain([&heads]).map(|row| row[at].chars().count()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2), width(3)];
     page.push('\n');
@@ -93,6 +95,11 @@ fn words(one: &Sensitivity) -> String {
     format!("{elasticity}, {}", one.trend.word().replace('-', " "))
 }
 
+/// A unit behind a number; a factor has none.
+fn behind(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+}
+
 /// Where a grid is lowest and highest.
 fn grid(page: &mut String, study: &Study, unit: &str) {
     let answered = || study.rows.iter().skip(1).filter_map(|row| Some((row, study.number(row)?)));
@@ -104,7 +111,8 @@ fn grid(page: &mut String, study: &Study, unit: &str) {
     let (low, high) = (first(-1.0), first(1.0));
     for (word, end) in [("smallest", low), ("largest", high)] {
         let Some((row, number)) = end else { continue };
-        let _ = writeln!(page, "  {word:<9} {} {unit} at {}", figures::four_digits(number), values(study, row));
+        let _ =
+            writeln!(page, "  {word:<9} {}{} at {}", figures::four_digits(number), behind(unit), values(study, row));
     }
 }
 
@@ -128,7 +136,7 @@ fn others(page: &mut String, study: &Study) {
     if differ.is_empty() {
         return;
     }
-    let _ = writeln!(page, "\n  {} of {} runs ended otherwise than {own}:", differ.len(), study.rows.len());
+    let _ = writeln!(page, "\n  {} of {} ended otherwise than {own}:", differ.len(), counted(study.rows.len(), "run"));
     for row in differ.iter().take(MOST_SHOWN) {
         let why = row.outcome.message.as_ref().map_or(String::new(), |message| format!(" ({message})"));
         let _ = writeln!(page, "    {} at {}{why}", row.outcome.status, values(study, row));

@@ -3,13 +3,15 @@
 use crate::page::Page;
 use bridge::Method;
 use outcome::help::Help;
+use findings::words::counted;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Case, VehicleSweep};
 use std::fmt::Write;
 
 /// Every vehicle with its adequacy factor, worst first, and the governing case.
 pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
-    let mut page = format!("{}: {} vehicles by rule \"{}\"\n\n", found.bridge, found.vehicles.len(), found.rule.code);
+    let mut page =
+        format!("{}: {} by rule \"{}\"\n\n", found.bridge, counted(found.vehicles.len(), "vehicle"), found.rule.code);
     let mut order: Vec<usize> = (0..found.vehicles.len()).collect();
     let size = |k: &usize| found.vehicles[*k].factor().unwrap_or(f64::INFINITY);
     order.sort_by(|a, b| size(a).total_cmp(&size(b)));

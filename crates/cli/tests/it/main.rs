@@ -45,6 +45,7 @@ mod varying;
 mod vehicle_files;
 mod verdict;
 mod walls;
+mod words;
 mod workbench;
 mod workbook;
 mod wrong_files;

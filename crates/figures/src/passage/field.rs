@@ -93,7 +93,11 @@ fn drawn(
     let yielding = moment.yielding.iter().filter(|yields| **yields).count();
     let mut caption = format!("Displacements are drawn {} as large.", words::times(times));
     if yielding > 0 {
-        caption += &format!(" {yielding} of {} elements yield.", mesh.quads.len());
+        caption += &format!(
+            " Of {} elements {yielding} {}.",
+            mesh.quads.len(),
+            if yielding == 1 { "yields" } else { "yield" }
+        );
     }
     let y = sheet.caption(y + 2.0, &caption);
     Some(sheet.finish(y))

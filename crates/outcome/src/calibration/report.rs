@@ -73,7 +73,11 @@ impl CalibrationReport {
             return None;
         };
         if found.left_out > 0 {
-            let message = format!("{} samples do not count in the strength", found.left_out);
+            let message = format!(
+                "{} {} not count in the strength",
+                findings::words::counted(found.left_out, "sample"),
+                findings::words::verb(found.left_out, "does", "do")
+            );
             self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
         }
         if !reached || !wanted.met_by(&found) {

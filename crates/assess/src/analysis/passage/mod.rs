@@ -116,7 +116,9 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let locking_elements = kept(&solution.log).map(|step| step.locking_elements).max().unwrap_or(0);
     if locking_elements > 0 {
         let message = format!(
-            "up to {locking_elements} elements of the fill flow as a whole: plain elements then carry more than the fill does, on a coarse mesh by a tenth"
+            "up to {} of the fill {} as a whole: plain elements then carry more than the fill does, on a coarse mesh by a tenth",
+            findings::words::counted(locking_elements, "element"),
+            findings::words::verb(locking_elements, "flows", "flow")
         );
         warnings.push(Warning::new(warning::LOCKING_FILL, message));
     }

@@ -51,7 +51,10 @@ pub(super) fn instead(
 fn notes(found: &mut Sweep) {
     let open = found.positions_not_converged();
     if open > 0 {
-        let message = format!("no bounds were found at {open} positions; what is carried there is not known");
+        let message = format!(
+            "no bounds were found at {}; what is carried there is not known",
+            findings::words::counted(open, "position")
+        );
         found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
     }
     found.assumptions.push(

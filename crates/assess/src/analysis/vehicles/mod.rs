@@ -245,8 +245,9 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     if slides > 0 {
         found.assumptions.push(format!(
-            "For {slides} vehicles joints slide in cases up to twice the least factor: the three worst of these were answered again \
-             without dilation, and the least factor counts."
+            "For {} joints slide in cases up to twice the least factor: the three worst of these were answered again \
+             without dilation, and the least factor counts.",
+            findings::words::counted(slides, "vehicle")
         ));
     }
     found.warnings.extend(told::broken_off(&found.vehicles));

@@ -18,6 +18,7 @@ use bridge::Severity;
 use extrados::Means;
 use extrados::shard::Shard;
 use findings::visible::{is_hidden, one_line};
+use findings::words::counted;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -84,8 +85,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         .with("adequate", met)
         .with("unusable", unusable.iter().map(listed).collect::<Vec<Value>>());
     report.summary = format!(
-        "{} bridges: {broken} not adequate, {open} undetermined, {met} adequate, {} that could not be assessed\n\n",
-        rows.len(),
+        "{}: {broken} not adequate, {open} undetermined, {met} adequate, {} that could not be assessed\n\n",
+        counted(rows.len(), "bridge"),
         unusable.len()
     );
     for row in unusable.iter().take(MOST_LISTED) {
