@@ -42,7 +42,7 @@ pub fn passage(found: &Passage, out: &str) -> String {
     let _ = writeln!(
         page,
         ", {}\n  at most {} open and {} yielding",
-        counted(found.iterations_total, "iteration"),
+        counted(found.iterations_total as usize, "iteration"),
         counted(found.open_joints, "joint"),
         counted(found.plastic_points, "point")
     );
