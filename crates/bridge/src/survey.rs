@@ -4,6 +4,7 @@
 mod answers;
 mod page;
 
+use crate::Severity;
 use answers::{Answer, Answers};
 use page::Sheet;
 
@@ -60,11 +61,23 @@ pub const PIER: [Question; 2] = [
 const MOST_SPANS: usize = 20;
 
 /// The bridge file of these answers, each as `"6.00 m"` or a bare number in the unit of its question; `rule` and `vehicles` are codes of the
-/// library, several vehicles with commas between them. What is possible is for the reader of bridge files to say; here a number must be one.
+/// library, several vehicles with commas between them.
 ///
 /// # Errors
-/// Every answer that is missing or no number.
+/// Every answer that is missing, no number, or not possible.
 pub fn file(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> Result<String, Vec<Unusable>> {
+    let (text, mut found) = checked(name, answers);
+    found.retain(|one| one.severity == Severity::Error);
+    text.filter(|_| found.is_empty()).ok_or(found)
+}
+
+/// Everything that is wrong with answers or doubtful: what is missing, no number, or not what a bridge can have.
+pub fn findings(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> Vec<Unusable> {
+    checked(name, answers).1
+}
+
+/// The file, where every answer is one, and what the reader of bridge files finds in the lines of the answers.
+fn checked(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> (Option<String>, Vec<Unusable>) {
     let mut answers = Answers::new(answers);
     let [span, rise, thickness, width, cover, unit, backing, density, strength, axle] =
         QUESTIONS.each_ref().map(|question| answers.of(question));
@@ -77,14 +90,55 @@ pub fn file(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> Result<Stri
         (1..count).map(|k| std::array::from_fn(|n| answers.of_each(&PIER[n], &pier[n], k))).collect();
     let judged = answers.judged();
     let sheet = Sheet { spans, piers, width, cover, unit, backing, density, strength, axle, judged };
-    answers.done()?;
-    Ok(page::written(name, &sheet))
+    let mut found = answers.wrong();
+    if !found.is_empty() {
+        return (None, found);
+    }
+    // The only answer that the file has not as it is: stones are counted with it.
+    let shortest = sheet.spans.iter().map(|[span, rise, _]| page::arc(span.si, rise.si)).fold(f64::INFINITY, f64::min);
+    if !(sheet.unit.si > 0.0 && sheet.unit.si <= 0.5 * shortest) {
+        let help = format!("it must be more than 0 m, and at most half the ring: {:.2} m", 0.5 * shortest);
+        found.push(out_of_range(&sheet.unit, help));
+    }
+    let (text, lines) = page::written(name, &sheet);
+    found.extend(read_in(&text, &lines));
+    (Some(text), found)
+}
+
+/// What is said of an answer that is not possible.
+fn out_of_range(answer: &Answer, help: String) -> Unusable {
+    let message = format!("{}: \"{}\" is out of its possible range", answer.key, answer.text);
+    Unusable { key: answer.key.clone(), severity: Severity::Error, message, help }
+}
+
+/// What the reader of bridge files finds in the lines of the answers, the errors before the doubts: one of each answer.
+fn read_in(text: &str, lines: &page::Lines) -> Vec<Unusable> {
+    let mut diagnostics = crate::read(text.as_bytes()).diagnostics;
+    diagnostics.sort_by_key(|one| one.severity != Severity::Error);
+    let mut found: Vec<Unusable> = Vec::new();
+    for one in &diagnostics {
+        let at = text.as_bytes()[..one.range.start.min(text.len())].iter().filter(|byte| **byte == b'\n').count();
+        let Some((_, answer)) = lines.iter().find(|(line, _)| *line == at) else { continue };
+        if found.iter().any(|known| known.key == answer.key) {
+            continue;
+        }
+        let help = one.help.clone().unwrap_or_default();
+        found.push(match one.code {
+            "B107" => out_of_range(answer, help),
+            _ => Unusable {
+                key: answer.key.clone(),
+                severity: one.severity,
+                message: format!("{}: {}", answer.key, [&one.message[..], &one.label].join("; ")),
+                help,
+            },
+        });
+    }
+    found
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Severity;
 
     fn of(answers: &[(&str, &str)]) -> Result<String, Vec<Unusable>> {
         let of = |key: &str| answers.iter().find(|(name, _)| *name == key).map(|(_, text)| (*text).to_owned());
@@ -115,6 +169,36 @@ mod tests {
         let hostile =
             file("\"]\n[x]\\", &|key| feet.iter().find(|one| one.0 == key).map(|one| one.1.to_owned())).unwrap();
         assert!(crate::read(hostile.as_bytes()).bridge.is_some(), "{hostile}");
+    }
+
+    /// Every answer, of one span and of several, with every kind of number that no bridge has.
+    #[test]
+    fn a_value_out_of_range_is_a_finding_at_its_answer() {
+        let of_all = |more: &[(&str, &str)], key: &str| {
+            let piers = [("spans", "2"), ("pier_width", "1.5 m"), ("pier_height", "4 m")];
+            let usual = QUESTIONS.iter().map(|one| (one.key, one.example)).chain(piers);
+            more.iter().copied().chain(usual).find(|one| one.0 == key).map(|one| one.1.to_owned())
+        };
+        assert!(findings("x", &|asked| of_all(&[], asked)).is_empty());
+        let keys: Vec<&str> =
+            QUESTIONS.iter().chain(&PIER).map(|one| one.key).chain(["span_2", "rise_2", "thickness_2"]).collect();
+        for key in keys {
+            for wrong in ["-1", "-0.001", "1e9", "1e300"] {
+                let found = findings("x", &|asked| of_all(&[(key, wrong)], asked));
+                // What is as the first is wrong with it, and no second finding.
+                assert!(!found.is_empty() && found.iter().all(|one| one.key == key), "{key} = {wrong}: {found:?}");
+                assert!(found[0].message.starts_with(&format!("{key}: ")), "{found:?}");
+                let is_error = found[0].severity == Severity::Error;
+                assert_eq!(is_error, file("x", &|asked| of_all(&[(key, wrong)], asked)).is_err());
+                assert!(is_error || !wrong.starts_with('-'), "{key} = {wrong}: {found:?}");
+            }
+            // Depths that a bridge may lack are left out of its file, and all others are a finding.
+            let lacks = ["cover", "backing"].contains(&key);
+            assert_eq!(file("x", &|asked| of_all(&[(key, "0")], asked)).is_ok(), lacks, "{key} = 0");
+        }
+        let doubtful = findings("x", &|asked| of_all(&[("density", "22")], asked));
+        assert_eq!(doubtful.len(), 1, "{doubtful:?}");
+        assert!(doubtful[0].key == "density" && doubtful[0].severity == Severity::Warning, "{doubtful:?}");
     }
 
     const VIADUCT: [(&str, &str); 9] = [

@@ -150,6 +150,12 @@ pub fn from_survey(answers: &str) -> Thrown<String> {
     cards::from_survey(answers).map_err(thrown)
 }
 
+/// What is wrong with answers or doubtful, each at its key.
+#[wasm_bindgen]
+pub fn survey_findings(answers: &str) -> Thrown<String> {
+    cards::survey_findings(answers).map(|found| found.to_string()).map_err(thrown)
+}
+
 /// A block model file from a drawing.
 #[wasm_bindgen]
 pub fn from_dxf(name: &str, bytes: &[u8]) -> Thrown<String> {

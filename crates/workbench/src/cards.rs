@@ -104,21 +104,51 @@ pub fn survey_questions() -> Value {
 /// A bridge file from answers, an object of texts or numbers.
 ///
 /// # Errors
-/// Answers that are missing or no numbers (F108).
+/// Answers that are missing, no numbers or not possible (F108).
 pub fn from_survey(answers: &str) -> Result<String, Refusal> {
-    let refused = |message: String| Refusal::new("F108", message, "answer with numbers and units, such as 6.00 m");
-    let given: Value = serde_json::from_str(answers).map_err(|error| refused(error.to_string()))?;
-    let said = |key: &str| match given.get(key) {
-        Some(Value::String(text)) => Some(text.clone()),
-        Some(Value::Number(number)) => Some(number.to_string()),
-        _ => None,
-    };
-    let name = said("name").unwrap_or_else(|| "A bridge".to_owned());
-    survey::file(&name, &said).map_err(|wrong| {
+    let given = Given::read(answers)?;
+    survey::file(&given.name(), &|key| given.said(key)).map_err(|wrong| {
         let message: Vec<&str> = wrong.iter().map(|one| one.message.as_str()).collect();
         let help: Vec<&str> = wrong.iter().map(|one| one.help.as_str()).collect();
-        Refusal::new("F108", message.join("; "), help.join("; "))
+        refused(message.join("; "), &help.join("; "))
     })
+}
+
+/// Everything that is wrong with answers or doubtful, each at its key.
+///
+/// # Errors
+/// Answers that are no object (F108).
+pub fn survey_findings(answers: &str) -> Result<Value, Refusal> {
+    let given = Given::read(answers)?;
+    let found = survey::findings(&given.name(), &|key| given.said(key));
+    let one = |one: survey::Unusable| json!({ "key": one.key, "severity": one.severity.word(), "message": one.message, "help": one.help });
+    Ok(found.into_iter().map(one).collect())
+}
+
+fn refused(message: String, help: &str) -> Refusal {
+    Refusal::new("F108", message, help)
+}
+
+/// Answers of a survey as the page gives them.
+struct Given(Value);
+
+impl Given {
+    fn read(answers: &str) -> Result<Given, Refusal> {
+        let help = "answer with numbers and units, such as 6.00 m";
+        serde_json::from_str(answers).map(Given).map_err(|error| refused(error.to_string(), help))
+    }
+
+    fn said(&self, key: &str) -> Option<String> {
+        match self.0.get(key) {
+            Some(Value::String(text)) => Some(text.clone()),
+            Some(Value::Number(number)) => Some(number.to_string()),
+            _ => None,
+        }
+    }
+
+    fn name(&self) -> String {
+        self.said("name").unwrap_or_else(|| "A bridge".to_owned())
+    }
 }
 
 /// A block model file from a drawing; what the drawing does not say stands there to be filled in.

@@ -1,13 +1,16 @@
 //! Answers of a survey sheet as values of a bridge file.
 
 use super::Question;
+use crate::Severity;
 use crate::quantity::{self, Dimension};
 
-/// Why numbers make no file.
+/// What is wrong with an answer, or doubtful.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unusable {
     /// Which of the answers: `span`, `rise_2`.
     pub key: String,
+    /// Whether it makes no file, or one that should be looked at.
+    pub severity: Severity,
     /// What is wrong with it.
     pub message: String,
     /// What to write instead.
@@ -17,6 +20,8 @@ pub struct Unusable {
 /// A value as the file has it.
 #[derive(Debug, Clone, Default)]
 pub struct Answer {
+    /// The answer that it was taken from: `span`, `rise_2`.
+    pub key: String,
     /// With its unit.
     pub text: String,
     /// In SI.
@@ -36,9 +41,9 @@ impl<'a> Answers<'a> {
         Answers { said, wrong: Vec::new() }
     }
 
-    /// Whether every answer was one.
-    pub fn done(self) -> Result<(), Vec<Unusable>> {
-        if self.wrong.is_empty() { Ok(()) } else { Err(self.wrong) }
+    /// Every answer that was none.
+    pub fn wrong(self) -> Vec<Unusable> {
+        self.wrong
     }
 
     fn said(&self, key: &str) -> Option<String> {
@@ -46,7 +51,7 @@ impl<'a> Answers<'a> {
     }
 
     fn refuse<T: Default>(&mut self, key: &str, message: String, help: String) -> T {
-        self.wrong.push(Unusable { key: key.to_owned(), message, help });
+        self.wrong.push(Unusable { key: key.to_owned(), severity: Severity::Error, message, help });
         T::default()
     }
 
@@ -124,7 +129,7 @@ impl<'a> Answers<'a> {
                 // Feet and inches are written with marks that end a text in the file.
                 let marked = text.contains(['"', '\\']);
                 let text = if marked { format!("{} m", found.si()) } else { text };
-                Answer { text, si: found.si(), assumed: String::new() }
+                Answer { key: key.to_owned(), text, si: found.si(), assumed: String::new() }
             }
             Ok(found) => {
                 let (is, want) = (found.unit.dimension.name(), wanted.name());

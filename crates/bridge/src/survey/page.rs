@@ -29,8 +29,16 @@ fn line(page: &mut String, key: &str, value: &Answer) {
     let _ = writeln!(page, "{key} = \"{}\"{remark}", value.text);
 }
 
-/// The text of the file.
-pub fn written(name: &str, sheet: &Sheet) -> String {
+/// The answers that were written, each with the number of its line, from 0.
+pub type Lines = Vec<(usize, Answer)>;
+
+/// The text of the file, and where its answers stand.
+pub fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
+    let mut lines = Lines::new();
+    let mut line = |page: &mut String, key: &str, value: &Answer| {
+        lines.push((page.lines().count(), value.clone()));
+        line(page, key, value);
+    };
     let literal: String = name.chars().filter(|c| !c.is_control() && *c != '"' && *c != '\\').take(80).collect();
     let mut page = format!(
         "# From a survey sheet. Lines with \"assumed\" are to be replaced by what is known of this bridge.\n\n[bridge]\nname = \"{literal}\"\n"
@@ -52,17 +60,15 @@ pub fn written(name: &str, sheet: &Sheet) -> String {
         let courses = (height.si / 0.3).round().clamp(1.0, MOST[1]) as u64;
         let _ = writeln!(page, "courses = {courses}  # assumed: courses of 0.30 m");
     }
-    if sheet.cover.si > 0.0 {
+    if sheet.cover.si != 0.0 {
         page += "\n[[cover]]\nlayer = \"fill\"\n";
         line(&mut page, "thickness", &sheet.cover);
         page += "density = \"1900 kg/m^3\"  # assumed: fill and surfacing as one layer\n";
     }
-    if sheet.backing.si > 0.0 {
-        let height = &sheet.backing.text;
-        let _ = writeln!(
-            page,
-            "\n[backing]\nheight = \"{height}\"  # above the springings\ndensity = \"2200 kg/m^3\"  # assumed"
-        );
+    if sheet.backing.si != 0.0 {
+        page += "\n[backing]  # height above the springings\n";
+        line(&mut page, "height", &sheet.backing);
+        page += "density = \"2200 kg/m^3\"  # assumed\n";
     }
     page += "\n[masonry]\n";
     line(&mut page, "density", &sheet.density);
@@ -82,11 +88,11 @@ pub fn written(name: &str, sheet: &Sheet) -> String {
         let vehicles: Vec<String> = vehicles.iter().map(|code| format!("\"{code}\"")).collect();
         let _ = writeln!(page, "\n[sweep]\nrule = \"{rule}\"\nvehicles = [{}]", vehicles.join(", "));
     }
-    page + "\n[analysis]\nmethod = \"limit\"\n"
+    (page + "\n[analysis]\nmethod = \"limit\"\n", lines)
 }
 
 /// Length of a segmental arc [m].
-fn arc(span: f64, rise: f64) -> f64 {
+pub fn arc(span: f64, rise: f64) -> f64 {
     if !(span > 0.0 && rise > 0.0) {
         return span.abs();
     }
