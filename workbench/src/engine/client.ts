@@ -64,6 +64,8 @@ export class Engine {
   #next = 1;
   #waiting = new Map<number, Waiting>();
   #panic = "";
+  /** The lock that the worker holds while it lives. */
+  #life = "";
   #ready: Promise<void> = Promise.resolve();
   /** Counts workers: what was opened in an earlier one must be opened again. */
   generation = 0;
@@ -83,8 +85,9 @@ export class Engine {
       this.#lose(new Lost(event.message || "The worker could not be started.", "broken"));
     };
     this.#worker = worker;
+    this.#life = `extrados ${this.name} ${crypto.randomUUID()}`;
     this.#ready = compiled().then(
-      (made) => worker.postMessage({ module: made }),
+      (made) => worker.postMessage({ module: made, life: this.#life }),
       (error: unknown) => {
         if (this.#worker === worker) this.#lose(new Lost(`The engine could not be loaded: ${String((error as Error).message ?? error)}`, "broken"));
       },
@@ -100,7 +103,12 @@ export class Engine {
     broken?: string;
     tell?: { id: number; stage: string; fraction: number };
     panic?: string;
+    lives?: boolean;
   }): void {
+    if (data.lives) {
+      this.#outlive();
+      return;
+    }
     if (data.panic !== undefined) {
       this.#panic = data.panic;
       return;
@@ -119,6 +127,14 @@ export class Engine {
     this.#waiting.delete(data.id!);
     if (data.ok) waiting.resolve(data.value);
     else waiting.reject(new Refused(data.refusal ?? { message: "Refused.", code: "", help: "" }));
+  }
+
+  /** Waits for the end of the worker, however it ends: by itself, by the system, for want of memory. */
+  #outlive(): void {
+    const worker = this.#worker;
+    void navigator.locks?.request(this.#life, () => {
+      if (worker && this.#worker === worker) this.#lose(new Lost(this.#panic || "The worker ended.", "broken"));
+    });
   }
 
   #lose(error: Lost): void {

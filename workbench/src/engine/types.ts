@@ -72,6 +72,9 @@ export type Quantity = {
   start: number | null;
   end: number | null;
 };
+/** What is wrong with an answer of a survey, or doubtful. */
+export type SurveyFinding = { key: string; severity: "error" | "warning"; message: string; help: string };
+export type SurveyOut = { text: string | null; findings: SurveyFinding[] };
 export type Question = { key: string; doc: string; unit: string; example: string; assumed: string };
 /** The ten numbers, the first three of which are those of a span; how many spans; and what is asked of a pier between them. */
 export type Questions = { ten: Question[]; spans: Question; pier: Question[] };

@@ -1,6 +1,6 @@
 /** A worker with one instance of the engine. It answers one call after the other and keeps what calls refer to by name. */
 import init, * as engine from "./pkg/extrados_workbench.js";
-import type { LiveAnswer, PlacingAbout, ReadingOut, ResultOut } from "./types";
+import type { LiveAnswer, PlacingAbout, ReadingOut, ResultOut, SurveyOut } from "./types";
 
 type Call = { id: number; call: string; args: Record<string, unknown> };
 const scope = self as unknown as DedicatedWorkerGlobalScope;
@@ -130,7 +130,12 @@ const handlers: Record<string, Handler> = {
   withMaterial: ({ text, table, material, keys }) => engine.with_material(text, table, material, keys),
   placeOf: ({ text, path }) => JSON.parse(engine.place(text, path)),
   questions: () => JSON.parse(engine.survey_questions()),
-  fromSurvey: ({ answers }) => engine.from_survey(JSON.stringify(answers)),
+  /** The file of the answers, none where one is refused, and what is wrong with them or doubtful. */
+  fromSurvey: ({ answers }): SurveyOut => {
+    const given = JSON.stringify(answers);
+    const findings = JSON.parse(engine.survey_findings(given)) as SurveyOut["findings"];
+    return { text: findings.some((one) => one.severity === "error") ? null : engine.from_survey(given), findings };
+  },
   fromDxf: ({ name, bytes }) => engine.from_dxf(name, bytes),
   records: ({ name, bytes }) => JSON.parse(engine.records(name, bytes)),
 
@@ -287,8 +292,13 @@ function frame(ended: string) {
 
 let ready: Promise<void> | null = null;
 
-scope.onmessage = async (event: MessageEvent<Call | { module: WebAssembly.Module }>) => {
+scope.onmessage = async (event: MessageEvent<Call | { module: WebAssembly.Module; life: string }>) => {
   if ("module" in event.data) {
+    // Held as long as the worker lives: whoever waits for it learns of any end, also one of which no event tells.
+    void scope.navigator.locks?.request(event.data.life, () => {
+      scope.postMessage({ lives: true });
+      return new Promise(() => undefined);
+    });
     ready = init({ module_or_path: event.data.module }).then(() => engine.start((message: string) => scope.postMessage({ panic: message })));
     return;
   }

@@ -3,6 +3,7 @@ import { batch } from "solid-js";
 import { Engine, Lost, Refused } from "../engine/client";
 import type { LiveAnswer, PlacingAbout, ReadingOut, Refusal } from "../engine/types";
 import type { Sheet } from "./sheet";
+import { say } from "./workspace";
 import { wantZone } from "./zone";
 
 /** A text that takes longer to read than this [ms] is not read on. */
@@ -10,6 +11,13 @@ const PATIENCE = 10_000;
 
 const engine = new Engine("live");
 export const liveEngine = engine;
+engine.onLost = (error) => {
+  // An engine that never came is told of where it is waited for.
+  if (error.why === "stopped" || /could not be (loaded|started)/.test(error.message)) return;
+  say(`The engine ${error.why === "slow" ? "did not answer and was stopped" : "ended unexpectedly"}; it is started again. Nothing that you typed is lost.`, true);
+  // What it held is opened in the next one, also where nobody waits for an answer.
+  void pump();
+};
 
 type Held = { sheet: Sheet; text: string; files: number; generation: number };
 type Placed = { held: Held; vehicle: string; rule: string; leftward: boolean };
@@ -109,11 +117,7 @@ async function step(sheet: Sheet): Promise<boolean> {
     } catch (error) {
       const lost = note(textKey, error);
       if (!lost || isBroken(textKey)) {
-        batch(() => {
-          sheet.trouble[1](said(error));
-          sheet.answer[1](null);
-          sheet.zone[1](null);
-        });
+        sheet.trouble[1](said(error));
         if (!lost) broken.set(textKey, 2);
       }
     }
@@ -133,13 +137,20 @@ async function step(sheet: Sheet): Promise<boolean> {
         take(sheet, out);
       });
     } catch (error) {
-      note(`set ${path} ${literal}`, error);
-      failed?.(said(error));
+      const key = `set ${path} ${literal}`;
+      // What was typed is not lost with a worker: the next one is given it, once.
+      if (note(key, error) && !isBroken(key)) {
+        if (!sets.has(path)) sets.set(path, { literal, mark, failed });
+      } else {
+        failed?.(said(error));
+      }
     }
     return true;
   }
 
   const reading = sheet.reading[0]();
+  // While a file has errors the answer before them stays, and is shown as such.
+  if (reading && !reading.usable && reading.kind === "bridge") return false;
   if (!reading?.usable || !sheet.picture[0]() || reading.kind !== "bridge") {
     if (sheet.answer[0]()) batch(() => {
       sheet.answer[1](null);

@@ -41,6 +41,8 @@ export class Sheet {
   readonly quantities = createSignal<Quantity[]>([]);
   /** Why there is no reading, where there is none. */
   readonly trouble = createSignal<Refusal | null>(null);
+  /** Where something was typed that is refused, and not yet mended: a field, the survey. */
+  readonly refused = createSignal<string[]>([]);
 
   readonly vehicle = createSignal("");
   readonly rule = createSignal("");
@@ -78,6 +80,15 @@ export class Sheet {
 
   text(): string {
     return this.#text[0]();
+  }
+  /** What was typed at a place is refused, or no longer. */
+  refuse(where: string, is: boolean): void {
+    this.refused[1]((list) => (list.includes(where) === is ? list : is ? [...list, where] : list.filter((one) => one !== where)));
+  }
+  /** Whether what stands on the sheet is of values before those that were typed last. */
+  isOld(): boolean {
+    const reading = this.reading[0]();
+    return this.refused[0]().length > 0 || this.trouble[0]() !== null || (reading !== null && !reading.usable);
   }
   /** Counts changes of the companions. */
   filesVersion(): number {

@@ -1,12 +1,13 @@
 /** Answers of a survey sheet and the file that they make. */
-import { Refused, sentences } from "../engine/client";
+import { Lost, Refused, sentences } from "../engine/client";
 import { figures } from "../units";
 import { liveEngine } from "./live";
+import type { SurveyFinding, SurveyOut } from "../engine/types";
 import type { Sheet } from "./sheet";
 
 export type Answers = Record<string, string>;
-/** What is wrong with an answer; no key where it is none of them. */
-export type Wrong = { key: string; text: string };
+/** What is wrong with an answer or doubtful; no key where it is none of them. */
+export type Wrong = { key: string; text: string; doubtful?: boolean };
 
 const TITLES: Record<string, string> = {
   spans: "Number of spans",
@@ -44,26 +45,32 @@ export function spansOf(answers: Answers): number {
 
 let newest = 0;
 
-/** Writes the file anew from these answers; what is wrong with them, null where nothing is, undefined where newer ones have overtaken them. */
-export async function write(sheet: Sheet, answers: Answers, mark: string): Promise<Wrong | null | undefined> {
+/** Writes the file anew from these answers; what is wrong with them, undefined where newer ones have overtaken them. */
+export async function write(sheet: Sheet, answers: Answers, mark: string): Promise<Wrong[] | undefined> {
   const mine = ++newest;
-  try {
-    const text = await liveEngine.call<string>("fromSurvey", { answers }, { patience: 5000 });
-    if (mine !== newest) return undefined;
-    sheet.surveyed[1](text);
-    sheet.change(text, mark);
-    return null;
-  } catch (error) {
-    return mine === newest ? told(error, answers) : undefined;
+  for (let tries = 0; ; tries += 1) {
+    try {
+      const { text, findings } = await liveEngine.call<SurveyOut>("fromSurvey", { answers }, { patience: 5000 });
+      if (mine !== newest) return undefined;
+      if (text !== null) {
+        sheet.surveyed[1](text);
+        sheet.change(text, mark);
+      }
+      return findings.map((one) => told(one, answers));
+    } catch (error) {
+      if (mine !== newest) return undefined;
+      // A worker that died takes no answer with it: the next one is asked.
+      if (error instanceof Lost && tries === 0) continue;
+      return [{ key: "", text: error instanceof Refused ? sentences(error) : String((error as Error).message) }];
+    }
   }
 }
 
-/** Only what the engine names; a refusal of several numbers belongs to the first of them. */
-export function told(error: unknown, answers: Answers): Wrong {
-  if (!(error instanceof Refused)) return { key: "", text: String((error as Error).message) };
-  const [, key = "", what = ""] = /^(\w+)(:| is missing)/.exec(error.message) ?? [];
+/** A finding in words, at its answer. */
+export function told({ key, severity, message, help }: SurveyFinding, answers: Answers): Wrong {
+  const what = message.slice(key.length);
   const mass = key === "axle" ? /^([\d.]+)\s*(t|tonnes?)$/.exec(answers[key] ?? "") : null;
   if (mass) return { key, text: `This is a mass. An axle of ${mass[1]} t weighs ${figures(Number(mass[1]) * 9.80665)} kN: write that.` };
   if (what === " is missing") return { key, text: "The drawing waits for this number: nothing is assumed in its place." };
-  return { key, text: sentences(error).replaceAll(key, titleOf(key)) };
+  return { key, text: sentences({ message: what.replace(/^: /, ""), help }), doubtful: severity === "warning" };
 }

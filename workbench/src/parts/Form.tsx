@@ -1,5 +1,5 @@
 /** The bridge as fields: every quantity of the file under its table, edited by its path so that the text keeps its comments. */
-import { createMemo, createSignal, For, Show, type JSX } from "solid-js";
+import { createEffect, createMemo, createSignal, For, onCleanup, Show, type JSX } from "solid-js";
 import { sentences } from "../engine/client";
 import type { Quantity, Refusal } from "../engine/types";
 import { setQuantity } from "../model/live";
@@ -69,13 +69,16 @@ function groupsOf(quantities: Quantity[]): Group[] {
   return [...groups.values()].sort((a, b) => rank(a.base) - rank(b.base) || (a.index ?? 0) - (b.index ?? 0));
 }
 
-function FieldRow(props: { quantity: Quantity; short: string }): JSX.Element {
+function FieldRow(props: { sheet: Sheet; quantity: Quantity; short: string }): JSX.Element {
   const [wrong, setWrong] = createSignal<Refusal | null>(null);
+  // What is typed here and refused makes the answer one of the values before.
+  createEffect(() => props.sheet.refuse(props.quantity.path, wrong() !== null));
+  onCleanup(() => props.sheet.refuse(props.quantity.path, false));
   const said = createMemo(() => shown(props.quantity.text, system()));
   const id = () => `f-${props.quantity.path.replace(/[^\w]/g, "-")}`;
   const send = (typed: string): void => {
-    if (typed.trim() === said().text) return;
     setWrong(null);
+    if (typed.trim() === said().text) return;
     setQuantity(props.quantity.path, meant(typed, said().unit), `field ${props.quantity.path}`, (error) => setWrong(error));
   };
   return (
@@ -100,7 +103,9 @@ function FieldRow(props: { quantity: Quantity; short: string }): JSX.Element {
               }}
               onChange={(event) => send(event.currentTarget.value)}
               onKeyDown={(event) => {
-                if (event.key === "Escape") event.currentTarget.value = said().text;
+                if (event.key !== "Escape") return;
+                event.currentTarget.value = said().text;
+                setWrong(null);
               }}
             />
             <Show when={said().unit}>
@@ -185,7 +190,7 @@ export function Form(props: { sheet: Sheet }): JSX.Element {
                 <For each={fields()}>
                   {(path) => {
                     const quantity = () => group().fields.find((one) => one.path === path);
-                    return <Show when={quantity()}>{(one) => <FieldRow quantity={one()} short={sayKey(path.slice(id.length + 1).replace(/\[(\d+)\]/g, " $1").replace(/\./g, ", "))} />}</Show>;
+                    return <Show when={quantity()}>{(one) => <FieldRow sheet={props.sheet} quantity={one()} short={sayKey(path.slice(id.length + 1).replace(/\[(\d+)\]/g, " $1").replace(/\./g, ", "))} />}</Show>;
                   }}
                 </For>
                 <MaterialsOf sheet={props.sheet} at={id} table={group().base} there={group().fields.filter((one) => !one.by_default).map((one) => one.path.slice(id.length + 1))} />

@@ -96,8 +96,9 @@ export function JudgeFile(props: { sheet: Sheet }): JSX.Element {
     if (answers && !isElsewhere(props.sheet)) {
       // The survey stays what the file is made from.
       props.sheet.survey[1]({ ...answers, ...answer });
-      const wrong = await write(props.sheet, { ...answers, ...answer }, "survey judged");
-      if (wrong) say(wrong.text, true);
+      const found = await write(props.sheet, { ...answers, ...answer }, "survey judged");
+      const wrong = found?.find((one) => !one.doubtful);
+      if (wrong) return say(wrong.text, true);
     } else {
       props.sheet.change(withJudged(props.sheet.text(), answer), "judged");
     }

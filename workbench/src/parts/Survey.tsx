@@ -1,5 +1,5 @@
 /** The numbers of a survey: the file is written anew with every number that is typed. */
-import { createSignal, For, Show, type JSX } from "solid-js";
+import { createSignal, For, onMount, Show, type JSX } from "solid-js";
 import type { Question } from "../engine/types";
 import { questions } from "../model/library";
 import type { Sheet } from "../model/sheet";
@@ -10,15 +10,19 @@ import { typeset } from "../wording";
 import { Judge } from "./Judge";
 
 type Give = (key: string, typed: string, unit: string) => void;
-type Asked = { answers: Answers; wrong: Wrong | null; give: Give };
+type Asked = { answers: Answers; wrong: (key: string) => Wrong | undefined; give: Give };
 
 export function Survey(props: { sheet: Sheet }): JSX.Element {
-  const [wrong, setWrong] = createSignal<Wrong | null>(null);
+  const [wrong, setWrong] = createSignal<Wrong[]>([]);
   const answers = (): Answers => props.sheet.survey[0]() ?? {};
   const put = async (now: Answers, mark: string): Promise<void> => {
     const found = await write(props.sheet, now, mark);
-    if (found !== undefined) setWrong(found);
+    if (found === undefined) return;
+    setWrong(found);
+    props.sheet.refuse("survey", found.some((one) => !one.doubtful));
   };
+  // What stood refused when the page was left still is.
+  onMount(() => !isElsewhere(props.sheet) && Object.keys(answers()).length > 0 && void put(answers(), "survey"));
   const take = (now: Answers, mark: string): void => {
     const held = isElsewhere(props.sheet);
     props.sheet.survey[1](now);
@@ -35,9 +39,7 @@ export function Survey(props: { sheet: Sheet }): JSX.Element {
     get answers() {
       return answers();
     },
-    get wrong() {
-      return wrong();
-    },
+    wrong: (key) => wrong().find((one) => one.key === key),
   };
   // Those of a span come first, then the spans and piers beside it, then what all of them share.
   const ofSpan = (): Question[] => questions()?.ten.slice(0, 3) ?? [];
@@ -66,9 +68,7 @@ export function Survey(props: { sheet: Sheet }): JSX.Element {
           take({ ...rest, ...(judged ?? {}) }, "survey judged");
         }}
       />
-      <Show when={wrong() && !placed(wrong()!.key)}>
-        <p class="complaint" role="alert">{wrong()!.text}</p>
-      </Show>
+      <For each={wrong().filter((one) => !placed(one.key))}>{(one) => <p class="complaint" role="alert">{one.text}</p>}</For>
       <Show when={isElsewhere(props.sheet)}>
         <p>
           The bridge has been changed in its form, text or drawing since. <button type="button" class="btn small" onClick={() => void put(answers(), "survey anew")}>Write it anew from these numbers</button>
@@ -84,12 +84,13 @@ function Answer(props: { question: Question; asked: Asked; title: string }): JSX
   const unit = shown(question.example, system()).unit;
   const id = `q-${question.key}`;
   const [typed, setTyped] = createSignal(start.text);
-  const mine = () => (props.asked.wrong?.key === question.key ? props.asked.wrong.text : "");
+  const mine = () => props.asked.wrong(question.key);
+  const refused = () => mine() !== undefined && !mine()!.doubtful;
   return (
-    <div class="field" classList={{ wrong: mine() !== "" }}>
+    <div class="field" classList={{ wrong: refused() }}>
       <label for={id}>{props.title}</label>
       <div class="entry">
-        <input id={id} value={start.text} placeholder={question.assumed ? shown(question.assumed, system()).text : ""} inputmode="decimal" autocomplete="off" aria-describedby={`${id}-doc`} aria-invalid={mine() !== ""} onInput={(event) => {
+        <input id={id} value={start.text} placeholder={question.assumed ? shown(question.assumed, system()).text : ""} inputmode="decimal" autocomplete="off" aria-describedby={mine() ? `${id}-doc ${id}-wrong` : `${id}-doc`} aria-invalid={refused()} onInput={(event) => {
           setTyped(event.currentTarget.value);
           props.asked.give(question.key, event.currentTarget.value, unit);
         }} />
@@ -102,10 +103,17 @@ function Answer(props: { question: Question; asked: Asked; title: string }): JSX
         {question.doc}
         {question.assumed && unit ? ` If unknown: ${typeset(question.assumed)} is assumed.` : ""}
       </p>
-      <Show when={mine()}>
-        <p class="complaint" role="alert">{mine()}</p>
-      </Show>
+      <Show when={mine()}>{(one) => <Complaint id={`${id}-wrong`} wrong={one()} />}</Show>
     </div>
+  );
+}
+
+/** What is wrong with an answer, or doubtful. */
+function Complaint(props: { id: string; wrong: Wrong }): JSX.Element {
+  return (
+    <p class="complaint" classList={{ doubt: props.wrong.doubtful === true }} id={props.id} role={props.wrong.doubtful ? "status" : "alert"}>
+      {props.wrong.text}
+    </p>
   );
 }
 
@@ -113,10 +121,9 @@ function Answer(props: { question: Question; asked: Asked; title: string }): JSX
 function Others(props: { questions: Question[]; count: number; asked: Asked; title: string; each: string; heads: string[] }): JSX.Element {
   const rows = () => Array.from({ length: props.count - 1 }, (_, k) => k + 2);
   const unit = () => shown(props.questions[0]?.example ?? "", system()).unit;
-  const wrong = () => {
-    const found = props.asked.wrong;
-    return found && props.questions.some((question) => found.key.startsWith(`${question.key}_`)) ? found : null;
-  };
+  const keys = () => rows().flatMap((k) => props.questions.map((question) => `${question.key}_${k}`));
+  const wrong = () => keys().flatMap((key) => props.asked.wrong(key) ?? []);
+  const refused = (key: string) => wrong().some((one) => one.key === key && !one.doubtful);
   return (
     <div class="others">
       <table class="plain">
@@ -137,9 +144,9 @@ function Others(props: { questions: Question[]; count: number; asked: Asked; tit
                     const key = `${question.key}_${k}`;
                     const first = () => shown(props.asked.answers[question.key] ?? "", system()).text;
                     return (
-                      <td classList={{ wrong: wrong()?.key === key }}>
+                      <td classList={{ wrong: refused(key) }}>
                         <div class="entry">
-                          <input id={`q-${key}`} aria-label={titleOf(key)} value={shown(props.asked.answers[key] ?? "", system()).text} placeholder={first()} inputmode="decimal" autocomplete="off" aria-invalid={wrong()?.key === key}
+                          <input id={`q-${key}`} aria-label={titleOf(key)} value={shown(props.asked.answers[key] ?? "", system()).text} placeholder={first()} inputmode="decimal" autocomplete="off" aria-invalid={refused(key)} aria-describedby={wrong().some((one) => one.key === key) ? `q-${key}-wrong` : undefined}
                             onInput={(event) => props.asked.give(key, event.currentTarget.value, unit())} />
                         </div>
                       </td>
@@ -151,7 +158,7 @@ function Others(props: { questions: Question[]; count: number; asked: Asked; tit
           </For>
         </tbody>
       </table>
-      <Show when={wrong()}>{(found) => <p class="complaint" role="alert">{found().text}</p>}</Show>
+      <For each={wrong()}>{(one) => <Complaint id={`q-${one.key}-wrong`} wrong={{ ...one, text: `${titleOf(one.key)}: ${one.text}` }} />}</For>
     </div>
   );
 }

@@ -372,7 +372,7 @@ export function Board(props: BoardProps): JSX.Element {
   return (
     <div class="scene" ref={box} onWheel={wheel} onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={up}>
       <canvas ref={under} role="img" aria-label={told()} />
-      <canvas ref={over} class="live" aria-hidden="true" />
+      <canvas ref={over} class="live" classList={{ "scene-old": props.sheet.isOld() }} aria-hidden="true" />
       <div class="sheet-title">{props.sheet.name()}</div>
       <Show when={isSmall() && props.sheet.answer[0]()}>
         {(answer) => <div class="sheet-answer num" aria-hidden="true">{answer().words.factor === null ? "–" : props.sayLoad(answer().words.factor!)}</div>}

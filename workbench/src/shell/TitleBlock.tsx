@@ -44,6 +44,8 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   const answer = () => props.sheet.answer[0]();
   const about = () => props.sheet.about[0]();
   const reading = () => props.sheet.reading[0]();
+  /** Whether the answer is of values before those that were typed last, which are refused. */
+  const old = () => answer() !== null && props.sheet.isOld();
 
   const headline = createMemo(() => {
     const found = answer()?.words;
@@ -117,8 +119,11 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   onCleanup(() => clearTimeout(timer));
 
   return (
-    <section class="block" aria-label="Answer" id="answer" tabindex="-1">
+    <section class="block" classList={{ old: old() }} aria-label={old() ? "Answer of the values before: what was typed last is refused" : "Answer"} data-old={old() ? "" : undefined} id="answer" tabindex="-1">
       <div>
+        <Show when={old()}>
+          <span class="cap was" role="status" data-testid="old">Of the values before: what was typed last is refused</span>
+        </Show>
         <span class="cap">{answer()?.words.open ? "Carried at this place, at most" : "Carried at this place"}{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
         <Show when={headline()} fallback={<span class="headline" data-none>–</span>}>
           {(head) => (
