@@ -94,14 +94,15 @@ fn checked(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> (Option<Stri
     if !found.is_empty() {
         return (None, found);
     }
-    // The only answer that the file has not as it is: stones are counted with it.
-    let shortest = sheet.spans.iter().map(|[span, rise, _]| page::arc(span.si, rise.si)).fold(f64::INFINITY, f64::min);
-    if !(sheet.unit.si > 0.0 && sheet.unit.si <= 0.5 * shortest) {
-        let help = format!("it must be more than 0 m, and at most half the ring: {:.2} m", 0.5 * shortest);
-        found.push(out_of_range(&sheet.unit, help));
-    }
     let (text, lines) = page::written(name, &sheet);
     found.extend(read_in(&text, &lines));
+    // The only answer that the file has not as it is: stones are counted with it, along rings that are possible.
+    let shortest = sheet.spans.iter().map(|[span, rise, _]| page::arc(span.si, rise.si)).fold(f64::INFINITY, f64::min);
+    let most = if found.iter().any(|one| one.severity == Severity::Error) { f64::INFINITY } else { 0.5 * shortest };
+    if !(sheet.unit.si > 0.0 && sheet.unit.si <= most) {
+        let help = format!("it must be more than 0 m, and at most half of a ring, {:.2} m", 0.5 * shortest);
+        found.push(out_of_range(&sheet.unit, help));
+    }
     (Some(text), found)
 }
 
