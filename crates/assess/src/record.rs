@@ -2,30 +2,12 @@
 //! follows. The numbers are those that `extrados validate` computes from `validation/`; a test holds `crates/assess/data/record.json`
 //! against it. The page `docs/verification/model-factor.md` says what they are.
 
-use outcome::given::Record;
-use serde::Deserialize;
+use outcome::given::{FieldTest, Record};
 use std::sync::LazyLock;
-
-/// A bridge that was loaded to collapse, beside what limit analysis predicts of it from prior values.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct FieldTest {
-    /// Name of its folder in `validation/`.
-    pub name: String,
-    /// Largest load of the test [kN].
-    pub carried_kn: f64,
-    /// Limit load with the expected prior values [kN].
-    pub predicted_kn: f64,
-    /// The same where joints never crush [kN].
-    pub without_crushing_kn: f64,
-    /// Whether every dimension was read in a source.
-    pub read: bool,
-    /// Whether it was no fair test of the arch.
-    pub doubted: bool,
-}
 
 static TESTS: LazyLock<Vec<FieldTest>> = LazyLock::new(|| {
     // The text is part of the program, and a test reads it.
-    serde_json::from_str(include_str!("../data/record.json")).unwrap_or_default()
+    FieldTest::all(include_str!("../data/record.json"))
 });
 
 /// Every test of `validation/`.

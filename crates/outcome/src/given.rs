@@ -52,6 +52,30 @@ pub struct ModelFactor {
     pub source: String,
 }
 
+/// A bridge that was loaded to collapse, beside what limit analysis predicts of it from prior values.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct FieldTest {
+    /// Name of its folder in `validation/`.
+    pub name: String,
+    /// Largest load of the test [kN].
+    pub carried_kn: f64,
+    /// Limit load with the expected prior values [kN].
+    pub predicted_kn: f64,
+    /// The same where joints never crush [kN].
+    pub without_crushing_kn: f64,
+    /// Whether every dimension was read in a source.
+    pub read: bool,
+    /// Whether it was no fair test of the arch.
+    pub doubted: bool,
+}
+
+impl FieldTest {
+    /// Every test of a record, as `published::record` writes it; none where the text is no such record.
+    pub fn all(text: &str) -> Vec<FieldTest> {
+        serde_json::from_str(text).unwrap_or_default()
+    }
+}
+
 /// What tests to collapse carried of a method's predictions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Record {
