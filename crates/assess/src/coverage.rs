@@ -78,7 +78,7 @@ fn level(vehicles: &[Chosen]) -> Option<String> {
 fn left_out(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicles: &[Chosen]) -> Vec<String> {
     let Some(models) = of_plan(bridge, plan) else { return Vec::new() };
     let asked = |model: &LoadModel| vehicles.iter().any(|one| one.model == model.code);
-    let normal = models.iter().filter(|model| asked(model)).any(|model| is_normal(model));
+    let normal = models.iter().filter(|model| asked(model)).any(is_normal);
     let ways: Vec<Ways> = vehicles.iter().map(|one| one.ways).collect();
     let loadings: Vec<&str> = match normal {
         true => models.iter().filter(|model| asked(model)).map(|model| model.loading.as_str()).collect(),

@@ -168,7 +168,7 @@ impl<'t> Table<'t> {
         match raw.get_ref() {
             DeValue::Table(entries) => vec![Table::open(section, entries, raw.span().into(), findings)],
             DeValue::Array(items) if items.len() > field.most_entries() => {
-                let first_beyond = items.iter().nth(field.most_entries()).map_or(raw.span(), |item| item.span());
+                let first_beyond = items.get(field.most_entries()).map_or(raw.span(), |item| item.span());
                 too_many(field, items.len(), "tables", first_beyond.into(), findings);
                 Vec::new()
             }

@@ -271,7 +271,8 @@ fn a_rule_is_met_by_all_that_it_asks_for() {
     let plan = |a: &mut Evidence, change: &dyn Fn(&mut bridge::SweepPlan)| change(a.bridge.sweep.as_mut().unwrap());
     let (status, head) = judged(&|_| {});
     assert!(status == Judgement::Adequate && head.starts_with("Adequate by CS 454 ("), "{head}");
-    let open: [(&str, &dyn Fn(&mut Evidence)); 8] = [
+    type Change<'a> = &'a dyn Fn(&mut Evidence);
+    let open: [(&str, Change); 8] = [
         ("cs454-triple-8", &|a| plan(a, &|plan| plan.vehicles = vec!["cs454-single".into()])),
         ("cs454-single", &|a| plan(a, &|plan| plan.vehicles = vec!["hb-45".into()])),
         ("compressive_strength", &|a| a.bridge.masonry.compressive_strength = None),

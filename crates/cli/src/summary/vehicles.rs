@@ -2,8 +2,8 @@
 
 use crate::page::Page;
 use bridge::Method;
-use outcome::help::Help;
 use findings::words::counted;
+use outcome::help::Help;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Case, VehicleSweep};
 use std::fmt::Write;

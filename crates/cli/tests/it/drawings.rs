@@ -117,7 +117,7 @@ fn hinges_between_drawn_blocks_are_named_by_their_blocks() {
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     let hinges = answer["hinges"].as_array().expect("hinges");
     assert!(!hinges.is_empty() && hinges.iter().all(|hinge| hinge["edge"] == "other"), "{answer}");
-    let page = stage.run(&words).stdout;
+    let page = stage.run(&[&words[..], &["--details"]].concat()).stdout;
     let table = stage.read("out/hinges.csv");
     for hinge in hinges {
         let side = |k: usize| hinge["between"][k].as_str().expect("a name");

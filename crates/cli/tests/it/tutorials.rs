@@ -131,7 +131,7 @@ fn the_first_bridge_is_as_its_page_tells() {
     let doubted = answer["warnings"].as_array().is_some_and(|all| !all.is_empty());
     assert!(ending.code == Some(0) && doubted, "{answer}");
 
-    let ending = stage.run(&["collapse", "mill-lane.toml"]);
+    let ending = stage.run(&["collapse", "mill-lane.toml", "--details"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     assert!(stage.names("out/mill-lane").contains(&"mechanism.svg".to_owned()));
     assert!(ending.stdout.contains("figures: ") && ending.stdout.contains("mechanism"), "{}", ending.stdout);

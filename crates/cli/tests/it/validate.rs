@@ -24,7 +24,8 @@ fn one_bridge_by_weight_gives_table_figure_and_object() {
     assert!(end("interval_kn", 0) < load && load < end("interval_kn", 1), "{one}");
     assert!(end("interval_with_dimensions_kn", 0) <= end("interval_kn", 0), "{one}");
     assert_eq!(answer["statistics"][0]["tests"], 1);
-    let files = ["cache", "result.json", "tables.xlsx", "validation.csv", "validation.png", "validation.svg"];
+    let files =
+        ["cache", "record.json", "result.json", "tables.xlsx", "validation.csv", "validation.png", "validation.svg"];
     assert_eq!(stage.names("found"), files);
     assert!(
         stage.read("found/validation.csv").lines().nth(1).is_some_and(|row| row.starts_with("prestwood,228,weight,"))

@@ -11,7 +11,7 @@ fn bridge() -> String {
 fn both_strips_and_their_sum_stand_in_the_answer() {
     let stage = Stage::new("walls-both");
     stage.write("b.toml", bridge());
-    let ending = stage.run(&["collapse", "b.toml", "--out", "o"]);
+    let ending = stage.run(&["collapse", "b.toml", "--out", "o", "--details"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     for line in ["  fill  ", "  wall  ", "  both  "] {
         assert!(ending.stdout.contains(line), "{line} is not in\n{}", ending.stdout);

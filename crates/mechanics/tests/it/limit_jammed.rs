@@ -157,7 +157,6 @@ fn limit_and_discrete_elements_agree_on_what_stands() {
             assert_eq!((found.factor, found.lower_bound), (None, None), "{told}");
         }
         let seen = stands(&model, &loading, tried.max(1e-3));
-        println!("{told} dem {seen:?}");
         match (kind, seen) {
             (_, None) => {}
             (0 | 2, Some([_, at_rest])) => assert!(at_rest, "{told}"),
@@ -165,6 +164,5 @@ fn limit_and_discrete_elements_agree_on_what_stands() {
             _ => {}
         }
     }
-    println!("locks, falls, load, jammed, open: {counts:?}");
     assert!(counts[..4].iter().all(|count| *count > 0) && counts[4] == 0, "{counts:?}");
 }
