@@ -45,7 +45,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// and no bridge is analysed with it.
 const USUAL: &[Usual] = &[
     usual("P001", "masonry", "density", 1500.0, 3000.0, "masonry usually weighs 1500 to 3000 kg/m^3")
-        .possible(200.0, 5000.0),
+        .possible(0.0, 5000.0),
     usual("P002", "masonry", "elastic_modulus", 0.3e9, 100e9, "masonry units usually have 0.3 to 100 GPa")
         .possible(1e6, 1e12),
     usual("P003", "masonry", "compressive_strength", 0.5e6, 400e6, "masonry usually crushes at 0.5 to 400 MPa")
@@ -69,14 +69,14 @@ const USUAL: &[Usual] = &[
     usual("P005", "joint", "cohesion", 0.0, 2e6, "masonry joints usually have less than 2 MPa").possible(0.0, 1e8),
     usual("P005", "ring_joint", "cohesion", 0.0, 2e6, "masonry joints usually have less than 2 MPa").possible(0.0, 1e8),
     usual("P006", "cover", "density", 1000.0, 2700.0, "layers above an arch usually weigh 1000 to 2700 kg/m^3")
-        .possible(10.0, 5000.0),
+        .possible(0.0, 5000.0),
     usual("P006", "backing", "density", 1000.0, 3000.0, "backing usually weighs 1000 to 3000 kg/m^3")
-        .possible(10.0, 5000.0),
-    usual("P006", "fill", "density", 1000.0, 2700.0, "fill usually weighs 1000 to 2700 kg/m^3").possible(10.0, 5000.0),
+        .possible(0.0, 5000.0),
+    usual("P006", "fill", "density", 1000.0, 2700.0, "fill usually weighs 1000 to 2700 kg/m^3").possible(0.0, 5000.0),
     usual("P006", "haunch_fill", "density", 1000.0, 3000.0, "fill of haunches usually weighs 1000 to 3000 kg/m^3")
-        .possible(10.0, 5000.0),
+        .possible(0.0, 5000.0),
     usual("P006", "abutment_fill", "density", 1000.0, 2700.0, "fill usually weighs 1000 to 2700 kg/m^3")
-        .possible(10.0, 5000.0),
+        .possible(0.0, 5000.0),
     usual("P023", "fill", "elastic_modulus", 2e6, 2e9, "granular fills usually have 20 to 200 MPa").possible(1e3, 1e11),
     usual("P023", "abutment_fill", "elastic_modulus", 2e6, 2e9, "granular fills usually have 20 to 850 MPa")
         .possible(1e3, 1e11),

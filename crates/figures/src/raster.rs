@@ -45,7 +45,7 @@ impl Rasteriser {
     pub fn pixels(&self, svg: &str, width_px: u32) -> Result<tiny_skia::Pixmap, RasterError> {
         let tree = usvg::Tree::from_str(svg, &self.options).map_err(|e| RasterError::Svg(e.to_string()))?;
         let size = tree.size();
-        if width_px > LARGEST {
+        if width_px == 0 || width_px > LARGEST {
             return Err(RasterError::Size(width_px, width_px));
         }
         // What is much taller than wide is drawn smaller: larger pictures would ask for gigabytes.

@@ -1,5 +1,7 @@
 //! A failing bridge changed in one thing, three hundred times: nothing is adequate without the change in the line of the verdict.
 
+#![allow(clippy::print_stdout)]
+
 use crate::ladder::BASE;
 use crate::stage::Stage;
 use std::sync::Mutex;
@@ -338,7 +340,8 @@ fn tried(k: usize, change: &Change) -> (String, bool, String) {
 /// Counts by kind and status, and what is silent.
 fn attack(list: &[Change]) -> (Vec<(String, usize)>, Vec<String>) {
     let next = AtomicUsize::new(0);
-    let found: Mutex<Vec<(usize, (String, bool, String))>> = Mutex::new(Vec::new());
+    type Found = Vec<(usize, (String, bool, String))>;
+    let found: Mutex<Found> = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
         for _ in 0..2 {
             scope.spawn(|| {

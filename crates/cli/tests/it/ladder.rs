@@ -58,7 +58,7 @@ fn judged(name: &str, changes: &[[&str; 2]], files: &[(&str, &str)], words: &[&s
         text = text.replace(from, to);
     }
     stage.write("bridge.toml", text);
-    files.iter().for_each(|(file, text)| stage.write(file, (*text).to_owned()));
+    files.iter().for_each(|(file, text)| stage.write(file, *text));
     let command = [&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"], words].concat();
     let (answer, ending) = stage.object(&command);
     (stage, answer, ending)

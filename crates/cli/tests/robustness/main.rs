@@ -8,6 +8,8 @@
 //! `EXTRADOS_MUTANTS` and `EXTRADOS_KILLS` are the numbers of mutated files and of killed runs of a command, `EXTRADOS_SEED` where they
 //! begin. Figures of a full run stand in docs/verification/robustness.md.
 
+#![allow(clippy::print_stdout)]
+
 mod disks;
 mod kills;
 mod mutants;

@@ -1,7 +1,7 @@
 //! Blocks between faces that do not give: what locks, what slips, and what nobody can tell.
 
 use crate::limit_models::{block, dry, model};
-use mechanics::blocks::{BlockModel, Held, Loading, PointForce};
+use mechanics::blocks::{BlockModel, ContactLaw, Held, Loading, PointForce};
 use mechanics::dem::{self, ContactLength, Damping, Program};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{Friction, Outcome, Settings, Status, collapse_load};
@@ -20,7 +20,7 @@ fn between(widths: &[f64], leans: &[f64], friction: f64, loaded: usize, force: V
     let mut blocks = vec![block(outline(beyond(-2.0), ends(0)), 0.0, 2000.0, Held::FIXED)];
     blocks.extend((0..last).map(|k| block(outline(ends(k), ends(k + 1)), 0.0, 2000.0, Held::FREE)));
     blocks.push(block(outline(ends(last), beyond(places[last] + 2.0)), 0.0, 2000.0, Held::FIXED));
-    let model = model(blocks, dry(friction));
+    let model = model(blocks, ContactLaw { least_length: 0.01, ..dry(friction) });
     let block = BlockId::new(1 + loaded);
     let load = PointForce { block, at: model.blocks[block].outline.centroid(), force };
     let loading = Loading { variable: vec![load], ..Loading::default() };
@@ -160,7 +160,8 @@ fn limit_and_discrete_elements_agree_on_what_stands() {
         match (kind, seen) {
             (_, None) => {}
             (0 | 2, Some([_, at_rest])) => assert!(at_rest, "{told}"),
-            (1 | 3, Some([_, at_rest])) => assert!(!at_rest, "{told}"),
+            (1, Some([_, at_rest])) => assert!(!at_rest, "{told}"),
+            // Jammed blocks may stand or fall: that is what is said of them.
             _ => {}
         }
     }

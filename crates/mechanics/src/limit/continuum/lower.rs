@@ -208,10 +208,11 @@ fn best(
         let loads = if question == Question::Factor { [1.0, field.factor] } else { [field.factor, 0.0] };
         (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, strengths, &field, loads);
         field.factor -= WORTH * found.errors[0] * scale;
-        // Stresses that balance the weight under loads that pull the other way alone do not carry it; what residuals are worth is zero.
-        let carried = question != Question::Factor || field.factor >= -SOUND * scale;
-        field.factor = if field.factor > 0.0 { field.factor } else { 0.0 };
-        let sound = carried && field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
+        // What residuals are worth below zero is zero; a load that must pull the other way is told as it is.
+        if field.factor < 0.0 && field.factor >= -SOUND * scale {
+            field.factor = 0.0;
+        }
+        let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
         if sound { Ok(field) } else { Err(Ending::Unknown) }
     })
 }
