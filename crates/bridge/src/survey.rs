@@ -200,7 +200,7 @@ mod tests {
             let lacks = ["cover", "backing"].contains(&key);
             assert_eq!(file("x", &|asked| of_all(&[(key, "0")], asked)).is_ok(), lacks, "{key} = 0");
         }
-        for (key, rare, severity) in [("density", "22", Severity::Error), ("unit", "2 m", Severity::Warning)] {
+        for (key, rare, severity) in [("density", "22", Severity::Warning), ("unit", "2 m", Severity::Warning)] {
             let found = findings("x", &|asked| of_all(&[(key, rare)], asked));
             assert_eq!(found.len(), 1, "{found:?}");
             assert!(found[0].key == key && found[0].severity == severity, "{found:?}");
