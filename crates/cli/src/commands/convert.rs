@@ -54,9 +54,9 @@ pub fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
         Content::Model(scene) => (scene.bodies.len(), scene.particles.len()),
         Content::Drawing(drawing) => (drawing.outlines.len(), drawing.circles.len()),
     };
-    let (blocks, particles) = (counted(blocks, "block"), counted(particles, "particle"));
     let shown = arguments.to.display().to_string();
-    let mut summary = format!("{}: {blocks}, {particles} written to {shown}\n", arguments.from.display());
+    let written = [counted(blocks, "block"), counted(particles, "particle")].join(", ");
+    let mut summary = format!("{}: {written} written to {shown}\n", arguments.from.display());
     if matches!((&content, to.as_str()), (Content::Drawing(_), "toml")) {
         summary += "fill in the lines marked TO FILL IN, then: extrados check ";
         summary += &shown;
