@@ -127,9 +127,9 @@ findings::cards! {
     "F133", "a surveyed section cannot be used",
         "A section is a table of two columns, distance along the bridge and height, with a heading that names their unit (x_m,y_m or \
         x [mm],y [mm]) or with --unit: points of one intrados from springing to springing, in any order. The message names the line, or what \
-        keeps a curve from being fitted.";
+        keeps a curve from being fitted. A section longer than 300 m or shorter than 0.3 m is in another unit than it says.";
     "F134", "a fitted section that somebody should look at",
-        "The curve was fitted, and the message says what may be wrong with it: points that were left out, a stretch without points, steps or a \
+        "The curve was fitted, and the message says what may be wrong with it: points that were left out, faces of abutments below the springings (left out too), a stretch without points, steps or a \
         kink that a smooth curve rounds off, ends that are not level. `extrados convert SECTION.csv SECTION.svg` draws every point with \
         its distance from the curve.";
     "F140", "the program has no workbench",

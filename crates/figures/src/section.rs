@@ -35,13 +35,19 @@ pub fn section_drawing(name: &str, section: &Section) -> String {
             "{left_out} points (red) were left out: they lie further from the curve than five times the scatter. Those beyond the axis are drawn at its edge."
         ),
     };
-    let bottom = sheet.caption(below, &words);
+    let faces = match section.faces.len() {
+        0 => "",
+        1 => " The face of an abutment (dashed) is no part of the arch.",
+        _ => " The faces of the abutments (dashed) are no part of the arch.",
+    };
+    let bottom = sheet.caption(below, &(words + faces));
     sheet.finish(bottom)
 }
 
 /// Points on the curve, to scale; returns what is below.
 fn elevation(sheet: &mut Sheet, section: &Section, top: f64) -> f64 {
-    let all = section.drawn.iter().copied().chain(section.points.iter().map(|point| point.at));
+    let faces = || section.faces.iter().map(|face| [[face.x, face.top], [face.foot, face.bottom]]);
+    let all = section.drawn.iter().copied().chain(section.points.iter().map(|point| point.at)).chain(faces().flatten());
     let Some(extent) = Extent::of(all) else { return top };
     let area = crate::elevation::frame(extent, top, TALLEST);
     let view = View::fit(extent, area);
@@ -52,6 +58,9 @@ fn elevation(sheet: &mut Sheet, section: &Section, top: f64) -> f64 {
     };
     sheet.dots(&dots(false), 1.6, POINT);
     sheet.polyline(&view.spots(&section.drawn), Pen::line(INK, MEDIUM).class("curve"));
+    for [top, foot] in faces().map(|face| face.map(|end| view.spot(end))) {
+        sheet.line(top, foot, Pen::line(LEFT_OUT, 1.2).dashed("5 3"));
+    }
     sheet.dots(&dots(true), 3.0, LEFT_OUT);
     sheet.close();
     let lowest = view.spot([extent.low[0], extent.low[1]])[1];

@@ -22,11 +22,30 @@ pub struct Circle {
     pub scatter: f64,
 }
 
+/// The upright face of an abutment that was surveyed with the intrados.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face {
+    /// Where its top stands along the bridge, as surveyed [m].
+    pub x: f64,
+    /// Where its bottom stands [m].
+    pub foot: f64,
+    /// Its lowest point, as surveyed [m].
+    pub bottom: f64,
+    /// Its highest point [m].
+    pub top: f64,
+    /// Points on it.
+    pub points: usize,
+}
+
 /// The section with its curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
-    /// Every point that was read, from left to right along the curve.
+    /// Every point of the intrados that was read, once, from left to right along the curve.
     pub points: Vec<Surveyed>,
+    /// How many more were read that repeat one of them.
+    pub repeated: usize,
+    /// Faces of abutments below the springings, whose points were left out.
+    pub faces: Vec<Face>,
     /// Points of the curve from the left to the right springing, both at one level: what a bridge file takes as a measured profile,
     /// with the left springing at zero [m].
     pub curve: Vec<[f64; 2]>,

@@ -92,3 +92,37 @@ fn what_is_no_section_is_refused_with_its_line() {
     assert_eq!(stage.object(&["convert", "scan.csv", "scan.csv", "--overwrite"]).0["errors"][0]["code"], "F119");
     assert_eq!(stage.object(&["convert", "scan.csv", "x.toml", "--cut-concave"]).0["errors"][0]["code"], "F107");
 }
+
+#[test]
+fn abutments_repeated_points_and_another_unit_are_told() {
+    let stage = Stage::new("sections-faces");
+    let mut table = scan();
+    for k in 1..=29 {
+        let _ = write!(table, "0;-{0}\n8000;-{0}\n", 50 * k);
+    }
+    let again: String = table.lines().skip(1).take(30).map(|line| format!("{line}\n")).collect();
+    stage.write("scan.csv", table.clone() + &again);
+    let (answer, ending) = stage.object(&["convert", "scan.csv", "scan.toml"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert!((number(&answer, "rise_m") - 1.6).abs() < 0.03, "{answer}");
+    assert_eq!((answer["abutment_faces"].as_array().map(Vec::len), number(&answer, "repeated")), (Some(2), 30.0));
+    assert!(
+        ending.stderr.contains("faces of the abutments")
+            && ending.stderr.contains("30 points at x = 0.00 m between y = -1.45 and 0.00 m"),
+        "{}",
+        ending.stderr
+    );
+    assert_eq!(stage.object(&["convert", "scan.csv", "scan.svg"]).1.code, Some(0));
+    assert!(stage.read("scan.svg").contains("faces of the abutments (dashed) are no part of the arch"));
+    // The same numbers as metres.
+    stage.write("metres.csv", table.replace("[mm]", "[m]"));
+    let (answer, ending) = stage.object(&["convert", "metres.csv", "metres.toml"]);
+    assert_eq!((ending.code, answer["errors"].as_array().map(Vec::len)), (Some(2), Some(1)), "{}", ending.stderr);
+    assert!(ending.stderr.contains("8002 m long") && ending.stderr.contains("--unit mm"), "{}", ending.stderr);
+    let (answer, ending) = stage.object(&["convert", "metres.csv", "metres.toml", "--unit", "mm"]);
+    assert!(
+        (number(&answer, "span_m") - 8.0).abs() < 0.02 && ending.stderr.contains("the heading says m"),
+        "{}",
+        ending.stderr
+    );
+}

@@ -4,13 +4,13 @@
 //! terms as the scatter justifies by Schwarz's criterion. Points further from the curve than five times the scatter are left
 //! out and told, and the fit is made again without them.
 
-use super::SectionError;
+use super::{SectionError, faces};
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
-use outcome::section::{Circle, Section, Surveyed};
+use outcome::section::{Circle, Face, Section, Surveyed};
 
 /// Fewest points of a section.
-const FEWEST: usize = 12;
+pub(super) const FEWEST: usize = 12;
 
 /// Most terms of the curve, and least points for each.
 const MOST_TERMS: usize = 17;
@@ -35,25 +35,32 @@ const LEAST: f64 = 1e-5;
 /// Inclination of the line between the springings from which on they are not level.
 const LEVEL: f64 = 0.005;
 
+/// Points nearer than this in both directions are one that was given twice [m]: less than any survey resolves.
+const SAME: f64 = 1e-5;
+
+/// How far a curve is drawn out to the face of an abutment [m].
+const FARTHEST: f64 = 0.15;
+
 /// Rounds of refitting.
 const ROUNDS: usize = 30;
 
-/// Fits a curve to the points of a section [m], in any order.
+/// Fits a curve to the points of a section [m], in any order. A point that is given twice counts once, and upright faces of abutments below the
+/// springings are left out.
 ///
 /// # Errors
 /// Too few points, or points that lie on no arch between level springings.
 pub fn fit(points: &[[f64; 2]]) -> Result<Section, SectionError> {
     let too_few = |count: usize| SectionError::TooFew { count, least: FEWEST };
-    if points.len() < FEWEST {
-        return Err(too_few(points.len()));
+    let all = distinct(points);
+    let repeated = points.len() - all.len();
+    if all.len() < FEWEST {
+        return Err(too_few(all.len()));
     }
-    let (circle, _) = robust_circle(points).ok_or(SectionError::NoArch { why: "they lie on a straight line" })?;
+    let (points, faces) = faces::cut(&all);
+    let (circle, _) = robust_circle(&points).ok_or(SectionError::NoArch { why: "they lie on a straight line" })?;
     let polar = Polar { centre: circle.centre };
-    let mut seen: Vec<([f64; 2], [f64; 2])> = points.iter().map(|&point| (polar.of(point), point)).collect();
-    seen.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.0[1].total_cmp(&b.0[1])));
-    if seen.iter().any(|([angle, _], _)| angle.abs() > 0.75 * std::f64::consts::PI) {
-        return Err(SectionError::NoArch { why: "some lie below the centre of the circle through the others" });
-    }
+    let seen = in_order(&polar, &points)
+        .ok_or(SectionError::NoArch { why: "some lie below the centre of the circle through the others" })?;
     let mut kept = robust(&seen).ok_or(SectionError::NoArch { why: "no smooth curve passes through them" })?;
     let mut curve = None;
     for _ in 0..5 {
@@ -68,13 +75,34 @@ pub fn fit(points: &[[f64; 2]]) -> Result<Section, SectionError> {
             break;
         }
     }
-    let curve = curve.ok_or(too_few(0))?;
-    section(&polar, &curve, &seen, &kept)
+    let curve = polar.up_to(curve.ok_or(too_few(0))?, &faces);
+    Ok(Section { repeated, faces, ..section(&polar, &curve, &seen, &kept)? })
+}
+
+/// Points without those that are given again, from left to right.
+fn distinct(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(sorted.len());
+    for point in sorted {
+        let near = |other: &&[f64; 2]| point[0] - other[0] <= SAME;
+        if !kept.iter().rev().take_while(near).any(|other| (point[1] - other[1]).abs() <= SAME) {
+            kept.push(point);
+        }
+    }
+    kept
+}
+
+/// Points in the order along the curve, with their directions; none where some lie below the centre.
+pub(super) fn in_order(polar: &Polar, points: &[[f64; 2]]) -> Option<Vec<Seen>> {
+    let mut seen: Vec<Seen> = points.iter().map(|&point| (polar.of(point), point)).collect();
+    seen.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.0[1].total_cmp(&b.0[1])));
+    seen.iter().all(|([angle, _], _)| angle.abs() <= 0.75 * std::f64::consts::PI).then_some(seen)
 }
 
 /// Directions from a centre: angle from the vertical, clockwise [rad], and distance [m].
-struct Polar {
-    centre: [f64; 2],
+pub(super) struct Polar {
+    pub(super) centre: [f64; 2],
 }
 
 impl Polar {
@@ -85,11 +113,40 @@ impl Polar {
     fn point(&self, angle: f64, radius: f64) -> [f64; 2] {
         [self.centre[0] + radius * angle.sin(), self.centre[1] + radius * angle.cos()]
     }
+    /// Angles between the ends of a curve and an upright line [rad].
+    pub(super) fn steepness(&self, curve: &Radius) -> [f64; 2] {
+        const STEP: f64 = 1e-3;
+        [[0, 1], [1, 0]].map(|[end, other]| {
+            let angle = curve.ends[end];
+            let inside = angle + STEP * (curve.ends[other] - angle);
+            let (a, b) = (self.point(angle, curve.at(angle)), self.point(inside, curve.at(inside)));
+            (b[0] - a[0]).abs().atan2((b[1] - a[1]).abs())
+        })
+    }
+    /// A curve from face to face: its last points lie some way above the springings, at whose level the faces end. It is drawn out to where
+    /// it meets them, no further than [`FARTHEST`]; a curve that meets none within it ends at its last point.
+    fn up_to(&self, curve: Radius, faces: &[Face]) -> Radius {
+        const STEPS: usize = 200;
+        let [from, to] = curve.ends;
+        let x = |angle: f64| self.point(angle, curve.at(angle))[0];
+        let middle = 0.5 * (x(from) + x(to));
+        let end = |angle: f64, outwards: f64| {
+            let face = faces.iter().find(|face| (face.x - middle) * outwards > 0.0);
+            let step = outwards * FARTHEST / STEPS as f64 / curve.at(angle);
+            let reached = |k: &usize| face.is_some_and(|face| (x(angle + *k as f64 * step) - face.x) * outwards >= 0.0);
+            (0..=STEPS).find(reached).map_or(angle, |k| angle + k as f64 * step)
+        };
+        let drawn = [end(from, -1.0), end(to, 1.0)];
+        Radius { drawn, ..curve }
+    }
 }
 
 /// Distance from the centre over the angle.
-struct Radius {
+pub(super) struct Radius {
+    /// Angles of the first and the last point that it passes [rad].
     ends: [f64; 2],
+    /// Angles of its own ends [rad].
+    drawn: [f64; 2],
     terms: Vec<f64>,
 }
 
@@ -101,11 +158,18 @@ impl Radius {
         legendre(Radius::share(self.ends, angle), self.terms.len()).iter().zip(&self.terms).map(|(p, c)| p * c).sum()
     }
     /// Distance of a point from the curve, outwards [m]: along the ray, by the slope of the curve against it.
-    fn deviation(&self, [angle, radius]: [f64; 2]) -> f64 {
+    pub(super) fn deviation(&self, [angle, radius]: [f64; 2]) -> f64 {
         const STEP: f64 = 1e-5;
         let slope = (self.at(angle + STEP) - self.at(angle - STEP)) / (2.0 * STEP);
         let at = self.at(angle);
         (radius - at) / (1.0 + (slope / at).powi(2)).sqrt()
+    }
+}
+
+impl Radius {
+    /// How many terms it has.
+    pub(super) fn terms(&self) -> usize {
+        self.terms.len()
     }
 }
 
@@ -120,7 +184,8 @@ fn legendre(x: f64, count: usize) -> Vec<f64> {
     values
 }
 
-type Seen = ([f64; 2], [f64; 2]);
+/// A point by its direction from the centre, and as it was surveyed.
+pub(super) type Seen = ([f64; 2], [f64; 2]);
 
 /// Least squares with so many terms and these weights; none where it has no solution.
 fn radius(seen: &[Seen], weights: &[f64], terms: usize) -> Option<Radius> {
@@ -134,7 +199,7 @@ fn radius(seen: &[Seen], weights: &[f64], terms: usize) -> Option<Radius> {
     let right = Mat::from_fn(used.len(), 1, |i, _| weights[used[i]].sqrt() * seen[used[i]].0[1]);
     let found = matrix.col_piv_qr().solve_lstsq(&right);
     let terms: Vec<f64> = (0..terms).map(|k| found[(k, 0)]).collect();
-    terms.iter().all(|term| term.is_finite()).then_some(Radius { ends, terms })
+    terms.iter().all(|term| term.is_finite()).then_some(Radius { ends, drawn: ends, terms })
 }
 
 /// Median of sizes; from that of deviations follows the scatter of those that are normally distributed.
@@ -154,7 +219,7 @@ fn weights(deviations: &[f64]) -> Vec<f64> {
 }
 
 /// A circle that outliers do not move, and the deviations from it; none where the points lie on a line.
-fn robust_circle(points: &[[f64; 2]]) -> Option<(Circle, Vec<f64>)> {
+pub(super) fn robust_circle(points: &[[f64; 2]]) -> Option<(Circle, Vec<f64>)> {
     let mut weights_ = vec![1.0; points.len()];
     let mut found = None;
     for _ in 0..ROUNDS {
@@ -187,7 +252,7 @@ fn circle(points: &[[f64; 2]], weights: &[f64]) -> Option<Circle> {
 }
 
 /// Which points lie near a curve of few terms that outliers do not move.
-fn robust(seen: &[Seen]) -> Option<Vec<bool>> {
+pub(super) fn robust(seen: &[Seen]) -> Option<Vec<bool>> {
     let terms = (seen.len() / POINTS_A_TERM).clamp(2, 9);
     let mut weights_ = vec![1.0; seen.len()];
     let mut deviations = Vec::new();
@@ -207,7 +272,7 @@ fn inlying(seen: &[Seen], curve: &Radius) -> Vec<bool> {
 }
 
 /// The curve with as many terms as the points that are kept justify (Schwarz 1978).
-fn chosen(seen: &[Seen], kept: &[bool]) -> Option<Radius> {
+pub(super) fn chosen(seen: &[Seen], kept: &[bool]) -> Option<Radius> {
     let weights: Vec<f64> = kept.iter().map(|kept| f64::from(u8::from(*kept))).collect();
     let count = kept.iter().filter(|kept| **kept).count();
     let most = (count / POINTS_A_TERM).clamp(1, MOST_TERMS);
@@ -222,7 +287,7 @@ fn chosen(seen: &[Seen], kept: &[bool]) -> Option<Radius> {
 }
 
 fn section(polar: &Polar, curve: &Radius, seen: &[Seen], kept: &[bool]) -> Result<Section, SectionError> {
-    let [from, to] = curve.ends;
+    let [from, to] = curve.drawn;
     let along = |count: usize| {
         (0..=count).map(move |k| from + (to - from) * k as f64 / count as f64).map(|a| polar.point(a, curve.at(a)))
     };
@@ -271,6 +336,8 @@ fn section(polar: &Polar, curve: &Radius, seen: &[Seen], kept: &[bool]) -> Resul
         curve: written,
         drawn,
         points,
+        repeated: 0,
+        faces: Vec::new(),
     })
 }
 

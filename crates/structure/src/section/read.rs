@@ -34,23 +34,41 @@ impl LengthUnit {
     }
 }
 
+/// Sections from here on are no arch [m]; the longest of masonry spans half of it.
+const LONGEST: f64 = 300.0;
+/// Nor are shorter ones [m].
+const SHORTEST: f64 = 0.3;
+/// Lengths of arches that stand, among which another unit is looked for [m].
+const USUAL: std::ops::RangeInclusive<f64> = 1.0..=60.0;
+
+/// A table as it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// Its points [m].
+    pub points: Vec<[f64; 2]>,
+    /// The unit that the heading names, where another was given and taken.
+    pub overruled: Option<LengthUnit>,
+}
+
 /// Points of a table with two columns, distance along the bridge and height [m]: separated by commas, semicolons, tabs or blanks, with
-/// or without a heading; lines that begin with # are comments. The unit is that of the heading, unless another is given.
+/// or without a heading; lines that begin with # are comments. The unit of each column is that of its heading, or of the other where it has none,
+/// unless another is given for both.
 ///
 /// # Errors
-/// The first row that is no point, or no unit.
-pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Vec<[f64; 2]>, SectionError> {
+/// The first row that is no point, no unit, or one in which the section is no arch.
+pub fn read(text: &str, given: Option<LengthUnit>) -> Result<Table, SectionError> {
     let text = text.trim_start_matches('\u{feff}');
     let lines = || text.lines().enumerate().map(|(k, line)| (k + 1, line.trim()));
     let rows = || lines().filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let separator = separator(rows().nth(1).or(rows().next()).map_or("", |(_, line)| line));
-    let mut unit = unit;
+    let mut headed = [None; 2];
     let mut points = Vec::new();
     for (index, (line, row)) in rows().enumerate() {
         let cells = cells(row, separator);
         let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number(cell, separator)).collect();
         if index == 0 && numbers.iter().all(Option::is_none) {
-            unit = unit.or_else(|| cells.iter().find_map(|cell| LengthUnit::of_heading(cell)));
+            let of = |k: usize| cells.get(k).and_then(|cell| LengthUnit::of_heading(cell));
+            headed = [of(0).or(of(1)), of(1).or(of(0))];
             continue;
         }
         let wrong = |what: String| SectionError::Row { line, what };
@@ -64,8 +82,23 @@ pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Vec<[f64; 2]>, Secti
         };
         points.push([x, y]);
     }
-    let size = unit.ok_or(SectionError::NoUnit)?.size;
-    Ok(points.into_iter().map(|point| point.map(|value| value * size)).collect())
+    let [Some(x), Some(y)] = headed.map(|unit| given.or(unit)) else { return Err(SectionError::NoUnit) };
+    doubt(&points, x)?;
+    let points = points.into_iter().map(|point| [point[0] * x.size, point[1] * y.size]).collect();
+    Ok(Table { points, overruled: headed.into_iter().flatten().find(|unit| given.is_some_and(|given| given != *unit)) })
+}
+
+/// Refuses a length that no arch has, and says in which units it would be one.
+fn doubt(points: &[[f64; 2]], unit: LengthUnit) -> Result<(), SectionError> {
+    let along = || points.iter().map(|point| point[0]);
+    let number = along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min);
+    let span = number * unit.size;
+    if points.len() < 2 || (SHORTEST..LONGEST).contains(&span) {
+        return Ok(());
+    }
+    let others = UNITS.iter().filter(|other| **other != unit).map(|other| (other.symbol, number * other.size));
+    let candidates = others.filter(|(_, span)| USUAL.contains(span)).collect();
+    Err(SectionError::Unlikely { span, unit: unit.symbol, candidates })
 }
 
 /// What stands between two cells of a row.

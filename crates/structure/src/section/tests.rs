@@ -2,6 +2,7 @@ use super::*;
 use crate::samples::{self, Dice};
 use bridge::Bridge;
 use bridge::ring::{Intrados, Profile};
+use outcome::section::Section;
 
 /// Points of an intrados with normal scatter [m], seen by a scanner that stands somewhere.
 fn scanned(profile: &Profile, [span, rise]: [f64; 2], count: usize, scatter: f64, seed: u64) -> Vec<[f64; 2]> {
@@ -102,12 +103,15 @@ fn a_kink_is_told() {
 
 #[test]
 fn tables_are_read_as_they_come() {
+    let read = |text: &str, unit| read(text, unit).map(|table| table.points);
     let wanted = Ok(vec![[0.0, 0.0], [1.5, 2.25]]);
     let metres = LengthUnit::named("m");
     for text in [
         "x_m,y_m\n0,0\n1.5,2.25\n",
         "# scan\n\"x [m]\";\"y [m]\"\n0;0\n1,5;2,25\n",
         "\u{feff}x (mm)\ty (mm)\n0\t0\n1500\t2250\r\n",
+        "x_m,y_mm\n0,0\n1.5,2250\n",
+        "x_m,y\n0,0\n1.5,2.25\n",
     ] {
         assert_eq!(read(text, None), wanted, "{text}");
     }
@@ -135,4 +139,126 @@ fn what_is_no_arch_is_refused() {
     assert!(fit(&vec![[1.0, 1.0]; 40]).is_err());
     let file = span_file("two\nlines", &fit(&scanned(&Profile::Segmental, [8.0, 1.6], 60, 0.0, 1)).unwrap());
     assert!(file.contains("TO FILL IN") && file.contains("\"two lines\""), "{file}");
+}
+
+/// The same with the faces of its abutments: points on lines at the ends, so many metres deep, a point every 50 mm.
+fn with_faces(profile: &Profile, size: [f64; 2], depths: [f64; 2], batter: f64, seed: u64) -> Vec<[f64; 2]> {
+    let mut points = scanned(profile, size, 400, 2e-3, seed);
+    let mut dice = Dice(seed + 100);
+    for (side, depth) in depths.into_iter().enumerate() {
+        let (x, outwards) = if side == 0 { (37.2, -1.0) } else { (37.2 + size[0], 1.0) };
+        for k in 1..=(depth / 0.05) as usize {
+            let down = 0.05 * k as f64;
+            points.push([x - outwards * batter * down + 4e-3 * (dice.roll() - 0.5), 101.8 - down]);
+        }
+    }
+    points
+}
+
+#[test]
+fn faces_of_abutments_are_left_out_and_told() {
+    for (profile, size, depths, batter) in [
+        (Profile::Segmental, [8.0, 1.6], [1.45, 1.45], 0.0),
+        (Profile::Segmental, [8.0, 1.6], [2.0, 0.6], 0.0),
+        (Profile::Segmental, [5.0, 1.2], [1.0, 1.0], 0.1),
+        (Profile::Segmental, [8.0, 1.6], [1.0, 0.0], 0.0),
+        (Profile::Segmental, [15.0, 2.0], [4.0, 3.0], 0.0),
+        (Profile::Semicircular, [6.0, 3.0], [2.0, 2.0], 0.0),
+        (Profile::Parabolic, [10.0, 2.0], [1.5, 1.5], 0.0),
+    ] {
+        for seed in [1, 2, 3] {
+            let section = fit(&with_faces(&profile, size, depths, batter, seed)).unwrap();
+            let wanted = depths.iter().filter(|depth| **depth > 0.0).count();
+            assert_eq!(section.faces.len(), wanted, "{profile:?} {size:?} {depths:?}: {:?}", section.faces);
+            // Where the face meets the curve without a kink, the level of the springing is less certain.
+            let least = if profile == Profile::Semicircular { 0.3 } else { 0.06 };
+            assert!(
+                (section.rise() - size[1]).abs() < least,
+                "{profile:?} {size:?} {depths:?}: {} {:?}",
+                section.rise(),
+                section.faces
+            );
+            assert!(
+                (section.span() - size[0]).abs() < 0.04,
+                "{profile:?} {size:?} {depths:?} {seed}: {} {:?}",
+                section.span(),
+                section.faces
+            );
+            assert!(
+                section.faces.iter().all(|face| (face.top - 101.8).abs() < least + 0.06 && face.points > 5),
+                "{:?}",
+                section.faces
+            );
+        }
+    }
+}
+
+#[test]
+fn an_intrados_alone_has_no_faces() {
+    for (profile, size) in [
+        (Profile::Segmental, [8.0, 1.6]),
+        (Profile::Semicircular, [6.0, 3.0]),
+        (Profile::Elliptical, [9.0, 2.6]),
+        (Profile::Pointed, [6.0, 3.9]),
+        (Profile::Parabolic, [10.0, 2.0]),
+    ] {
+        for (seed, count, scatter) in [(1, 1000, 2e-3), (2, 300, 2e-3), (3, 100, 5e-3), (4, 3000, 1e-3)] {
+            let (_, found) = faces::cut(&scanned(&profile, size, count, scatter, seed));
+            assert!(found.is_empty(), "{profile:?} {count} {scatter}: {found:?}");
+        }
+    }
+    // A barrel of thirty stones with flat faces.
+    let stones = |k: usize, share: f64| {
+        let at = |k: usize| {
+            let angle = std::f64::consts::PI * (k as f64 / 30.0 - 0.5);
+            [3.0 * angle.sin(), 3.0 * angle.cos()]
+        };
+        let (a, b) = (at(k), at(k + 1));
+        [0, 1].map(|i| a[i] + share * (b[i] - a[i]))
+    };
+    let mut dice = Dice(9);
+    let faceted: Vec<[f64; 2]> = (0..900)
+        .map(|k| stones(k / 30, f64::from(u32::try_from(k % 30).unwrap()) / 29.0))
+        .map(|[x, y]| [x + 2e-3 * (dice.roll() - 0.5), y + 2e-3 * (dice.roll() - 0.5)])
+        .collect();
+    let section = fit(&faceted).unwrap();
+    assert!(section.faces.is_empty(), "{:?}", section.faces);
+}
+
+#[test]
+fn a_point_that_is_given_twice_counts_once() {
+    let mut points = scanned(&Profile::Elliptical, [9.0, 2.6], 150, 2e-3, 5);
+    let once = fit(&points).unwrap();
+    // A closed scan, and one that passes over its left half again.
+    points.push(points[0]);
+    points.extend(points.clone().iter().filter(|point| point[0] < 40.0).copied().collect::<Vec<_>>());
+    let again = fit(&points).unwrap();
+    assert_eq!(Section { repeated: 0, ..again.clone() }, once);
+    assert!(once.repeated == 0 && again.repeated > 20, "{}", again.repeated);
+    let few = [points[..6].to_vec(), points[..6].to_vec(), points[..6].to_vec()].concat();
+    assert!(matches!(fit(&few), Err(SectionError::TooFew { count: 6, .. })), "{:?}", fit(&few));
+}
+
+#[test]
+fn a_length_that_no_arch_has_names_the_unit_that_makes_one() {
+    let table = |heading: &str, size: f64| {
+        let points = scanned(&Profile::Segmental, [8.0, 1.6], 40, 0.0, 1);
+        points.iter().fold(format!("{heading}\n"), |text, [x, y]| format!("{text}{},{}\n", x * size, y * size))
+    };
+    for (heading, size, unit, said) in [
+        ("x_m,y_m", 1e3, None, "--unit mm"),
+        ("x_mm,y_mm", 1.0, None, "--unit m"),
+        ("x_m,y_m", 1.0 / 0.0254, LengthUnit::named("m"), "--unit in"),
+        ("x_m,y_m", 1.0, LengthUnit::named("mm"), "--unit m"),
+    ] {
+        let error = read(&table(heading, size), unit).unwrap_err().to_string();
+        assert!(
+            error.contains(said) && error.contains("8.000 m") && error.contains("no arch"),
+            "{heading} {size}: {error}"
+        );
+    }
+    assert!(read(&table("x_m,y_m", 1e-6), None).unwrap_err().to_string().contains("along the bridge"));
+    let taken = read(&table("x_m,y_m", 1e3), LengthUnit::named("mm")).unwrap();
+    assert_eq!(taken.overruled, LengthUnit::named("m"));
+    assert!((fit(&taken.points).unwrap().span() - 8.0).abs() < 1e-3);
 }

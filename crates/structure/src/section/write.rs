@@ -9,7 +9,7 @@ pub fn span_file(name: &str, section: &Section) -> String {
     let name = name.replace(['\n', '\r'], " ");
     let (left_out, kept) = (section.left_out().count(), section.points.iter().filter(|p| !p.is_left_out).count());
     let mut page = format!(
-        "# Fitted to {kept} points of a surveyed section; {left_out} more were left out as outliers.\n\
+        "# Fitted to {kept} points of a surveyed section; {left_out} more left out as outliers.\n\
          # They scatter by {:.1} mm (root mean square) about the curve.\n\
          # Lines marked TO FILL IN hold what no section says; the file is refused until they are filled in.\n\n\
          [bridge]\nname = {}\nwidth = \"TO FILL IN m\"\n\n[[span]]\nprofile = \"measured\"\npoints = [\n",

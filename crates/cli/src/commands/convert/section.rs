@@ -5,7 +5,8 @@ use crate::args::Convert;
 use crate::failure::Failure;
 use crate::status::Status;
 use extrados::files::LONGEST;
-use outcome::section::{Section, Surveyed};
+use findings::words::counted;
+use outcome::section::{Face, Section, Surveyed};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use structure::section::{self, LengthUnit};
@@ -28,8 +29,8 @@ pub fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Fai
     };
     let unit = arguments.unit.as_deref().and_then(LengthUnit::named);
     let table = bridge::as_utf8(read_file(&arguments.from, LONGEST)?);
-    let points = section::read(&String::from_utf8_lossy(&table), unit).map_err(refused)?;
-    let found = section::fit(&points).map_err(refused)?;
+    let read = section::read(&String::from_utf8_lossy(&table), unit).map_err(refused)?;
+    let found = section::fit(&read.points).map_err(refused)?;
     let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let drawing = || figures::section_drawing(&name, &found);
     let bytes = match to {
@@ -43,7 +44,10 @@ pub fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Fai
     guard(arguments, &[&arguments.from])?;
     folder::write_whole(&arguments.to, &bytes).map_err(|error| Failure::unwritable(&arguments.to, &error))?;
     let mut report = Report::new(Status::Completed);
-    for doubt in doubts(&found) {
+    let overruled = read.overruled.zip(unit).map(|(headed, unit)| {
+        format!("the heading says {}, --unit says {}, which is taken: correct the heading", headed.symbol, unit.symbol)
+    });
+    for doubt in overruled.into_iter().chain(doubts(&found)) {
         report.warn(&mut desk.screen, "F134", &doubt);
     }
     let shown = arguments.to.display().to_string();
@@ -54,8 +58,13 @@ pub fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Fai
 fn fields(report: Report, found: &Section) -> Report {
     let point = |p: &Surveyed| json!({ "x_m": p.at[0], "y_m": p.at[1], "deviation_mm": 1e3 * p.deviation });
     let left_out: Vec<Value> = found.left_out().map(point).collect();
+    let face =
+        |f: &Face| json!({ "x_m": f.x, "foot_x_m": f.foot, "bottom_m": f.bottom, "top_m": f.top, "points": f.points });
+    let faces: Vec<Value> = found.faces.iter().map(face).collect();
     report
         .with("points", found.points.len())
+        .with("repeated", found.repeated)
+        .with("abutment_faces", faces)
         .with("left_out", left_out)
         .with("span_m", found.span())
         .with("rise_m", found.rise())
@@ -68,14 +77,14 @@ fn fields(report: Report, found: &Section) -> Report {
 }
 
 fn summary(from: &str, found: &Section, shown: &str, is_file: bool) -> String {
-    let mut page = format!("{from}: {} points of an intrados\n\n", found.points.len());
+    let mut page = format!("{from}: {} of an intrados\n\n", counted(found.points.len(), "point"));
     let _ = writeln!(page, "  span                  {:9.3} m", found.span());
     let _ = writeln!(page, "  rise                  {:9.3} m", found.rise());
     let _ = writeln!(
         page,
-        "  scatter               {:9.1} mm   about a smooth curve of {} terms",
+        "  scatter               {:9.1} mm   about a smooth curve of {}",
         1e3 * found.scatter,
-        found.terms
+        counted(found.terms, "term")
     );
     let _ = writeln!(
         page,
@@ -84,6 +93,9 @@ fn summary(from: &str, found: &Section, shown: &str, is_file: bool) -> String {
         1e3 * found.circle.scatter
     );
     let _ = writeln!(page, "  left out              {:9}", found.left_out().count());
+    if found.repeated > 0 {
+        let _ = writeln!(page, "  repeated, counted once{:9}", found.repeated);
+    }
     let _ = writeln!(page, "\nwritten to {shown}");
     if is_file {
         let _ = writeln!(page, "fill in the lines marked TO FILL IN, then: extrados check {shown}");
@@ -102,11 +114,25 @@ fn doubts(found: &Section) -> Vec<String> {
             .map(|p| format!("x = {:.3} m ({:+.0} mm)", p.at[0], 1e3 * p.deviation))
             .collect();
         let more = if left_out.len() > NAMED { format!(" and {} more", left_out.len() - NAMED) } else { String::new() };
-        let what = if left_out.len() == 1 { "point lies" } else { "points lie" };
+        let (lies, was) = if left_out.len() == 1 { ("lies", "was") } else { ("lie", "were") };
         doubts.push(format!(
-            "{} {what} too far from the curve and were left out: {}{more}",
-            left_out.len(),
+            "{} {lies} too far from the curve and {was} left out: {}{more}",
+            counted(left_out.len(), "point"),
             named.join(", ")
+        ));
+    }
+    if !found.faces.is_empty() {
+        let face = |f: &Face| {
+            let points = counted(f.points, "point");
+            // No zero with a sign.
+            let [x, bottom, top] = [f.x, f.bottom, f.top].map(|value| 0.01 * (100.0 * value).round() + 0.0);
+            format!("{points} at x = {x:.2} m between y = {bottom:.2} and {top:.2} m")
+        };
+        let faces: Vec<String> = found.faces.iter().map(face).collect();
+        doubts.push(format!(
+            "the section goes on down the faces of the abutments, which are no part of the arch and were left out: {}; look whether the \
+             springings lie above them",
+            faces.join("; ")
         ));
     }
     let ends = [found.points.first(), found.points.last()].into_iter().flatten();
