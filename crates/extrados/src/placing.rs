@@ -36,7 +36,7 @@ impl Placing {
         placing::Placing::loads(&bridge).map(Placing).map_err(|error| Refusal::not_set_up(&error))
     }
 
-    /// A vehicle with all of its axles and uniform loads, the first axle of which tells the place.
+    /// A vehicle under the factors of a rule, the first axle of which tells the place: at every place it carries what a sweep finds there.
     ///
     /// # Errors
     /// A file that cannot be used, a vehicle or a rule that is not known, or that do not go together (F108).
@@ -49,7 +49,7 @@ impl Placing {
         let direction = if asked.leftward { Direction::Left } else { Direction::Right };
         let driven = Driven::new(&bridge, &plan, &asked.vehicle, direction)
             .map_err(|unknown| Refusal::new("F108", unknown.to_string(), "extrados vehicles lists what there is"))?;
-        placing::Placing::vehicle(&bridge, driven).map(Placing).map_err(|error| Refusal::not_set_up(&error))
+        placing::Placing::vehicle(&bridge, &driven).map(Placing).map_err(|error| Refusal::not_set_up(&error))
     }
 
     /// Places at which something acts on the arches [m].
@@ -77,13 +77,18 @@ impl Placing {
     ///
     /// # Errors
     /// Blocks that cannot be analysed (F108).
-    pub fn zone(&self, position: f64, factor: f64) -> Result<Vec<Vec<[Point; 2]>>, Refusal> {
+    pub fn zone(&mut self, position: f64, factor: f64) -> Result<Vec<Vec<[Point; 2]>>, Refusal> {
         self.0.zone(position, factor).map_err(|error| Refusal::not_set_up(&error))
     }
 
     /// The vehicle, where one is put.
     pub fn driven(&self) -> Option<&Driven> {
         self.0.driven()
+    }
+
+    /// The factors that act on the loads, in words; those of a file are nominal.
+    pub fn factors(&self) -> String {
+        self.0.factors()
     }
 
     /// Whether the bridge carries its own weight.

@@ -42,7 +42,7 @@ impl Placing {
             "name": driven.map_or("loads of the file", |driven| driven.vehicle.vehicle.title.as_str()),
             "code": driven.map_or("", |driven| driven.vehicle.vehicle.code.as_str()),
             "rule": driven.map_or("", |driven| driven.rule.title.as_str()),
-            "axles": axles, "from": from, "to": to, "fast": self.inner.is_quick(), "stands": self.inner.stands(),
+            "factors": self.inner.factors(), "axles": axles, "from": from, "to": to, "fast": self.inner.is_quick(), "stands": self.inner.stands(),
             "assumptions": self.inner.assumptions(),
         })
     }
@@ -69,7 +69,7 @@ impl Placing {
     ///
     /// # Errors
     /// Those of [`extrados::Placing::zone`].
-    pub fn zone(&self, position: f64, factor: f64) -> Result<Vec<f64>, Refusal> {
+    pub fn zone(&mut self, position: f64, factor: f64) -> Result<Vec<f64>, Refusal> {
         let rings = self.inner.zone(position, factor)?;
         let mut flat = Vec::new();
         for (k, ring) in rings.iter().enumerate() {

@@ -1,40 +1,33 @@
 //! Loads under somebody's hand: the bridge is prepared once, and answers wherever its loads or a vehicle are put.
 //!
 //! Limit analysis of rigid rings, as in a sweep and by itself: the least of the loads with and without dilation. What one
-//! place has taught is kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off.
+//! place has taught is kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off. Of a vehicle every
+//! case counts that a sweep tries at that place: the answer there is the sweep's. `state` answers one state of the bridge.
 
-use super::vehicles::Driven;
+mod state;
+
+use super::vehicles::{Asked, Driven};
 use super::{AnalysisError, by_limit, places, policy};
 use bridge::Bridge;
-use mechanics::blocks::PointForce;
-use mechanics::limit::{self, Experience, Friction, Ground, Level, Outcome, Starts};
+use mechanics::limit::{self, Friction, Outcome};
 use outcome::collapse::{FlowRule, Status};
 use outcome::help::Help;
 use outcome::picture::{LoadArrow, Picture, Point};
-use structure::discretise::dispersal::{self, Strip};
-use structure::discretise::{Discretised, continuum};
+use outcome::vehicles::Case;
+use state::{Put, State};
+use structure::discretise::continuum;
+use structure::discretise::dispersal;
 
 /// A bridge that waits for its loads.
 pub struct Placing {
-    bridge: Bridge,
-    /// Under each combination of a rule's factors on weights, and in every state without help that may come and go: the worst counts.
-    stands: Vec<Stand>,
+    /// In every state without help that may come and go: the worst counts.
+    states: Vec<State>,
     /// What the file describes of such help.
     helps: Vec<Help>,
-    driven: Option<Driven>,
     /// Reference point of the file's first load [m].
     first: f64,
     friction: Friction,
     capacity: f64,
-}
-
-/// The blocks under their weight.
-struct Stand {
-    d: Discretised,
-    ground: Ground<'static>,
-    learnt: Experience,
-    /// The end of the last iteration without dilation, against which others are held.
-    near: Option<Level>,
 }
 
 /// What is carried at a place.
@@ -73,6 +66,8 @@ pub struct Placed {
     pub picture: Picture,
     /// What stands on the road: middle [m], length [m] and force [N/m] of each strip.
     pub strips: Vec<(Point, f64, f64)>,
+    /// Of a vehicle: which axles and uniform loads stand, which axle is the critical one, under which weights.
+    pub case: Option<Case>,
 }
 
 impl Placing {
@@ -85,153 +80,173 @@ impl Placing {
         if bridge.loads.iter().any(|load| load.block.is_some()) {
             return Err(AnalysisError::MovedBlock);
         }
-        let (states, helps) = states(bridge);
-        let stands = states.iter().map(Stand::new).collect::<Result<Vec<_>, _>>()?;
-        let friction = by_limit::single(bridge, &stands[0].d).friction;
-        Ok(Placing { bridge: bridge.clone(), stands, helps, driven: None, first, friction, capacity: 1.0 })
+        Placing::on(bridge, first, 1.0, State::of_loads)
     }
 
-    /// The bridge with a vehicle, all of whose axles and uniform loads stand, under the factors of a rule.
+    /// The bridge with a vehicle under the factors of a rule.
     ///
     /// # Errors
     /// A vehicle or a rule that is not known, blocks that cannot be analysed.
-    pub fn vehicle(bridge: &Bridge, driven: Driven) -> Result<Placing, AnalysisError> {
-        let (states, helps) = states(bridge);
-        let bridges: Vec<Bridge> = states.iter().flat_map(|state| driven.bridges(state)).collect();
-        let stands = bridges.iter().map(Stand::new).collect::<Result<Vec<_>, _>>()?;
-        let capacity = driven.rule.capacity_factor();
-        let friction = by_limit::single(&bridges[0], &stands[0].d).friction;
-        Ok(Placing { bridge: bridges[0].clone(), stands, helps, driven: Some(driven), first: 0.0, friction, capacity })
+    pub fn vehicle(bridge: &Bridge, driven: &Driven) -> Result<Placing, AnalysisError> {
+        Placing::on(bridge, 0.0, driven.rule.capacity_factor(), |state| State::of_vehicle(state, driven))
+    }
+
+    fn on(
+        bridge: &Bridge,
+        first: f64,
+        capacity: f64,
+        put_on: impl Fn(&Bridge) -> Result<State, AnalysisError>,
+    ) -> Result<Placing, AnalysisError> {
+        let (bridges, helps) = without_help(bridge);
+        let states = bridges.iter().map(put_on).collect::<Result<Vec<_>, _>>()?;
+        let friction = by_limit::single(&states[0].bridge, &states[0].built[0]).friction;
+        Ok(Placing { states, helps, first, friction, capacity })
     }
 
     /// Places at which a load acts on the arches [m]: of the first axle, or of the reference point of the first load.
     pub fn range(&self) -> [f64; 2] {
-        let d = &self.stands[0].d;
-        if let Some(driven) = &self.driven {
-            return driven.range(d);
+        let state = &self.states[0];
+        if let Some((_, driving)) = &state.vehicle {
+            return driving.range;
         }
-        let all = self.bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
+        let all = state.bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
         let ahead: Vec<f64> = all.map(|strip| strip.middle - self.first).collect();
         let most = ahead.iter().copied().fold(0.0, f64::max);
         let least = ahead.iter().copied().fold(0.0, f64::min);
-        [-most, structure::discretise::bridge_length(&self.bridge) - least]
+        [-most, structure::discretise::bridge_length(&state.bridge) - least]
     }
 
     /// What is dragged.
     pub fn driven(&self) -> Option<&Driven> {
-        self.driven.as_ref()
+        self.states[0].vehicle.as_ref().map(|(driven, _)| driven)
+    }
+
+    /// The factors that act, in words; the loads of a file have none.
+    pub fn factors(&self) -> String {
+        self.driven().map_or(NOMINAL.to_owned(), |driven| driven.factors(&self.states[0].bridge))
     }
 
     /// Whether the blocks carry their own weight.
     pub fn stands(&self) -> bool {
-        self.stands.iter().all(|stand| stand.ground.stands())
+        self.states.iter().all(State::stands)
     }
 
     /// Whether places are answered by the quick method; where not, each takes as long as an analysis by itself.
     pub fn is_quick(&self) -> bool {
-        self.stands.iter().all(|stand| stand.ground.is_fast())
+        self.states.iter().all(State::is_quick)
     }
 
     /// What is assumed, in words.
     pub fn assumptions(&self) -> Vec<String> {
         let mut said = vec![super::sweep::RIGID.to_owned()];
-        if self.driven.is_some() {
-            said.push(WHOLE.to_owned());
+        if self.driven().is_some() {
+            said.push(SOUGHT.to_owned());
         }
-        if continuum::wanted(&self.bridge).is_some() {
+        if continuum::wanted(&self.states[0].bridge).is_some() {
             said.push("Layers that are a continuum in the file are weight alone here.".to_owned());
         }
         if !self.helps.is_empty() {
             said.push(format!("What may come and go is not counted where it helps: {}.", Help::all_told(&self.helps)));
         }
-        if self.stands[0].d.fill.is_some() {
+        if self.states[0].built[0].fill.is_some() {
             said.push("Layers that are particles in the file take no part here.".to_owned());
         }
         said
     }
 
-    /// What stands where, and the bridge that says how it spreads.
-    fn standing(&self, position: f64) -> (Bridge, Vec<Strip>) {
-        let (bridge, offset) = match &self.driven {
-            Some(driven) => (driven.placed(&self.bridge, position), 0.0),
-            None => (self.bridge.clone(), position - self.first),
-        };
-        let strips = bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect();
-        (bridge, strips)
+    /// What stands with the loads at a place [m], in the state that carries least, and which state that is.
+    fn least(&mut self, position: f64, asked: Asked) -> (usize, Put) {
+        let friction = if asked == Asked::Quickly { Friction::Associated } else { self.friction };
+        let several = self.states.len() > 1;
+        let (offset, mut worst) = (position - self.first, None::<(usize, Put)>);
+        for (k, state) in self.states.iter_mut().enumerate() {
+            let mut put = match state.vehicle {
+                Some(_) => state.governing(position, asked),
+                None => state.loads(offset, friction),
+            };
+            if several && put.carried.is_none() {
+                put.carried = Some(state.carried(&put));
+            }
+            let is_worse = |known: &Put| {
+                let both = put.carried.zip(known.carried);
+                both.is_some_and(|(own, known)| own.is_worse_than(&known))
+            };
+            if worst.as_ref().is_none_or(|(_, known)| is_worse(known)) {
+                worst = Some((k, put));
+            }
+        }
+        worst.expect("a bridge has a state")
+    }
+
+    /// A factor on the loads, with that on what the bridge carries.
+    fn times(&self, factor: Option<f64>) -> Option<f64> {
+        factor.map(|factor| factor * self.capacity)
     }
 
     /// What is carried with the loads at a place [m].
     pub fn carried(&mut self, position: f64) -> Carried {
-        let (bridge, strips) = self.standing(position);
-        let (friction, capacity) = (self.friction, self.capacity);
-        let all = self.stands.iter_mut().map(|stand| stand.carried(&stand.forces(&bridge, &strips), friction));
-        let worst = all.reduce(|a, b| if b.is_worse_than(&a) { b } else { a });
-        let times = |factor: Option<f64>| factor.map(|factor| factor * capacity);
-        let found = worst.unwrap_or(Carried { status: Status::Locks, factor: None, dilatant: None, slides: false });
-        Carried { factor: times(found.factor), dilatant: times(found.dilatant), ..found }
+        let (k, put) = self.least(position, Asked::Carefully);
+        let found = put.carried.unwrap_or_else(|| self.states[k].carried(&put));
+        Carried { factor: self.times(found.factor), dilatant: self.times(found.dilatant), ..found }
     }
 
     /// The same with forces, lines of thrust and mechanism.
     pub fn put(&mut self, position: f64) -> Placed {
-        self.placed(position, self.friction)
+        self.placed(position, Asked::Carefully)
     }
 
     /// The same with dilatant friction alone, where loads move too fast for the iteration without; the answer says where that is open.
     pub fn put_quickly(&mut self, position: f64) -> Placed {
-        let mut placed = self.placed(position, Friction::Associated);
-        let slides =
-            !placed.picture.sliding.is_empty() || (placed.status == Status::Locks && !placed.picture.loads.is_empty());
-        placed.is_open = match self.friction {
-            Friction::Associated => false,
-            Friction::NonAssociated => true,
-            Friction::Automatic => slides,
-        };
+        let mut placed = self.placed(position, Asked::Quickly);
+        if self.driven().is_none() {
+            let locks = placed.status == Status::Locks && !placed.picture.loads.is_empty();
+            placed.is_open = match self.friction {
+                Friction::Associated => false,
+                Friction::NonAssociated => true,
+                Friction::Automatic => !placed.picture.sliding.is_empty() || locks,
+            };
+        }
         placed
     }
 
-    fn placed(&mut self, position: f64, friction: Friction) -> Placed {
-        let (bridge, strips) = self.standing(position);
-        // Of several combinations of weights and states the one that carries least is shown.
-        let mut worst: Option<(usize, Carried)> = None;
-        if self.stands.len() > 1 {
-            for (k, stand) in self.stands.iter_mut().enumerate() {
-                let found = stand.carried(&stand.forces(&bridge, &strips), friction);
-                if worst.as_ref().is_none_or(|(_, known)| found.is_worse_than(known)) {
-                    worst = Some((k, found));
-                }
-            }
-        }
-        let stand = &mut self.stands[worst.map_or(0, |(k, _)| k)];
-        let forces = stand.forces(&bridge, &strips);
-        let outcome = stand.outcome(&forces, friction);
-        let times = |factor: Option<f64>| factor.map(|factor| factor * self.capacity);
+    fn placed(&mut self, position: f64, asked: Asked) -> Placed {
+        let (k, put) = self.least(position, asked);
+        let outcome = self.states[k].outcome(&put);
+        let state = &self.states[k];
+        let d = &state.built[put.weights];
+        // Of loads of the file the number is that of the state that is drawn; of a vehicle that of the search for its case.
+        let found = match put.carried.filter(|_| state.vehicle.is_some()) {
+            Some(found) => found,
+            None if put.forces.is_empty() => Carried::nothing(Status::Locks),
+            None => Carried {
+                status: by_limit::status(outcome.status),
+                factor: lesser(&outcome),
+                dilatant: outcome.associated_factor,
+                slides: false,
+            },
+        };
         let mut picture = Picture::default();
         if let Some(mechanism) = &outcome.mechanism {
-            by_limit::draw_mechanism(&stand.d, &outcome.interfaces, mechanism, &mut picture);
+            by_limit::draw_mechanism(d, &outcome.interfaces, mechanism, &mut picture);
         }
-        picture.thrust_lines = by_limit::thrust_lines(&stand.d, &outcome.interfaces, &outcome.resultants);
-        picture.loads = forces
-            .iter()
-            .map(|force| LoadArrow { at: places::point(force.at), force: places::point(force.force) })
-            .collect();
-        let (status, factor) = match forces.is_empty() {
-            true => (Status::Locks, None),
-            false => (by_limit::status(outcome.status), lesser(&outcome)),
-        };
+        picture.thrust_lines = by_limit::thrust_lines(d, &outcome.interfaces, &outcome.resultants);
+        let arrow = |at, force| LoadArrow { at: places::point(at), force: places::point(force) };
+        picture.loads = put.forces.iter().map(|force| arrow(force.at, force.force)).collect();
+        let strips = put.strips.iter();
         Placed {
             position,
-            status,
-            factor: times(factor),
-            dilatant: times(outcome.associated_factor),
-            bounds: [times(outcome.lower_bound), times(outcome.upper_bound)],
+            status: found.status,
+            factor: self.times(found.factor),
+            dilatant: self.times(found.dilatant),
+            bounds: [self.times(outcome.lower_bound), self.times(outcome.upper_bound)],
             flow: by_limit::flow_rule(outcome.friction),
-            is_open: false,
-            reference: strips.iter().map(|strip| strip.force).sum(),
+            is_open: put.is_open,
+            reference: strips.clone().map(|strip| strip.force).sum(),
             picture,
             strips: strips
-                .iter()
-                .map(|strip| ([strip.middle, stand.d.surface.at(strip.middle)], strip.length, strip.force))
+                .map(|strip| ([strip.middle, d.surface.at(strip.middle)], strip.length, strip.force))
                 .collect(),
+            case: put.case,
         }
     }
 
@@ -240,12 +255,11 @@ impl Placing {
     ///
     /// # Errors
     /// Blocks that cannot be analysed.
-    pub fn zone(&self, position: f64, factor: f64) -> Result<Vec<Vec<[Point; 2]>>, AnalysisError> {
-        let (bridge, strips) = self.standing(position);
-        let stand = &self.stands[0];
-        let d = &stand.d;
-        let loading = mechanics::blocks::Loading { variable: stand.forces(&bridge, &strips), ..d.loading.clone() };
-        let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(&self.bridge) };
+    pub fn zone(&mut self, position: f64, factor: f64) -> Result<Vec<Vec<[Point; 2]>>, AnalysisError> {
+        let (k, put) = self.least(position, Asked::Carefully);
+        let d = &self.states[k].built[put.weights];
+        let loading = mechanics::blocks::Loading { variable: put.forces, ..d.loading.clone() };
+        let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(&self.states[k].bridge) };
         let zone = limit::thrust_zone(&d.model, &loading, factor / self.capacity, &settings)?;
         let reach = zone.interfaces.iter().zip(&zone.reach).filter_map(|(joint, reach)| {
             let ends = reach.as_ref()?.map(places::point);
@@ -256,6 +270,11 @@ impl Placing {
 }
 
 impl Carried {
+    /// No factor, and why.
+    fn nothing(status: Status) -> Carried {
+        Carried { status, factor: None, dilatant: None, slides: false }
+    }
+
     /// Whether it says less of what is carried, or nothing.
     fn is_worse_than(&self, other: &Carried) -> bool {
         match (self.factor, other.factor) {
@@ -270,61 +289,22 @@ impl Carried {
 
 /// The states of the bridge of which the least counts, and what its file describes of help that may come and go. Strength that may be lost only
 /// adds, so that no state counts it.
-fn states(bridge: &Bridge) -> (Vec<Bridge>, Vec<Help>) {
+fn without_help(bridge: &Bridge) -> (Vec<Bridge>, Vec<Help>) {
     let states = policy::states_of_moving(bridge);
     let helps = states.last().map_or_else(Vec::new, |described| described.helps.clone());
     let weak = states.into_iter().filter(|state| !state.counts_strength());
     (weak.map(|state| state.bridge).collect(), helps)
 }
 
-/// What is said of a vehicle that stands with all of its axles.
-const WHOLE: &str = "The vehicle stands with all of its axles and uniform loads, in its first arrangement. A sweep also leaves out those that \
-                     help, and may find much less: it gives the verdict.";
+/// What is said of a vehicle.
+const SOUGHT: &str = "At every place that case of the vehicle counts that carries least, as in a sweep: which axles and uniform loads stand, \
+                      which axle is the critical one, and which weights help.";
+
+/// What is said of the factors on loads of the file.
+const NOMINAL: &str = "nominal: the loads as the file gives them, without factors of a rule";
 
 /// The factor of the state that is shown, or the one with dilation where that is less.
 fn lesser(outcome: &Outcome) -> Option<f64> {
     let factor = outcome.factor?;
     Some(outcome.associated_factor.map_or(factor, |dilatant| factor.min(dilatant)))
-}
-
-impl Stand {
-    fn new(bridge: &Bridge) -> Result<Stand, AnalysisError> {
-        let mut d = by_limit::prepared(bridge)?;
-        d.loading.variable.clear();
-        let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(bridge) };
-        let ground = Ground::owning(d.model.clone(), &d.loading, &settings)?;
-        Ok(Stand { d, ground, learnt: Experience::default(), near: None })
-    }
-
-    /// The forces that strips bring onto the blocks.
-    fn forces(&self, bridge: &Bridge, strips: &[Strip]) -> Vec<PointForce> {
-        strips.iter().flat_map(|strip| self.d.spread(bridge, *strip).forces).collect()
-    }
-
-    fn carried(&mut self, forces: &[PointForce], friction: Friction) -> Carried {
-        if !self.ground.stands() {
-            let status = Status::UnstableUnderSelfWeight;
-            return Carried { status, factor: None, dilatant: None, slides: false };
-        }
-        if forces.is_empty() {
-            return Carried { status: Status::Locks, factor: None, dilatant: None, slides: false };
-        }
-        let mut sweeper = self.ground.sweeper_with(std::mem::take(&mut self.learnt));
-        let effect = sweeper.effect(forces);
-        let found = sweeper.least(&effect, friction, Starts::Every, self.near.as_ref());
-        self.learnt = sweeper.learnt();
-        let dilatant = found.dilatant.lower;
-        let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
-        self.near = found.level.or(self.near.take());
-        Carried { status: by_limit::status(found.status), factor, dilatant, slides: found.dilatant.slides }
-    }
-
-    fn outcome(&mut self, forces: &[PointForce], friction: Friction) -> Outcome {
-        let mut sweeper = self.ground.sweeper_with(std::mem::take(&mut self.learnt));
-        let effect = sweeper.effect(forces);
-        let (outcome, level) = sweeper.outcome_by(&effect, friction, self.near.as_ref());
-        self.learnt = sweeper.learnt();
-        self.near = level.or(self.near.take());
-        outcome
-    }
 }

@@ -28,6 +28,12 @@ pub fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
     [from - margin, to + margin]
 }
 
+/// Distance between the positions of a sweep [m].
+pub fn places_apart(bridge: &Bridge, plan: &SweepPlan) -> f64 {
+    let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
+    plan.step.unwrap_or(shortest / 60.0)
+}
+
 /// Every drive of a vehicle. A vehicle that looks the same from both ends drives one way only.
 pub fn drives(index: usize, vehicle: &Vehicle, plan: &SweepPlan, [from, to]: [f64; 2], step: f64) -> Vec<Drive> {
     let mut drives = Vec::new();

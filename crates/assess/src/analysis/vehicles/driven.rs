@@ -1,12 +1,19 @@
-//! One vehicle in its first arrangement, whole, wherever somebody puts it.
+//! One vehicle wherever somebody puts it: at each place every case that a sweep tries there, and the least of them.
 
-use super::cases::reach;
-use super::factored::{self, footprint, with_case};
+use super::beside;
+use super::cases::{Drive, borders, drives, places_apart, reach};
+use super::factored::{self, Footprint, footprint, with_case};
+use super::least::{Answer, least};
+use super::search::{DILATANCY, SLIDING};
+use super::standing::{Key, Scene};
 use super::weights;
+use crate::analysis::AnalysisError;
 use crate::vehicles::{Chosen, Refused, chosen};
-use bridge::{Bridge, SweepPlan};
+use bridge::{Bridge, Directions, SweepPlan};
+use mechanics::limit::{Effect, Friction, Ground, Level, Starts, Status, Sweeper};
+use mechanics::watch::Unwatched;
 use outcome::vehicles::{Case, Direction, Weights};
-use rules::{Pattern, Rule};
+use rules::Rule;
 use structure::discretise::Discretised;
 
 /// A vehicle with the rule whose factors its loads have.
@@ -18,13 +25,14 @@ pub struct Driven {
     pub vehicle: Chosen,
     /// Which way it drives.
     pub direction: Direction,
-    plan: SweepPlan,
-    pattern: Pattern,
+    /// By every share of braking that a sweep tries: the plan, and the vehicle with what stands in the lanes beside it.
+    runs: Vec<(SweepPlan, Chosen)>,
     weights: Vec<Weights>,
 }
 
 impl Driven {
-    /// A vehicle by its code, or the first of those that the plan moves. The plan says which rule, whose dispersal, which braking.
+    /// A vehicle by its code, or the first of those that the plan moves. The plan says which rule, whose dispersal, which braking, and whether
+    /// axles are left out.
     ///
     /// # Errors
     /// A vehicle or a rule that is not known, or that do not go together.
@@ -35,9 +43,25 @@ impl Driven {
         }
         let (rule, all) = chosen(bridge, &plan)?;
         let vehicle = all.into_iter().next().ok_or_else(Refused::default)?;
-        let pattern = vehicle.vehicle.patterns().into_iter().next().ok_or_else(Refused::default)?;
         let weights = weights::combinations(bridge, &rule);
-        Ok(Driven { rule, vehicle, direction, plan, pattern, weights })
+        let shares: &[f64] = if plan.braking == 0.0 { &[0.0] } else { &[0.0, 1.0, -1.0] };
+        let run = |share: &f64| (SweepPlan { braking: share * plan.braking, ..plan.clone() }, vehicle.clone());
+        let runs = shares.iter().map(run).collect();
+        Ok(Driven { rule, vehicle, direction, runs, weights })
+    }
+
+    /// The same on one state of the bridge, with what its rule puts into the lanes beside it, as in a sweep.
+    ///
+    /// # Errors
+    /// Blocks that cannot be analysed.
+    pub(in crate::analysis) fn on(&self, bridge: &Bridge) -> Result<Driven, AnalysisError> {
+        let mut own = Driven { weights: weights::combinations(bridge, &self.rule), ..self.clone() };
+        for (plan, vehicle) in &mut own.runs {
+            let (all, step) = (vec![vehicle.clone()], places_apart(bridge, plan));
+            let loaded = beside::loaded(bridge, (&own.rule, &*plan), all, (&own.weights, step), &mut Unwatched)?;
+            *vehicle = loaded.into_iter().next().unwrap_or_else(|| vehicle.clone());
+        }
+        Ok(own)
     }
 
     /// The bridge under every combination of the rule's factors on weights, without loads.
@@ -45,48 +69,238 @@ impl Driven {
         self.weights.iter().map(|weights| factored::bridge(bridge, &self.rule, weights)).collect()
     }
 
-    /// The factored bridge with the vehicle's first axle at a place [m].
-    pub(in crate::analysis) fn placed(&self, bridge: &Bridge, position: f64) -> Bridge {
-        let last = self.pattern.axles.len().checked_sub(1);
-        let case = Case {
-            position,
-            direction: self.direction,
-            arrangement: self.pattern.label.clone(),
-            axles: last.map(|last| [0, last]),
-            critical_axle: None,
-            uniform: (!self.pattern.stretches.is_empty()).then(|| {
-                let length = structure::discretise::bridge_length(bridge);
-                [-length, 2.0 * length]
-            }),
-            weights: self.weights[0],
-            horizontal: self.plan.braking,
-            load: 0.0,
-        };
-        with_case(bridge, &self.plan, &self.rule, &self.vehicle, &case)
+    /// The factored bridge with a case as its loads.
+    pub(in crate::analysis) fn loaded(&self, bridge: &Bridge, case: &Case) -> Bridge {
+        let run = self.runs.iter().find(|(plan, _)| plan.braking == case.horizontal).unwrap_or(&self.runs[0]);
+        with_case(bridge, &run.0, &self.rule, &run.1, case)
     }
 
-    /// Places of the first axle at which something stands over the arches [m].
-    pub(in crate::analysis) fn range(&self, d: &Discretised) -> [f64; 2] {
-        let foot = footprint_length(&self.plan, &self.rule, &self.vehicle);
-        let [from, to] = reach(d, foot, 2.0);
-        match self.direction {
-            Direction::Right => [from, to + self.pattern.length()],
-            Direction::Left => [from - self.pattern.length(), to],
-        }
-    }
-
-    /// Force [N] of each axle without factors, and how far it stands behind the first [m].
+    /// Force [N] of each axle without factors, and how far it stands behind the first [m], in the first arrangement.
     pub fn axles(&self) -> Vec<(f64, f64)> {
-        self.pattern.axles.iter().map(|axle| (axle.force, axle.offset)).collect()
+        let first = self.vehicle.vehicle.patterns().into_iter().next();
+        first.map_or(Vec::new(), |pattern| pattern.axles.iter().map(|axle| (axle.force, axle.offset)).collect())
     }
 
-    /// The width of the barrel that carries an axle [m].
-    pub fn width(&self, bridge: &Bridge) -> f64 {
-        footprint(bridge, &self.plan, &self.rule, &self.vehicle).across.axles
+    /// The factors that act, in words.
+    pub fn factors(&self, bridge: &Bridge) -> String {
+        let (plan, vehicle) = self.runs.last().unwrap_or(&self.runs[0]);
+        let foot = footprint(bridge, plan, &self.rule, vehicle);
+        let (acting, factors) = (&self.vehicle.acting, &self.rule.factors);
+        let mut told =
+            vec![format!("live load {}", acting.live_load.value), format!("impact {}", acting.impact.told())];
+        if foot.horizontal != 0.0 {
+            told.push(format!("braking {:.0} %", 100.0 * foot.horizontal.abs()));
+        }
+        told.push(format!("condition {}", factors.condition.value));
+        told.push(format!("model {}", factors.model.value));
+        format!("{}; {:.2} m of the barrel carry an axle: {}", told.join(", "), foot.across.axles, foot.across.told())
     }
 }
 
-/// Length of an axle's footprint on the road [m].
-fn footprint_length(plan: &SweepPlan, rule: &Rule, vehicle: &Chosen) -> f64 {
-    if plan.own_dispersal { vehicle.vehicle.contact_length_m } else { rule.dispersal.length_base_m }
+/// What a vehicle may do on a bridge: how it stands by every share of braking, and every arrangement of it.
+pub(in crate::analysis) struct Driving {
+    feet: Vec<Footprint>,
+    drives: Vec<Drive>,
+    /// Borders of half spans [m].
+    borders: Vec<f64>,
+    weights: Vec<Weights>,
+    capacity: f64,
+    /// Places of the first axle at which something stands over the arches [m].
+    pub range: [f64; 2],
+}
+
+/// What governs at a place.
+pub(in crate::analysis) struct Governing {
+    /// The case; none where every load is carried or nothing is known.
+    pub case: Option<Case>,
+    /// Its place among the combinations of weights.
+    pub weights: usize,
+    /// How the place ended.
+    pub status: Status,
+    /// The least factor, as sweeps have it: without dilation where that is less.
+    pub factor: Option<f64>,
+    /// The least factor with dilation.
+    pub dilatant: Option<f64>,
+    /// Whether joints slide in its mechanism with dilation.
+    pub slides: bool,
+    /// Whether its factor is that without dilation.
+    pub level: bool,
+    /// Whether it was not asked what is carried without dilation, and that may be less.
+    pub is_open: bool,
+}
+
+/// Whether the load without dilation is asked where joints slide.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::analysis) enum Asked {
+    /// As a sweep does.
+    Carefully,
+    /// Not: the answer says where it is open.
+    Quickly,
+}
+
+impl Driving {
+    /// A vehicle on a bridge with a rule's factors, and its blocks.
+    pub fn new(driven: &Driven, bridge: &Bridge, d: &Discretised) -> Driving {
+        let (mut feet, mut all) = (Vec::new(), Vec::new());
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for (k, (plan, vehicle)) in driven.runs.iter().enumerate() {
+            let directions = match driven.direction {
+                Direction::Right => Directions::Right,
+                Direction::Left => Directions::Left,
+            };
+            let plan = &SweepPlan { directions, ..plan.clone() };
+            let foot = footprint(bridge, plan, &driven.rule, vehicle);
+            let own = reach(d, foot.length, foot.dispersal.slope);
+            range = [range[0].min(own[0]), range[1].max(own[1])];
+            // Places are the caller's, and those of the drives are not asked.
+            all.extend(drives(k, &vehicle.vehicle, plan, own, own[1] - own[0]));
+            feet.push(foot);
+        }
+        let longest = all.iter().map(|drive| drive.pattern.length()).fold(0.0, f64::max);
+        let borders = borders(bridge, range);
+        match driven.direction {
+            Direction::Right => range[1] += longest,
+            Direction::Left => range[0] -= longest,
+        }
+        let capacity = driven.rule.capacity_factor();
+        Driving { feet, drives: all, borders, weights: driven.weights.clone(), capacity, range }
+    }
+
+    /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground and one sweeper for each
+    /// combination of weights.
+    pub fn governing(
+        &self,
+        d: &Discretised,
+        (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),
+        position: f64,
+        asked: Asked,
+    ) -> Governing {
+        let scene = self.scene(d, grounds);
+        let cases = self.cases(&scene, sweepers, position);
+        let (mut answered, mut open) = (Vec::new(), Vec::new());
+        for (key, effect) in cases {
+            let found = sweepers[key.weights].factor(&effect);
+            match (found.lower, found.upper) {
+                (Some(factor), Some(upper)) => {
+                    let answer = Answer { key, factor, upper };
+                    answered.push(Answered { answer, effect, slides: found.slides });
+                }
+                _ if found.status == Status::Locks => {}
+                _ => open.push((key, effect)),
+            }
+        }
+        let answers: Vec<Answer> = answered.iter().map(|case| case.answer).collect();
+        let Some(worst) = least(&answers) else {
+            return Governing::nothing(if open.is_empty() { Status::Locks } else { Status::NotConverged });
+        };
+        // Where a factor above the least is proven to be carried, a case without an answer does not govern.
+        let is_carried = |(key, effect): &(Key, Effect)| {
+            let proven = sweepers[key.weights].proven_up_to(effect, DILATANCY * worst.factor);
+            proven.is_some_and(|carried| carried > worst.factor)
+        };
+        if !open.iter().all(is_carried) {
+            return Governing::nothing(Status::NotConverged);
+        }
+        let again = again(&answered, &worst);
+        let slides = again.iter().any(|case| case.slides);
+        let mut governing = Governing {
+            case: Some(scene.told(&worst.key)),
+            weights: worst.key.weights,
+            status: Status::Solved,
+            factor: Some(worst.factor),
+            dilatant: Some(worst.factor),
+            slides: again[0].slides,
+            level: false,
+            is_open: asked == Asked::Quickly && slides,
+        };
+        if asked == Asked::Quickly {
+            return governing;
+        }
+        let (mut factor, mut ends) = (worst.factor, vec![None::<Level>; sweepers.len()]);
+        for Answered { answer: Answer { key, .. }, effect, .. } in again {
+            let end = &mut ends[key.weights];
+            let found = sweepers[key.weights].least(effect, Friction::Automatic, Starts::Every, end.as_ref());
+            *end = found.level.or(end.take());
+            if found.friction == Friction::Associated {
+                continue;
+            }
+            let Some(level) = found.factor else { return Governing::nothing(Status::NotConverged) };
+            if level < factor {
+                factor = level;
+                governing = Governing {
+                    case: Some(scene.told(key)),
+                    weights: key.weights,
+                    factor: Some(level),
+                    slides: true,
+                    level: true,
+                    ..governing
+                };
+            }
+        }
+        governing
+    }
+
+    /// Every case at a place under every combination of weights.
+    fn cases(&self, scene: &Scene<'_>, sweepers: &mut [Sweeper<'_>], position: f64) -> Vec<(Key, Effect)> {
+        let mut all = Vec::new();
+        for drive in 0..self.drives.len() {
+            for (key, effect) in scene.cases(&mut sweepers[0], drive, position) {
+                for weights in 0..sweepers.len() {
+                    all.push((Key { weights, ..key }, scene.under(&effect, weights)));
+                }
+            }
+        }
+        all
+    }
+
+    fn scene<'a>(&'a self, d: &'a Discretised, grounds: &'a [Ground<'a>]) -> Scene<'a> {
+        Scene {
+            d,
+            grounds,
+            weights: &self.weights,
+            watched: &[],
+            feet: &self.feet,
+            drives: &self.drives,
+            borders: &self.borders,
+            capacity: self.capacity,
+            screen: false,
+            seeds: &[],
+            twins: &[],
+        }
+    }
+}
+
+/// A case with what it carries with dilation.
+struct Answered {
+    answer: Answer,
+    effect: Effect,
+    /// Whether joints slide in its mechanism.
+    slides: bool,
+}
+
+impl Governing {
+    /// No case, and why.
+    fn nothing(status: Status) -> Governing {
+        Governing {
+            case: None,
+            weights: 0,
+            status,
+            factor: None,
+            dilatant: None,
+            slides: false,
+            level: false,
+            is_open: false,
+        }
+    }
+}
+
+/// The cases that a sweep answers again without dilation: the worst one, whether it slides or not, and the lowest of those that slide.
+fn again<'a>(answered: &'a [Answered], worst: &Answer) -> Vec<&'a Answered> {
+    let (first, others): (Vec<&Answered>, Vec<&Answered>) =
+        answered.iter().partition(|case| case.answer.key == worst.key);
+    let mut sliding: Vec<&Answered> = others.into_iter().filter(|case| case.slides).collect();
+    sliding.sort_by(|a, b| a.answer.factor.total_cmp(&b.answer.factor));
+    sliding.truncate(SLIDING);
+    sliding.retain(|case| case.answer.factor <= DILATANCY * worst.factor);
+    first.into_iter().chain(sliding).collect()
 }

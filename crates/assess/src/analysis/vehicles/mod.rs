@@ -35,6 +35,7 @@ mod weights;
 pub use across::ROAD_LANE;
 pub(super) use braking::worst_of;
 pub use driven::Driven;
+pub(super) use driven::{Asked, Driving};
 pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;
 pub use outcome::vehicles::Weights;
@@ -93,8 +94,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let (rule, vehicles) = chosen(bridge, plan)?;
     let own = stiffened::for_paths(bridge);
     let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
-    let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
-    let step = plan.step.unwrap_or(shortest / 60.0);
+    let step = cases::places_apart(bridge, plan);
     let weights = weights::combinations(bridge, &rule);
     let gives = bridge.plan.method == Method::Path;
     let yields = !gives && continuum::is_wanted(bridge);
