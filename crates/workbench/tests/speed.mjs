@@ -47,12 +47,11 @@ told("steps in a second", steps / mine, "");
 told("speed of WebAssembly over native", native / mine, "(at least 0.5)", native / mine >= 0.5);
 
 // Loads at places.
-function places(document, vehicle, rule, name) {
+function places(document, vehicle, rule, name, count = 200) {
   const begin = seconds();
   const placing = new engine.Placing(document, vehicle, rule, false);
   const { from, to } = JSON.parse(placing.about());
   told(`${name}: prepared in`, 1e3 * (seconds() - begin), "ms");
-  const count = 200;
   const each = [];
   for (let k = 0; k <= count; k++) {
     const start = performance.now();
@@ -77,9 +76,9 @@ function places(document, vehicle, rule, name) {
   placing.free();
 }
 places(example("bridgemill", "case-1.toml"), "", "", "knife edge on Bridgemill");
-places(example("bridgemill", "vehicles.toml"), "hb-45", "", "HB vehicle on Bridgemill");
+places(example("bridgemill", "vehicles.toml"), "hb-45", "", "HB vehicle on Bridgemill", 40);
 // The first vehicle of the file's sweep: RA1, four axles.
-places(example("viaduct", "bridge.toml"), "ra1", "characteristic", "RA1 on three spans");
+places(example("viaduct", "bridge.toml"), "ra1", "characteristic", "RA1 on three spans", 40);
 
 // Particles.
 const begin = seconds();

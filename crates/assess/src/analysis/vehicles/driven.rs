@@ -4,7 +4,7 @@ use super::beside;
 use super::cases::{Drive, borders, drives, places_apart, reach};
 use super::factored::{self, Footprint, footprint, with_case};
 use super::least::{Answer, least};
-use super::search::{DILATANCY, SLIDING};
+use super::search::{DILATANCY, FAR_ABOVE, SLIDING};
 use super::standing::{Key, Scene};
 use super::weights;
 use crate::analysis::AnalysisError;
@@ -176,7 +176,7 @@ impl Driving {
         asked: Asked,
     ) -> Governing {
         let scene = self.scene(d, grounds);
-        let cases = self.cases(&scene, sweepers, position);
+        let (cases, skipped) = self.cases(&scene, sweepers, position, asked);
         let (mut answered, mut open) = (Vec::new(), Vec::new());
         for (key, effect) in cases {
             let found = sweepers[key.weights].factor(&effect);
@@ -211,7 +211,7 @@ impl Driving {
             dilatant: Some(worst.factor),
             slides: again[0].slides,
             level: false,
-            is_open: asked == Asked::Quickly && slides,
+            is_open: asked == Asked::Quickly && (skipped || slides),
         };
         if asked == Asked::Quickly {
             return governing;
@@ -240,8 +240,15 @@ impl Driving {
         governing
     }
 
-    /// Every case at a place under every combination of weights.
-    fn cases(&self, scene: &Scene<'_>, sweepers: &mut [Sweeper<'_>], position: f64) -> Vec<(Key, Effect)> {
+    /// Every case at a place under every combination of weights. Asked quickly, cases are left out whose upper bound by the mechanisms met
+    /// before lies far above the least such bound; whether any was.
+    fn cases(
+        &self,
+        scene: &Scene<'_>,
+        sweepers: &mut [Sweeper<'_>],
+        position: f64,
+        asked: Asked,
+    ) -> (Vec<(Key, Effect)>, bool) {
         let mut all = Vec::new();
         for drive in 0..self.drives.len() {
             for (key, effect) in scene.cases(&mut sweepers[0], drive, position) {
@@ -250,7 +257,16 @@ impl Driving {
                 }
             }
         }
-        all
+        if asked == Asked::Carefully {
+            return (all, false);
+        }
+        let bounds: Vec<f64> = all.iter().map(|(key, effect)| sweepers[key.weights].at_most(effect)).collect();
+        let most = FAR_ABOVE * bounds.iter().copied().fold(f64::INFINITY, f64::min);
+        let count = all.len();
+        let near: Vec<(Key, Effect)> =
+            all.into_iter().zip(bounds).filter(|(_, bound)| *bound <= most).map(|(case, _)| case).collect();
+        let skipped = near.len() < count;
+        (near, skipped)
     }
 
     fn scene<'a>(&'a self, d: &'a Discretised, grounds: &'a [Ground<'a>]) -> Scene<'a> {
