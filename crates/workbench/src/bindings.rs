@@ -366,7 +366,7 @@ impl Placing {
     }
 
     /// The zone of the line of thrust.
-    pub fn zone(&self, x: f64, factor: f64) -> Thrown<Vec<f64>> {
+    pub fn zone(&mut self, x: f64, factor: f64) -> Thrown<Vec<f64>> {
         self.0.zone(x, factor).map_err(thrown)
     }
 }

@@ -113,6 +113,8 @@ export type PlacingAbout = {
   rule?: string;
   /** False where the bridge does not stand under its own weight. */
   stands?: boolean;
+  /** The factors that act on the loads, in words. */
+  factors: string;
   axles: { force: number; offset: number }[];
   from: number;
   to: number;

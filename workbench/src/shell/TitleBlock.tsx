@@ -92,7 +92,10 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
         text: `Joints slide: the smaller load without dilation leads; with dilation it would be ${sayFactor(props.sheet, found.dilatant_factor, system())}.`,
       });
     }
-    if (found?.open) list.push({ kind: "warn", text: "Joints slide here: less may be carried without dilation. The answer settles when the load rests." });
+    if (found?.open) {
+      const less = found.slides ? "Joints slide here: less may be carried without dilation." : "Other axles may carry less here.";
+      list.push({ kind: "warn", text: `${less} The answer settles when the load rests.` });
+    }
     if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text: plainly(text) });
     const assumed = assumedIn(props.sheet.text());
@@ -157,6 +160,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
             at <span class="num" data-testid="place">{words(place(props.sheet.x[0]() ?? 0, system()))}</span>, {how()}
           </div>
           <Show when={about()!.rule}><div class="under">{about()!.rule}</div></Show>
+          <div class="under" data-testid="factors">{typeset(about()!.factors)}</div>
           <div class="under soft">
             Rigid blocks, limit analysis, {answer()?.words.friction === "non-associated" ? "friction without dilation" : "lower bound"}
           </div>

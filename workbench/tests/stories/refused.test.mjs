@@ -150,3 +150,19 @@ test("a worker that ends during a long analysis is told of, and the analysis run
   await page.locator(".figures img").first().waitFor({ timeout: 240_000 });
   await context.close();
 });
+
+test("a vehicle under the rule of the file has its factors, and the page names them", async () => {
+  for (const [width, theme] of [[1280, "light"], [1280, "dark"], [390, "light"], [390, "dark"]]) {
+    const { page, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    await openExample(page, "tiny");
+    await headline(page);
+    assert.match(await page.getByTestId("factors").innerText(), /^nominal/);
+    await part(page, "Load");
+    await page.getByLabel("Load", { exact: true }).selectOption("cs454-single");
+    await page.getByLabel("Factors and spread by").selectOption("cs-454");
+    await until("the factors are named", async () => /impact 1\.8 on the critical axle/.test(await page.getByTestId("factors").innerText()));
+    await headline(page);
+    await shot(page, `factors-${width}-${theme}`);
+    await context.close();
+  }
+});
