@@ -127,7 +127,7 @@ fn the_zone_of_thrust_closes_at_collapse() {
     let mut placing = Placing::loads(&project, &Choice::default()).expect("a bridge that waits");
     let placed = placing.put(1.0);
     let factor = placed.factor.expect("a factor");
-    let width = |share: f64| {
+    let mut width = |share: f64| {
         let rings = placing.zone(1.0, share * factor).expect("a zone");
         let each = rings.iter().flatten().map(|[low, high]| (low[0] - high[0]).hypot(low[1] - high[1]));
         each.fold(0.0, f64::max)
