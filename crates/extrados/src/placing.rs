@@ -62,7 +62,12 @@ impl Placing {
         self.0.carried(position)
     }
 
-    /// The same with lines of thrust, mechanism, hinges and joints that slide.
+    /// The same at one of many places along the road: what is learnt at a place answers the next one where nothing slides.
+    pub fn carried_along(&mut self, position: f64) -> Carried {
+        self.0.carried_along(position)
+    }
+
+    /// What is carried at a place with lines of thrust, mechanism, hinges and joints that slide.
     pub fn put(&mut self, position: f64) -> Placed {
         self.0.put(position)
     }

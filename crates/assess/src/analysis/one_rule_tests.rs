@@ -85,7 +85,6 @@ fn agree(bridge: &Bridge, count: usize, apart: f64) {
 }
 
 #[test]
-#[ignore = "open: away from the governing place starts without dilation end at different loads, 75.1 alone and 82.3 dragged"]
 fn a_ring_between_backing_that_slides_carries_the_same_alone_swept_and_dragged() {
     agree(&of(ONE_RING, 30.0, 1.0), 13, 2e-3);
 }

@@ -296,6 +296,10 @@ impl Scene<'_> {
             open(rows, jobs);
             return Ok(false);
         }
+        if rows.len() == 1 {
+            // Nothing stands beside a single place: its cases are answered as by an analysis of each by itself.
+            return Ok(self.levelled(rows, jobs, None, watch));
+        }
         let factor = |&(r, c): &(usize, usize)| rows[r].cases[c].factor.map(|factor| (factor, (r, c)));
         let worst = jobs.iter().filter_map(factor).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, worst)| worst);
         let stage = Stage { name: "the worst case without dilation", steps: 1, shares: [0.4, 0.42] };
@@ -466,7 +470,7 @@ impl Scene<'_> {
         let steps = row.cases.len() as u64;
         let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
         let (found, done) =
-            pieces::each(&row.cases, &stage, watch, |case, pace| self.as_planned(case, Starts::Every, near, pace));
+            pieces::each(&row.cases, &stage, watch, |case, pace| self.as_planned(case, Starts::Doubtful, near, pace));
         for (case, found) in row.cases.iter_mut().zip(found) {
             match found.flatten() {
                 Some(answer) => answer.put(case),

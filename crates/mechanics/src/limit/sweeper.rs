@@ -52,9 +52,13 @@ pub struct Factor {
 /// Where the iteration without dilation starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Starts {
-    /// From every start, as an analysis of the load by itself does; the least load counts.
+    /// From every start, as an analysis of the load by itself does, whatever was answered before; the least load counts.
     Every,
-    /// From the end of the iteration for a load nearby, where that leads to an end: one start in place of three.
+    /// The same where it may end lower: where something slides, or the forces keep not to the shear that the compressions at the end of the
+    /// iteration for a load nearby allow. Elsewhere the iteration from there begins and ends with the load of the mechanism with dilation, and is not
+    /// made.
+    Doubtful,
+    /// The same again, but from the end of the iteration for a load nearby, where that leads to an end: one start in place of three.
     Nearby,
 }
 
@@ -267,9 +271,8 @@ impl Sweeper<'_> {
     }
 
     /// The factor by the friction that is asked for: with [`Friction::Automatic`] the least of those with and without dilation, as an
-    /// analysis of the load by itself has it. `near` is the end of the iteration for a load nearby: where nothing slides, and the forces
-    /// keep to the shear that its compressions allow, the iteration from there begins and ends with the load of the mechanism with dilation,
-    /// and is not made.
+    /// analysis of the load by itself has it. `near` is the end of the iteration for a load nearby; without one, starts are those of an analysis
+    /// by itself.
     pub fn least(&mut self, effect: &Effect, friction: Friction, starts: Starts, near: Option<&Level>) -> Least {
         let reached = self.corner(effect);
         let (dilatant, slow) = match &reached {
@@ -289,14 +292,15 @@ impl Sweeper<'_> {
             (None, Reached::Corner(corner, _)) => (self.loaded(effect), self.solution(effect, corner)),
             (None, _) => self.by_interior_point(effect),
         };
-        let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
-        let keeps =
-            |near: &Level| keeps_to(&equilibrium, joints, strengths, &found.solution.forces, &near.compressions);
+        let near = near.filter(|_| starts != Starts::Every);
         let still = friction == Friction::Automatic && status == Status::Solved && !slides;
-        if still && near.is_some_and(keeps) {
+        if still && near.is_some_and(|near| self.keeps(&equilibrium, &found, near)) {
             return dilates;
         }
         let near = near.filter(|_| starts == Starts::Nearby).map(|near| &near.compressions[..]);
+        let by_corner = matches!(reached, Reached::Corner(..));
+        let found = if near.is_none() && by_corner { self.by_itself(&equilibrium, found) } else { found };
+        let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
         let level = without_dilation(&equilibrium, joints, strengths, &found, near, &self.ground.stands.slips);
         if !self.pace.goes_on() {
             let dilatant = Factor::without_numbers(Status::Cancelled);
@@ -314,6 +318,20 @@ impl Sweeper<'_> {
         };
         let factor = end.as_ref().map(|level| level.factor);
         Least { status, factor, friction: Friction::NonAssociated, level: end, ..dilates }
+    }
+
+    /// Whether forces keep to the shear that the compressions of a load nearby allow.
+    fn keeps(&self, equilibrium: &Equilibrium, found: &Found, near: &Level) -> bool {
+        let Ground { joints, strengths, .. } = self.ground;
+        keeps_to(equilibrium, joints, strengths, &found.solution.forces, &near.compressions)
+    }
+
+    /// The load with dilation as the interior-point method finds it, which is in the middle of the states that carry it. A corner is some other one of
+    /// them, by what was answered before, and the iteration without dilation that starts there may end at another load.
+    fn by_itself(&self, equilibrium: &Equilibrium, found: Found) -> Found {
+        let Ground { joints, strengths, stands, .. } = self.ground;
+        let middle = largest_factor_of_carried(equilibrium, joints, strengths, stands);
+        if middle.status == found.status { middle } else { found }
     }
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.
@@ -387,31 +405,17 @@ impl Sweeper<'_> {
         report(&ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
     }
 
-    /// The same by the friction of [`Sweeper::least`], and the end of the iteration without dilation, where it was made.
-    pub fn outcome_by(
-        &mut self,
-        effect: &Effect,
-        friction: Friction,
-        near: Option<&Level>,
-    ) -> (Outcome, Option<Level>) {
+    /// The same by the friction of [`Sweeper::least`] from every start, and the end of the iteration without dilation, where it was made.
+    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> (Outcome, Option<Level>) {
         let ground = self.ground;
         let (equilibrium, found) = self.found(effect);
         let (model, joints, strengths) = (&ground.model, &ground.joints, &ground.strengths);
         let mut outcome = report(model, &equilibrium, joints, strengths, ground.interfaces.clone(), &found);
-        let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty());
-        let still = friction == Friction::Automatic && found.status == Status::Solved && !slides;
-        let keeps =
-            |near: &Level| keeps_to(&equilibrium, joints, strengths, &found.solution.forces, &near.compressions);
-        let level = match still && near.is_some_and(keeps) {
-            true => None,
-            false => by_friction(
-                friction,
-                (model, &equilibrium, joints, strengths),
-                &found,
-                &ground.stands.slips,
-                &mut outcome,
-            ),
-        };
+        let solved = matches!(found.status, Status::Solved | Status::Locks);
+        let found =
+            if friction != Friction::Associated && solved { self.by_itself(&equilibrium, found) } else { found };
+        let parts = (&*ground.model, &equilibrium, &joints[..], &strengths[..]);
+        let level = by_friction(friction, parts, &found, &ground.stands.slips, &mut outcome);
         if !self.pace.goes_on() {
             let Outcome { interfaces, iterations, friction, .. } = outcome;
             return (Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations), None);

@@ -18,7 +18,7 @@ pub(super) struct State {
     pub built: Vec<Discretised>,
     grounds: Vec<Ground<'static>>,
     learnt: Vec<Experience>,
-    /// Of loads of the file: the end of the last iteration without dilation, against which others are held.
+    /// Of loads of the file: the end of the last iteration without dilation, against which places along the road are held.
     near: Option<Level>,
     /// The vehicle that is put on it, and what it may do there; none where loads are those of the file.
     pub vehicle: Option<(Driven, Driving)>,
@@ -129,7 +129,7 @@ impl State {
     }
 
     /// What is carried under the loads of the file.
-    pub fn carried(&mut self, put: &Put) -> Carried {
+    pub fn carried(&mut self, put: &Put, starts: Starts) -> Carried {
         if !self.stands() {
             return Carried::nothing(Status::UnstableUnderSelfWeight);
         }
@@ -138,7 +138,7 @@ impl State {
         }
         let mut sweeper = self.grounds[0].sweeper_with(std::mem::take(&mut self.learnt[0]));
         let effect = sweeper.effect(&put.forces);
-        let found = sweeper.least(&effect, put.friction, Starts::Every, self.near.as_ref());
+        let found = sweeper.least(&effect, put.friction, starts, self.near.as_ref());
         self.learnt[0] = sweeper.learnt();
         let dilatant = found.dilatant.lower;
         let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
@@ -151,7 +151,7 @@ impl State {
         let k = put.weights;
         let mut sweeper = self.grounds[k].sweeper_with(std::mem::take(&mut self.learnt[k]));
         let effect = sweeper.effect(&put.forces);
-        let (outcome, level) = sweeper.outcome_by(&effect, put.friction, self.near.as_ref());
+        let (outcome, level) = sweeper.outcome_by(&effect, put.friction);
         self.learnt[k] = sweeper.learnt();
         if self.vehicle.is_none() {
             self.near = level.or(self.near.take());

@@ -132,10 +132,19 @@ pub(in crate::analysis) struct Governing {
 /// Whether the load without dilation is asked where joints slide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::analysis) enum Asked {
-    /// As a sweep does.
+    /// As a sweep does; loads of the file as an analysis by itself does.
     Carefully,
+    /// The same, but loads of the file are held against the place before.
+    Along,
     /// Not: the answer says where it is open.
     Quickly,
+}
+
+impl Asked {
+    /// From where loads of the file start without dilation.
+    pub fn starts(self) -> Starts {
+        if self == Asked::Carefully { Starts::Every } else { Starts::Doubtful }
+    }
 }
 
 impl Driving {
@@ -219,7 +228,7 @@ impl Driving {
         let (mut factor, mut ends) = (worst.factor, vec![None::<Level>; sweepers.len()]);
         for Answered { answer: Answer { key, .. }, effect, .. } in again {
             let end = &mut ends[key.weights];
-            let found = sweepers[key.weights].least(effect, Friction::Automatic, Starts::Every, end.as_ref());
+            let found = sweepers[key.weights].least(effect, Friction::Automatic, Starts::Doubtful, end.as_ref());
             *end = found.level.or(end.take());
             if found.friction == Friction::Associated {
                 continue;
@@ -257,7 +266,7 @@ impl Driving {
                 }
             }
         }
-        if asked == Asked::Carefully {
+        if asked != Asked::Quickly {
             return (all, false);
         }
         let bounds: Vec<f64> = all.iter().map(|(key, effect)| sweepers[key.weights].at_most(effect)).collect();

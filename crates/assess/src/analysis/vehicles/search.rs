@@ -375,7 +375,7 @@ impl Scene<'_> {
             }
             let Some((key, effect)) = self.again(&mut sweepers, &answer.key, answer.key.position) else { continue };
             let end = ends[key.weights].as_ref();
-            let found = sweepers[key.weights].least(&effect, Friction::Automatic, Starts::Every, end);
+            let found = sweepers[key.weights].least(&effect, Friction::Automatic, Starts::Doubtful, end);
             if !pace.goes_on() {
                 break;
             }
