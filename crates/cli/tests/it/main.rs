@@ -48,4 +48,5 @@ mod walls;
 mod words;
 mod workbench;
 mod workbook;
+mod wrong_answers;
 mod wrong_files;

@@ -170,3 +170,8 @@ pub fn numbers(mut value: Value) -> Value {
 pub fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("{key} is {}", value[key]))
 }
+
+/// Codes of the warnings of an object.
+pub fn codes(value: &Value) -> Vec<&str> {
+    value["warnings"].as_array().into_iter().flatten().filter_map(|warning| warning["code"].as_str()).collect()
+}
