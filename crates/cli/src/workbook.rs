@@ -55,7 +55,7 @@ struct Look {
 }
 
 /// Fields that tell how often a run was interrupted, and nothing of its result: workbooks of a resumed and of an undisturbed run are one.
-const OF_THE_RUN: [&str; 2] = ["evaluations_taken_up", "runs_from_cache"];
+const OF_THE_RUN: [&str; 3] = ["evaluations_computed", "evaluations_taken_up", "runs_from_cache"];
 
 /// Numbers and words of the result that stand alone; the unit is the end of the name.
 fn numbers(sheet: &mut Worksheet, fields: &Map<String, Value>, look: &Look) -> Result<(), XlsxError> {
