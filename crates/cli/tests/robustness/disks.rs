@@ -50,7 +50,10 @@ fn judge(whole: &Whole, ending: &Ending, folder: &std::path::Path, work: &Work, 
         (code, _) if code == whole.code => tally.count(kind, work.name, End::Answered),
         (Some(2), Ok(false)) if said => tally.count(kind, work.name, End::Refused),
         (Some(3), Ok(false)) if said => tally.count(kind, work.name, End::Unfinished),
-        // A fleet goes on where one bridge could not be written, and tells it in the table.
+        // A fleet goes on where one bridge could not be written, and tells which.
+        (Some(3), Ok(true)) if said && work.name == "assess of a folder" => {
+            tally.count(kind, work.name, End::Unfinished);
+        }
         (code, sealed) => {
             let told = format!("{what}: exit code {code:?}, sealed {sealed:?}: {}", ending.stderr);
             tally.fault(kind, work.name, End::Lost, told);
