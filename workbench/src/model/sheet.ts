@@ -21,6 +21,8 @@ export type Kept = {
   survey?: Record<string, string> | null;
   /** Whether the text is the one that the answers of the survey made. */
   surveyed?: boolean;
+  /** Whether an answer of the survey stood refused. */
+  refused?: boolean;
 };
 
 export class Sheet {
@@ -74,6 +76,7 @@ export class Sheet {
     if (kept.survey && typeof kept.survey === "object") {
       this.survey[1](Object.fromEntries(Object.entries(kept.survey).filter(([, value]) => typeof value === "string")));
       this.surveyed[1](kept.surveyed === false ? "another text" : kept.text);
+      this.refuse("survey", kept.refused === true);
     }
     if (typeof kept.x === "number" && Number.isFinite(kept.x)) this.x[1](kept.x);
   }
@@ -162,6 +165,7 @@ export class Sheet {
       x: this.x[0](),
       survey: this.survey[0](),
       surveyed: this.surveyed[0]() === this.text(),
+      refused: this.refused[0]().includes("survey"),
     };
   }
 }

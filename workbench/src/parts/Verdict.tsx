@@ -62,7 +62,7 @@ async function run(sheet: Sheet, kind: Kind): Promise<void> {
     }
     set((old) => ({ ...old, mode: "done", result: { ...out, report, object: JSON.parse(out.json) } }));
   } catch (error) {
-    const trouble = error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "" : `The engine broke down and was started again. ${(error as Error).message}`;
+    const trouble = error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "" : error instanceof Lost && error.why === "slow" ? "The engine did not answer, was stopped and started again." : `The engine broke down and was started again. ${(error as Error).message}`;
     set((old) => ({ ...old, mode: trouble ? "failed" : "idle", trouble }));
   }
 }

@@ -5,7 +5,8 @@ import { lookAt } from "../model/live";
 import { active, activeId, close, keep, notice, open, part, restore, say, setActiveId, setNotice, setPart, sheets, type Part } from "../model/workspace";
 import { fromFragment, toFragment } from "../model/address";
 import type { Sheet } from "../model/sheet";
-import { BridgePanel } from "../parts/BridgePanel";
+import { isElsewhere } from "../model/survey";
+import { BridgePanel, setTab } from "../parts/BridgePanel";
 import { CollapseBlock, CollapsePanel, CollapseScene } from "../parts/Collapse";
 import { saveBridge, VerdictBlock, VerdictPanel, VerdictScene } from "../parts/Verdict";
 import { TrainBlock, TrainPanel, TrainScene } from "../parts/Train";
@@ -35,6 +36,9 @@ export function App(): JSX.Element {
   onMount(() => {
     void (async () => {
       await restore();
+      // Who left the page at a survey comes back to it.
+      const sheet = active();
+      if (sheet?.survey[0]() && !isElsewhere(sheet)) setTab("survey");
       await fromAddress();
       if (sheets().length === 0 && !tour()) setDialog("open");
     })();

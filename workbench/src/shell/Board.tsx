@@ -375,7 +375,7 @@ export function Board(props: BoardProps): JSX.Element {
       <canvas ref={over} class="live" classList={{ "scene-old": props.sheet.isOld() }} aria-hidden="true" />
       <div class="sheet-title">{props.sheet.name()}</div>
       <Show when={isSmall() && props.sheet.answer[0]()}>
-        {(answer) => <div class="sheet-answer num" aria-hidden="true">{answer().words.factor === null ? "–" : props.sayLoad(answer().words.factor!)}</div>}
+        {(answer) => <div class="sheet-answer num" classList={{ old: props.sheet.isOld() }} aria-hidden="true">{answer().words.factor === null ? "–" : props.sayLoad(answer().words.factor!)}</div>}
       </Show>
       <div class="sheet-note">{system() === "metric" ? "Elevation · dimensions in mm" : "Elevation · feet and inches"}</div>
       <For each={handles().map((handle) => handle.path)}>

@@ -1,6 +1,7 @@
 /** Ways to a bridge: ten survey numbers, an example, a file from this machine. */
 import { For, onMount, Show, type JSX } from "solid-js";
-import type { Example, Questions } from "../engine/types";
+import { sentences } from "../engine/client";
+import type { Example, Questions, SurveyOut } from "../engine/types";
 import { engineOnItsWay, examples } from "../model/library";
 import { liveEngine } from "../model/live";
 import { open, say, setPart } from "../model/workspace";
@@ -31,7 +32,8 @@ export async function openSurvey(): Promise<void> {
   try {
     const { ten } = await liveEngine.call<Questions>("questions");
     const answers = Object.fromEntries(ten.filter((question) => question.assumed === "").map((question) => [question.key, question.example]));
-    const text = await liveEngine.call<string>("fromSurvey", { answers });
+    const { text, findings } = await liveEngine.call<SurveyOut>("fromSurvey", { answers });
+    if (text === null) throw new Error(findings.map(sentences).join(" "));
     const sheet = open({ path: "bridge.toml", text, survey: answers });
     sheet?.surveyed[1](text);
     setPart("bridge");
