@@ -59,47 +59,74 @@ const SEGMENT: &str =
 const TWO_RINGS: &str = "profile = \"segmental\"\nspan = \"5.0 m\"\nrise = \"1.25 m\"\n[[span.ring]]\nthickness = \"0.22 m\"\nvoussoirs = 13\n\
                          [[span.ring]]\nthickness = \"0.22 m\"\nvoussoirs = 14";
 
-/// Of a sweep the governing place, and of places through the bridge what is dragged there, against the load by itself.
-fn agree(bridge: &Bridge, count: usize, apart: f64) {
+/// The factor of the load at a place by itself.
+fn alone(bridge: &Bridge, position: f64) -> f64 {
+    let mut own = bridge.clone();
+    own.loads[0].position = position;
+    let alone = collapse(&own, None, &mut Unwatched).unwrap();
+    assert_eq!(alone.status, Status::Collapsed);
+    alone.load_factor().unwrap()
+}
+
+/// The place that governs a sweep, and places through the bridge, each by itself, in a sweep of that place, and dragged there.
+fn agree(bridge: &Bridge, count: usize) {
     let length = structure::discretise::bridge_length(bridge);
-    let found = sweep(bridge, Places::Between([0.1 * length, 0.9 * length], count), true, &mut Unwatched).unwrap();
+    let swept = |places| sweep(bridge, places, true, &mut Unwatched).unwrap();
+    let found = swept(Places::Between([0.1 * length, 0.9 * length], count));
     assert_eq!(found.ended(), Ended::Completed);
     let worst = found.worst().unwrap();
-    let alone = |position: f64| {
-        let mut own = bridge.clone();
-        own.loads[0].position = position;
-        let alone = collapse(&own, None, &mut Unwatched).unwrap();
-        assert_eq!(alone.status, Status::Collapsed);
-        alone.load_factor().unwrap()
-    };
-    let held = |what: &str, position: f64, found: f64| {
-        let alone = alone(position);
-        assert!((found / alone - 1.0).abs() < apart, "{position:.3} m: alone {alone:.4}, {what} {found:.4}");
-    };
-    held("swept", worst.position, worst.load_factor.unwrap());
     let mut placing = Placing::loads(bridge).unwrap();
-    for place in [worst.position, 0.35 * length, 0.56 * length] {
-        held("dragged", place, placing.carried(place).factor.unwrap());
-        held("put", place, placing.put(place).factor.unwrap());
+    for place in [worst.position, 0.23 * length, 0.35 * length, 0.47 * length, 0.56 * length, 0.71 * length] {
+        let alone = alone(bridge, place);
+        let held = |what: &str, found: Option<f64>, within: f64| {
+            let found = found.unwrap();
+            assert!((found / alone - 1.0).abs() < within, "{place:.3} m: alone {alone:.6}, {what} {found:.6}");
+        };
+        if place == worst.position {
+            held("governs the sweep", worst.load_factor, STARTS);
+        }
+        held("swept", swept(Places::At(place)).points[0].load_factor, CONFIRMED);
+        held("dragged", placing.carried(place).factor, CONFIRMED);
+        held("put", placing.put(place).factor, CONFIRMED);
     }
 }
 
+/// To this an end of the iteration without dilation is confirmed by forces that keep to the true law: two rings gave 101.09101 alone and 101.09132 swept,
+/// with places that differ in their last bit.
+const CONFIRMED: f64 = 1e-5;
+/// To this starts agree: a sweep has one more, the way to the place that governs.
+const STARTS: f64 = 1e-4;
+
 #[test]
 fn a_ring_between_backing_that_slides_carries_the_same_alone_swept_and_dragged() {
-    agree(&of(ONE_RING, 30.0, 1.0), 13, 2e-3);
+    agree(&of(ONE_RING, 30.0, 1.0), 13);
 }
 
 #[test]
 fn the_same_with_more_backing_and_less_friction() {
-    agree(&of(ONE_RING, 25.0, 2.0), 9, 2e-3);
+    agree(&of(ONE_RING, 25.0, 2.0), 9);
 }
 
 #[test]
 fn the_same_where_nothing_slides() {
-    agree(&of(SEGMENT, 35.0, 0.0), 21, 1e-6);
+    agree(&of(SEGMENT, 35.0, 0.0), 21);
 }
 
 #[test]
 fn the_same_on_two_rings() {
-    agree(&of(TWO_RINGS, 32.0, 0.0), 7, 5e-3);
+    agree(&of(TWO_RINGS, 32.0, 0.0), 7);
+}
+
+/// Places that carry least with dilation are answered from every start in both quarters of a symmetric bridge: from neighbour to neighbour the iteration
+/// had ended at 79.94 in the second one and at 72.34 in the first.
+#[test]
+fn a_sweep_answers_both_quarters_of_a_symmetric_bridge_alike() {
+    let bridge = of(ONE_RING, 30.0, 1.0);
+    let found = sweep(&bridge, Places::Between([1.0, 9.0], 13), true, &mut Unwatched).unwrap();
+    let at = |place: f64| found.points.iter().find(|point| (point.position - place).abs() < 1e-9).unwrap();
+    for place in [1.0 + 4.0 * 8.0 / 12.0, 1.0 + 8.0 * 8.0 / 12.0] {
+        let (swept, alone) = (at(place).load_factor.unwrap(), alone(&bridge, place));
+        assert!((swept / alone - 1.0).abs() < STARTS, "{place:.3} m: alone {alone:.4}, swept {swept:.4}");
+        assert!((alone - 72.3368).abs() < 1e-3, "{alone}");
+    }
 }

@@ -10,7 +10,7 @@ mod continuum;
 mod deformable;
 
 use super::pieces::{self, Pace, Stage};
-use super::vehicles::{DILATANCY, REFINEMENTS};
+use super::vehicles::{DILATANCY, FAR_ABOVE, REFINEMENTS};
 use super::{AnalysisError, by_limit, policy, stiffened};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
@@ -199,6 +199,27 @@ fn open(rows: &mut [Row], jobs: Vec<(usize, usize)>) {
     }
 }
 
+/// The cases in turn from the least factor up that carry less with dilation than the same axles at both places beside them, and no more than
+/// [`FAR_ABOVE`] of the least. Between two of them an iteration that goes on from neighbour to neighbour may stay at an end that is not the lowest.
+fn lowest(rows: &[Row], jobs: &[(usize, usize)]) -> Vec<(usize, usize)> {
+    let factor = |r: Option<usize>, axles: [usize; 2]| {
+        let case = rows.get(r?)?.cases.iter().find(|case| case.axles == axles)?;
+        case.factor
+    };
+    let mut found: Vec<(f64, (usize, usize))> = Vec::new();
+    for &(r, c) in jobs {
+        let case = &rows[r].cases[c];
+        let Some(own) = case.factor else { continue };
+        let beside = [factor(r.checked_sub(1), case.axles), factor(Some(r + 1), case.axles)];
+        if beside.into_iter().flatten().all(|beside| own <= beside) {
+            found.push((own, (r, c)));
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let least = found.first().map_or(0.0, |one| one.0);
+    found.into_iter().take_while(|one| one.0 <= FAR_ABOVE * least).map(|one| one.1).collect()
+}
+
 /// Places sought without dilation that are answered from every start: starts agree less well than places so near one another differ.
 const FROM_EVERY_START: usize = 3;
 
@@ -300,19 +321,26 @@ impl Scene<'_> {
             // Nothing stands beside a single place: its cases are answered as by an analysis of each by itself.
             return Ok(self.levelled(rows, jobs, None, watch));
         }
-        let factor = |&(r, c): &(usize, usize)| rows[r].cases[c].factor.map(|factor| (factor, (r, c)));
-        let worst = jobs.iter().filter_map(factor).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, worst)| worst);
-        let stage = Stage { name: "the worst case without dilation", steps: 1, shares: [0.4, 0.42] };
-        let first: Vec<(usize, usize)> = worst.into_iter().collect();
-        let (found, done) = pieces::each(&first, &stage, watch, |&(r, c), pace| {
+        let lowest = lowest(rows, &jobs);
+        let stage = Stage { name: "the worst cases without dilation", steps: lowest.len() as u64, shares: [0.4, 0.42] };
+        let (found, done) = pieces::each(&lowest, &stage, watch, |&(r, c), pace| {
             self.as_planned(&rows[r].cases[c], Starts::Every, None, pace)
         });
         if !done {
             open(rows, jobs);
             return Ok(false);
         }
-        let near = found.into_iter().flatten().flatten().find_map(|answer| answer.level);
-        Ok(self.levelled(rows, jobs, near.as_ref(), watch))
+        let ends: Vec<Answer> = found.into_iter().flatten().flatten().collect();
+        let near = ends.iter().find_map(|answer| answer.level.as_ref());
+        let done = self.levelled(rows, jobs, near, watch);
+        for ((r, c), answer) in lowest.into_iter().zip(ends) {
+            let case = &mut rows[r].cases[c];
+            // The way there is a start as well.
+            if case.factor.is_none_or(|beside| answer.factor.is_some_and(|own| own < beside)) {
+                answer.put(case);
+            }
+        }
+        Ok(done)
     }
 
     /// Cases of which nothing is known, where a factor above the least of the others is proven to be carried: it stands in place of the

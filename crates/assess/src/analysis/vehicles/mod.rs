@@ -40,7 +40,7 @@ pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;
 pub use outcome::vehicles::Weights;
 pub use outcome::vehicles::{Extreme, SectionEnvelope};
-pub(super) use search::{DILATANCY, REFINEMENTS};
+pub(super) use search::{DILATANCY, FAR_ABOVE, REFINEMENTS};
 
 use super::pieces::Portion;
 use super::{AnalysisError, by_limit, by_path, policy, stiffened};
