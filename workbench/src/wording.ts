@@ -11,6 +11,7 @@ export function typeset(text: string): string {
 const CONTROLS: [RegExp, string][] = [
   [/\b(?:method|`method`) = "path" in \[analysis\]/g, "“Joints that give”, in the table of methods under Load,"],
   [/\bthe file has no \[sweep\] of vehicles/g, "no rule and no vehicles are chosen: “Verdict” asks for them, and so does a survey"],
+  [/\bno rule for strength: write rule = [^;]* in \[sweep\]; or adequacy_factor with its source in \[assess\]/g, "no rule for strength: “Verdict” asks for rule and vehicles, and so does a survey"],
 ];
 
 /** A note of the engine. A page of the documentation is not at hand here; what it says stands in the note. */

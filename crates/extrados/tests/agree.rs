@@ -128,10 +128,14 @@ fn what_else_acts_in_a_sweep_acts_in_the_load_view() {
     }
 }
 
-/// Loads of the file have no factors of a rule, and the page says so.
+/// The page says which factors act; loads of the file have none.
 #[test]
-fn loads_of_a_file_are_nominal() {
+fn the_factors_that_act_are_named() {
     let project = bridge("rule = \"cs-454\"", "");
     let placing = Placing::loads(&project, &Choice::default()).expect("it is put");
     assert!(placing.factors().starts_with("nominal"), "{}", placing.factors());
+    let asked = VehicleChoice { vehicle: "cs454-single".to_owned(), ..VehicleChoice::default() };
+    let placing = Placing::vehicle(&project, &Choice::default(), &asked).expect("it is put");
+    assert_eq!(placing.factors(), "factors: live load 1.9, impact 1.8 on the critical axle");
+    assert!(placing.assumptions().iter().any(|said| said.contains("of the barrel carry an axle")));
 }

@@ -1,6 +1,5 @@
 /** Answers of a survey sheet and the file that they make. */
 import { Lost, Refused, sentences } from "../engine/client";
-import { figures } from "../units";
 import { liveEngine } from "./live";
 import type { SurveyFinding, SurveyOut } from "../engine/types";
 import type { Sheet } from "./sheet";
@@ -56,7 +55,7 @@ export async function write(sheet: Sheet, answers: Answers, mark: string): Promi
         sheet.surveyed[1](text);
         sheet.change(text, mark);
       }
-      return findings.map((one) => told(one, answers));
+      return findings.map((one) => told(one));
     } catch (error) {
       if (mine !== newest) return undefined;
       // A worker that died takes no answer with it: the next one is asked.
@@ -67,10 +66,8 @@ export async function write(sheet: Sheet, answers: Answers, mark: string): Promi
 }
 
 /** A finding in words, at its answer. */
-export function told({ key, severity, message, help }: SurveyFinding, answers: Answers): Wrong {
+export function told({ key, severity, message, help }: SurveyFinding): Wrong {
   const what = message.slice(key.length);
-  const mass = key === "axle" ? /^([\d.]+)\s*(t|tonnes?)$/.exec(answers[key] ?? "") : null;
-  if (mass) return { key, text: `This is a mass. An axle of ${mass[1]} t weighs ${figures(Number(mass[1]) * 9.80665)} kN: write that.` };
   if (what === " is missing") return { key, text: "The drawing waits for this number: nothing is assumed in its place." };
   return { key, text: sentences({ message: what.replace(/^: /, ""), help }), doubtful: severity === "warning" };
 }

@@ -230,13 +230,15 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     if (!found) return [];
     const list: { kind: string; text: string; line?: number }[] = [];
     const texts = (key: string): string[] => ((found[key] as string[] | undefined) ?? []).map(plainly);
-    for (const text of texts("missing")) list.push({ kind: "warn", text: `Missing: ${text}` });
+    const missing = texts("missing");
+    for (const text of missing) list.push({ kind: "warn", text: `Missing: ${text}` });
     if (assumed().length > 0) list.push({ kind: "", text: typeset(`Assumed by the file, measured by nobody: ${assumed().join("; ")}.`) });
     for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${plainly(one.message ?? "")}`, ...(one.line ? { line: one.line } : {}) });
     // What the command says beside the verdict, in the same words.
     for (const text of texts("beside")) list.push({ kind: "", text: `Beside the verdict: ${text}` });
     for (const text of texts("assumptions")) list.push({ kind: "", text });
-    return list;
+    // What is missing is said once.
+    return list.filter((one) => !missing.includes(one.text));
   });
   const status = () => verdict().result?.status ?? "";
   // Of a load that was moved, the least: a vehicle's factor, or the load of the file.

@@ -40,7 +40,7 @@ test("several spans are drawn while they are typed; a pier is asked for and not 
     const field = await survey(page);
     const drawn = () => page.locator("canvas[role=img]").getAttribute("aria-label");
     await field("Number of spans").fill("3");
-    await page.getByText("The drawing waits for this number: nothing is assumed in its place.").waitFor();
+    await until("both numbers of the pier are asked for", async () => (await page.getByText("The drawing waits for this number: nothing is assumed in its place.").count()) === 2);
     assert.ok(!/\[\[pier\]\]/.test(await textOf(page)), "no pier that nobody saw");
     await field("Width of the pier").fill("1.2");
     await field("Height of the pier").fill("4");
@@ -78,12 +78,19 @@ test("a survey that names rule and vehicles ends in a verdict that says on what 
   await field("Traffic over the bridge").selectOption("rail");
   assert.ok(await field("Judged by").locator('option[value="irs-bridge-rules"]').isDisabled());
   assert.equal(await field("Judged by").locator('option[value="cs-454"]').count(), 0);
+  // One axle of a rule is not all that the rule asks for.
   await judged(page, field, ["road", "cs-454", "cs454-single"]);
   await until("the file has both", async () => /\[sweep\]\nrule = "cs-454"\nvehicles = \["cs454-single"\]/.test(await textOf(page)));
   await shot(page, "survey-judge-1280-light");
   await part(page, "Verdict");
   // Asked once: the survey has answered.
   assert.equal(await page.locator("#judge-traffic").count(), 0);
+  assert.equal(await assessed(page), "Undetermined");
+  await page.getByRole("region", { name: "Warnings and assumptions" }).getByText(/^Missing: load cases of CS 454 left out/).waitFor();
+  await part(page, "Bridge");
+  await judged(page, field, ["road", "cs-454", "cs-454"]);
+  await until("all axles of the rule", async () => /vehicles = \["cs-454"\]/.test(await textOf(page)));
+  await part(page, "Verdict");
   assert.equal(await assessed(page), "Adequate");
   assert.match(await page.getByTestId("on-assumptions").innerText(), /nobody measured/);
   const report = await page.frameLocator("iframe.report").locator("body").innerText();
@@ -111,7 +118,7 @@ test("an assessment without a rule asks for it where it ends, in a survey and in
     await part(page, "Verdict");
     assert.equal(await assessed(page), "Undetermined");
     assert.equal(await page.getByTestId("on-assumptions").count(), 0);
-    assert.match(await page.locator(".block .notes").textContent(), /no rule and no vehicles are chosen: “Verdict” asks for them/);
+    assert.match(await page.locator(".block .notes").textContent(), /Missing: no rule for strength: “Verdict” asks for rule and vehicles, and so does a survey/);
     await page.getByText("The file names no rule that judges the bridge").waitFor();
     await judged(page, field, ["rail", "nr-civ-025", "ra10"]);
     await field("Traffic over the bridge").scrollIntoViewIfNeeded();

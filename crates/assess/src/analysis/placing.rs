@@ -140,8 +140,9 @@ impl Placing {
     /// What is assumed, in words.
     pub fn assumptions(&self) -> Vec<String> {
         let mut said = vec![super::sweep::RIGID.to_owned()];
-        if self.driven().is_some() {
+        if let Some(driven) = self.driven() {
             said.push(SOUGHT.to_owned());
+            said.push(driven.width(&self.states[0].bridge));
         }
         if continuum::wanted(&self.states[0].bridge).is_some() {
             said.push("Layers that are a continuum in the file are weight alone here.".to_owned());

@@ -81,19 +81,32 @@ impl Driven {
         first.map_or(Vec::new(), |pattern| pattern.axles.iter().map(|axle| (axle.force, axle.offset)).collect())
     }
 
+    /// How its axles stand on a bridge; braking, where it brakes.
+    fn foot(&self, bridge: &Bridge) -> Footprint {
+        let (plan, vehicle) = self.runs.last().unwrap_or(&self.runs[0]);
+        footprint(bridge, plan, &self.rule, vehicle)
+    }
+
     /// The factors that act, in words.
     pub fn factors(&self, bridge: &Bridge) -> String {
-        let (plan, vehicle) = self.runs.last().unwrap_or(&self.runs[0]);
-        let foot = footprint(bridge, plan, &self.rule, vehicle);
         let (acting, factors) = (&self.vehicle.acting, &self.rule.factors);
         let mut told =
             vec![format!("live load {}", acting.live_load.value), format!("impact {}", acting.impact.told())];
-        if foot.horizontal != 0.0 {
-            told.push(format!("braking {:.0} %", 100.0 * foot.horizontal.abs()));
+        let braking = self.foot(bridge).horizontal.abs();
+        if braking != 0.0 {
+            told.push(format!("braking {:.0} %", 100.0 * braking));
         }
-        told.push(format!("condition {}", factors.condition.value));
-        told.push(format!("model {}", factors.model.value));
-        format!("{}; {:.2} m of the barrel carry an axle: {}", told.join(", "), foot.across.axles, foot.across.told())
+        let others = [("condition", factors.condition.value), ("model", factors.model.value)];
+        told.extend(
+            others.iter().filter(|(_, factor)| *factor != 1.0).map(|(name, factor)| format!("{name} {factor}")),
+        );
+        format!("factors: {}", told.join(", "))
+    }
+
+    /// Which width carries an axle, in words.
+    pub fn width(&self, bridge: &Bridge) -> String {
+        let across = self.foot(bridge).across;
+        format!("{:.2} m of the barrel carry an axle: {}.", across.axles, across.told())
     }
 }
 
