@@ -261,10 +261,10 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
           <Show when={least()} fallback={<>
               <span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>
               <Show when={typeof object()?.["head"] === "string"}>
-                <span class="under" data-testid="head">{plainly(String(object()?.["head"]))}</span>
+                <div class="under" data-testid="head">{plainly(String(object()?.["head"]))}</div>
               </Show>
               <Show when={/^(in)?adequate$/.test(status()) && assumed().length > 0}>
-                <span class="under" data-testid="on-assumptions">if what nobody measured is as assumed: the notes name it</span>
+                <div class="under" data-testid="on-assumptions">If what nobody measured is as assumed: the notes name it.</div>
               </Show>
             </>}>
             {(found) => (
