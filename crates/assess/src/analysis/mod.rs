@@ -239,6 +239,8 @@ mod horizontal_tests;
 #[cfg(test)]
 mod one_rule_tests;
 #[cfg(test)]
+mod like_spans_tests;
+#[cfg(test)]
 mod path_many_tests;
 #[cfg(test)]
 mod path_tests;

@@ -66,6 +66,7 @@ mod path_arch;
 mod path_bond;
 mod path_closed_forms;
 mod path_known;
+mod path_like_columns;
 mod path_onset;
 mod path_restraint;
 mod path_resume;

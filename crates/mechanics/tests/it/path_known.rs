@@ -95,5 +95,10 @@ fn a_column_buckles_at_the_load_of_euler() {
         assert_eq!(found.status, Status::Bifurcation);
         // The joints are pressed by 0.1 % of a block's height at that load with eight blocks.
         within(found.collapse_factor.unwrap(), euler, 1.5e-3);
+        // The motion that is told is the way it buckles, a quarter of a wave, and not the one that shortens it.
+        let moves = |k: usize| found.mechanism[BlockId::new(k)].0;
+        let (top, middle) = (moves(count), moves(count / 2));
+        assert!(top.x.abs() > 100.0 * top.y.abs(), "{top:?}");
+        assert!((0.2..0.32).contains(&(middle.x / top.x)), "{middle:?} {top:?}");
     }
 }
