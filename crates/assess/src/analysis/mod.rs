@@ -237,12 +237,14 @@ mod headline_tests;
 #[cfg(test)]
 mod horizontal_tests;
 #[cfg(test)]
-mod one_rule_tests;
-#[cfg(test)]
 mod like_spans_tests;
+#[cfg(test)]
+mod one_rule_tests;
 #[cfg(test)]
 mod path_many_tests;
 #[cfg(test)]
 mod path_tests;
+#[cfg(test)]
+mod ring_cohesion_tests;
 #[cfg(test)]
 mod tests;

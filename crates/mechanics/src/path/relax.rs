@@ -141,7 +141,7 @@ fn dragged(
         work.tangent.add_times(dashpots, drag);
         // Where joints slide, motions that do not happen would seem to take no work: there the determinant alone is asked. The first correction finds them
         // holding, and so does the state in which the blocks come to rest.
-        let stays = work.slides || work.is_stable();
+        let stays = work.slides || work.may_be_stable();
         if !(stays && work.tangent.factorise() && work.tangent.sign > 0) {
             return (None, correction);
         }

@@ -76,7 +76,11 @@ impl Workspace {
     }
     /// Whether every small motion from the state whose tangent stands here, not factorised, takes work.
     pub fn is_stable(&mut self) -> bool {
-        self.elimination.is_definite(&self.tangent)
+        self.elimination.has_no_negative_eigenvalue(&self.tangent)
+    }
+    /// Whether that may be, where it is asked often and the answer is asked again in the end.
+    pub fn may_be_stable(&mut self) -> bool {
+        self.elimination.may_have_no_negative_eigenvalue(&self.tangent)
     }
     /// Largest out-of-balance force [N/m].
     pub fn largest(&self) -> f64 {
