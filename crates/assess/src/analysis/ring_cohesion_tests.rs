@@ -59,7 +59,7 @@ fn rings_with_cohesion_carry_no_less_and_the_load_without_it_leads() {
     let bare = collapse(&rings(0.0), None, &mut Unwatched).unwrap().last_stable_load.unwrap();
     let limit = collapse_by_limit(&rings(0.0), &mut Unwatched).unwrap().collapse_load.unwrap();
     let mut before = bare;
-    for cohesion in [5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 75.0, 100.0] {
+    for cohesion in [5.0, 20.0, 50.0, 100.0] {
         let found = collapse(&rings(cohesion), None, &mut Unwatched).unwrap();
         assert_eq!(found.last_stable_load, Some(bare), "{cohesion} kPa: the load without it leads");
         assert!(bare < limit);

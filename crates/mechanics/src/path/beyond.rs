@@ -115,7 +115,8 @@ impl Path<'_> {
         Next::On(Stage::Descend(Descend { end, peak: state.factor, heading, length, step: 0 }))
     }
 
-    /// Follows the path by a step past its peak, as far as that goes, until it has lost a share of its load.
+    /// Follows the path by a step past its peak, as far as that goes, until it has lost a share of its load. No state is kept above the peak: none of those
+    /// past it is shown to stand.
     pub fn descend(&mut self, mut descend: Descend) -> Next {
         let end = Next::End(descend.end);
         if descend.step >= self.settings.most_steps {
@@ -132,7 +133,17 @@ impl Path<'_> {
             };
         };
         let Some(on) = self.heading(&next, Some(&descend.heading)) else { return end };
-        self.accept(next, balanced);
+        let rises = next.factor > descend.peak;
+        // Past a fork there is a branch on which the load goes on to grow, in states that do not stand.
+        if rises && on.factor >= 0.0 {
+            return end;
+        }
+        // A largest load is known to the resolution: the first state past it may lie a hair above.
+        if rises {
+            self.state = next;
+        } else {
+            self.accept(next, balanced);
+        }
         let moved = self.points.last().map_or(0.0, |p| p.displacement.norm());
         if self.state.factor < descend.peak * (1.0 - self.settings.past) || moved > self.settings.farthest {
             return end;

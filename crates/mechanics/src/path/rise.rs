@@ -1,6 +1,7 @@
 //! The way up: steps along the path to where the load grows no more, a state does not stand or no next state is found.
 
 use super::correct::Constraint;
+use super::system::scale;
 use super::trace::{End, Heading, Next, Path, Stage};
 
 /// The path followed up.
@@ -39,6 +40,13 @@ const WANTED_ITERATIONS: f64 = 5.0;
 /// The same where joints slide and the step is short: these take some iterations to show how they go on, and no fewer of them
 /// where the step is shorter. What slides in a step does so in one direction, so that steps longer than these are not sought.
 const WANTED_WHERE_SLIDING: f64 = 10.0;
+
+/// Share by which what acts may grow in a step in which joints slide: what slides does so in one direction within a step, whatever the
+/// way to its end.
+const SLIDING_GAIN: f64 = 0.05;
+
+/// Share of the first increment below which steps are not cut for that.
+const LEAST_GAIN: f64 = 1e-3;
 
 /// A step is short that gains less than this share of the load.
 const SHORT: f64 = 2e-3;
@@ -90,7 +98,7 @@ impl Path<'_> {
         rise.step += 1;
         let target = self.program.limit;
         let factor = self.state.factor;
-        let reaches = factor + rise.heading.factor * rise.share >= target;
+        let mut reaches = factor + rise.heading.factor * rise.share >= target;
         if reaches {
             rise.share = (target - factor) / rise.heading.factor;
         }
@@ -99,6 +107,11 @@ impl Path<'_> {
         if rise.past.as_ref().is_some_and(|past| rise.heading.factor * past.distance <= unseen) {
             self.mechanism.clone_from(&rise.heading.direction);
             return Some(End::Limit);
+        }
+        let most = self.most_where_sliding(&rise.heading);
+        if rise.share > most && self.points.last().is_some_and(|p| p.sliding > 0) {
+            rise.share = most;
+            reaches = false;
         }
         let close = rise.heading.factor * rise.share <= unseen;
         let constraint = if reaches { Constraint::Load } else { Constraint::Plane(&rise.heading.direction) };
@@ -110,27 +123,29 @@ impl Path<'_> {
             rise.share *= 0.5;
             return None;
         };
+        if self.work.slides && rise.share > most {
+            rise.share = most;
+            return None;
+        }
         let on = self.heading(&next, Some(&rise.heading));
         let falls = next.factor <= factor || on.as_ref().is_some_and(|on| on.factor <= 0.0);
         let turns = on.as_ref().is_none_or(|on| !on.stable);
-        // Where a joint opens or closes the path has a corner; where it forks it has none. Whether a crack grows is not known beforehand.
-        let smooth = !self.work.cracks && on.as_ref().is_some_and(|on| rise.heading.goes_on_as(on));
         let on = match on {
             Some(on) if !falls && !turns => on,
             on => {
                 if close {
-                    let end = match (falls, smooth) {
-                        (true, _) => End::Limit,
-                        (false, true) => End::Bifurcation,
-                        (false, false) => End::Lost,
-                    };
                     self.mechanism.clone_from(&rise.heading.direction);
-                    if end == End::Bifurcation
-                        && let Some(sideways) = self.easiest()
-                    {
+                    if falls {
+                        return Some(End::Limit);
+                    }
+                    // Where a joint opens or closes the path has a corner; where it forks it has none.
+                    if !on.is_some_and(|on| self.goes_on_to(&next, [&rise.heading, &on])) {
+                        return Some(End::Lost);
+                    }
+                    if let Some(sideways) = self.easiest() {
                         self.mechanism = sideways;
                     }
-                    return Some(end);
+                    return Some(End::Bifurcation);
                 }
                 rise.past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: rise.share, rate: on.factor });
                 rise.share *= rise.past.as_ref().map_or(0.5, |past| past.short_of_peak(&rise.heading));
@@ -153,6 +168,15 @@ impl Path<'_> {
         let most = |past: &Past| grown.min(past.distance * past.short_of_peak(&rise.heading));
         rise.share = rise.past.as_ref().map_or(grown, most);
         None
+    }
+
+    /// Length of the longest step in which joints slide.
+    fn most_where_sliding(&self, heading: &Heading) -> f64 {
+        let acting = |factor: f64| scale(self.model, factor);
+        let grown = acting(1.0) - acting(0.0);
+        // Blocks that weigh nothing begin somewhere.
+        let gain = (SLIDING_GAIN * acting(self.state.factor) / grown).max(LEAST_GAIN * self.program.increment);
+        if grown > 0.0 { gain / heading.factor } else { f64::INFINITY }
     }
 
     /// Iterations that the next step should take.

@@ -204,9 +204,11 @@ impl Sweeper<'_> {
             path.settings = patient;
             end = path.follow(watch);
         }
-        let best = path.points.iter().max_by(|a, b| a.factor.total_cmp(&b.factor));
+        let factor = |&k: &usize| path.points[k].factor;
+        let peak = (0..path.points.len()).max_by(|a, b| factor(a).total_cmp(&factor(b))).unwrap_or(0);
+        let best = path.points.get(peak);
         let most = best.map_or(0.0, |best| best.factor * if end == End::Target { 1.0 } else { BELOW_PEAK });
-        if let Some(state) = path.states.iter().rev().find(|state| state.factor <= most) {
+        if let Some(state) = path.states[..=peak].iter().rev().find(|state| state.factor <= most) {
             self.near.keep(&self.model.variable, state.clone());
         }
         let (factor, gives_way) = (best.map(|p| p.factor), best.map(|p| path.cause(p)));

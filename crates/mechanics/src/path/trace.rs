@@ -100,12 +100,14 @@ pub(super) struct Heading {
 
 impl Heading {
     /// Whether another one, close by, has the same direction.
-    pub fn goes_on_as(&self, other: &Heading) -> bool {
-        const ALIKE: f64 = 1e-2;
+    fn is_like(&self, other: &Heading) -> bool {
         let turned = 1.0 - dot(&self.direction, &other.direction);
         turned < ALIKE && (other.factor / self.factor - 1.0).abs() < ALIKE
     }
 }
+
+/// Headings and forces are alike that differ by no more than this share of them.
+const ALIKE: f64 = 1e-2;
 
 pub(super) struct Path<'m> {
     pub model: &'m Model,
@@ -305,6 +307,20 @@ impl<'m> Path<'m> {
         let factor = if on { 1.0 } else { -1.0 } / length;
         direction.iter_mut().for_each(|d| *d *= factor);
         Some(Heading { direction, factor, stable })
+    }
+
+    /// Whether the path has no corner on the way to a state close by, where a joint opens, closes or cracks: it has the same heading there, or a motion
+    /// that balanced a little more load does so there as well. The heading alone does not tell, for near a fork it turns along the motion that gives way.
+    pub fn goes_on_to(&mut self, next: &State, [heading, on]: [&Heading; 2]) -> bool {
+        assemble(self.model, self.settings, next, &mut self.work);
+        // Whether a crack grows is not known beforehand.
+        if self.work.cracks {
+            return false;
+        }
+        let load: Vec<f64> = self.work.growing.iter().map(|growing| heading.factor * growing).collect();
+        let resisted = self.work.tangent.times(&heading.direction);
+        let left: Vec<f64> = resisted.iter().zip(&load).map(|(r, l)| r - l).collect();
+        heading.is_like(on) || norm(&left) < ALIKE * norm(&load)
     }
 
     pub fn accept(&mut self, next: State, balanced: Balanced) {

@@ -65,6 +65,7 @@ mod particle_threads;
 mod path_arch;
 mod path_bond;
 mod path_closed_forms;
+mod path_forks;
 mod path_known;
 mod path_like_columns;
 mod path_onset;

@@ -17,6 +17,9 @@ use outcome::warning::{self, Warning};
 /// Factors of cases are not known to be better than this.
 const SAME: f64 = 1e-4;
 
+/// Loads of so many times the weight of the bridge are not asked for where nothing bounds them.
+const MANY: f64 = 20.0;
+
 /// The least case of a row.
 #[derive(Debug, Clone, Copy)]
 struct Least {
@@ -80,7 +83,7 @@ impl Along<'_> {
             let mut sweeper = self.deforming.sweeper();
             let mut before = None;
             let each = rows.iter().enumerate().map(|(k, row)| {
-                let bound = Bound::of(rigid(row), lowest)?;
+                let bound = Bound::of(rigid(row), lowest).or_else(|| self.asked(row))?;
                 let least = self.least(&mut sweeper, first + k, &likely(row, before), bound, pace);
                 before = least.map(|least| least.axles);
                 pace.step();
@@ -89,6 +92,14 @@ impl Along<'_> {
             each.collect::<Vec<_>>()
         });
         (found.into_iter().flatten().flatten().flatten().collect(), done)
+    }
+
+    /// How far loads are followed where rigid blocks lock at every position: as far as the file asks, and no further than many times what the bridge weighs.
+    fn asked(&self, row: &Row) -> Option<Bound> {
+        let force = row.cases.iter().map(|case| case.force).fold(0.0, f64::max);
+        let many = MANY * self.scene.d.model.free_weight();
+        let limit = self.scene.bridge.plan.load_limit.map_or(many, |limit| limit.min(many));
+        (force > 0.0).then(|| Bound::below(limit / force))
     }
 
     /// The least factor of some cases of a row below a bound.
