@@ -115,7 +115,7 @@ fn a_fork_is_found_however_long_the_steps_are() {
         let ends = |status: Status| matches!(status, Status::Bifurcation | Status::LimitPoint);
         assert!(ends(one.status), "steps of {increment}: {:?}", one.status);
         same(one.collapse_factor.unwrap(), fork, 3e-5, &format!("steps of {increment}"));
-        let of_sweep = &swept(&model, &[even.clone()], increment)[0];
+        let of_sweep = &swept(&model, std::slice::from_ref(&even), increment)[0];
         assert!(ends(of_sweep.status), "steps of {increment} in a sweep: {:?}", of_sweep.status);
         same(of_sweep.factor.unwrap(), fork, 3e-5, &format!("steps of {increment} in a sweep"));
         for path in [&one.path, &of_sweep.path] {
@@ -155,7 +155,7 @@ fn rings_that_slide_carry_the_same_however_long_the_steps_are() {
         for increment in [1.0, 5.0, 20.0, 60.0, 200.0, 1000.0] {
             let what = format!("{beside} m beside the crown, steps of {increment}");
             same(alone(&model, &forces, increment).collapse_factor.unwrap(), reference, 1e-2, &what);
-            let of_sweep = &swept(&model, &[forces.clone()], increment)[0];
+            let of_sweep = &swept(&model, std::slice::from_ref(&forces), increment)[0];
             assert_ne!(of_sweep.status, Status::NotConverged, "{what}");
             same(of_sweep.factor.unwrap(), reference, 1e-2, &format!("{what}, in a sweep"));
         }
