@@ -236,7 +236,7 @@ fn a_sweep_of_rings_that_slide_says_what_each_load_carries_alone() {
         let mut b = bridge(SHORT, 1);
         let ring = b.spans[0].rings[0].clone();
         b.spans[0].rings.push(ring);
-        b.ring_joint = b.joint.clone();
+        b.ring_joint = b.joint;
         b.ring_joint.friction_angle = 35f64.to_radians();
         b.loads[0].position += beside;
         b
