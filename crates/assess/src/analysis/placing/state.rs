@@ -18,8 +18,8 @@ pub(super) struct State {
     pub built: Vec<Discretised>,
     grounds: Vec<Ground<'static>>,
     learnt: Vec<Experience>,
-    /// Of loads of the file: the end of the last iteration without dilation, against which places along the road are held.
-    near: Option<Level>,
+    /// The ends of the last iterations without dilation, against which places along the road are held, under each combination.
+    ends: Vec<Option<Level>>,
     /// The vehicle that is put on it, and what it may do there; none where loads are those of the file.
     pub vehicle: Option<(Driven, Driving)>,
 }
@@ -66,7 +66,8 @@ impl State {
             built.push(d);
         }
         let learnt = bridges.iter().map(|_| Experience::default()).collect();
-        Ok(State { bridge: bridges[0].clone(), built, grounds, learnt, near: None, vehicle: None })
+        let ends = vec![None; bridges.len()];
+        Ok(State { bridge: bridges[0].clone(), built, grounds, learnt, ends, vehicle: None })
     }
 
     /// Whether the blocks carry their own weight.
@@ -104,7 +105,12 @@ impl State {
         let begun = self.grounds.iter().zip(&mut self.learnt);
         let mut sweepers: Vec<Sweeper<'_>> =
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
-        let governing = driving.governing(&self.built[0], (&self.grounds, &mut sweepers), position, asked);
+        let mut ends = match asked {
+            Asked::Along => std::mem::take(&mut self.ends),
+            Asked::Carefully | Asked::Quickly => vec![None; self.grounds.len()],
+        };
+        let governing = driving.governing(&self.built[0], (&self.grounds, &mut sweepers), &mut ends, position, asked);
+        self.ends = ends;
         self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
         put.carried = Some(Carried {
             status: by_limit::status(governing.status),
@@ -138,11 +144,11 @@ impl State {
         }
         let mut sweeper = self.grounds[0].sweeper_with(std::mem::take(&mut self.learnt[0]));
         let effect = sweeper.effect(&put.forces);
-        let found = sweeper.least(&effect, put.friction, starts, self.near.as_ref());
+        let found = sweeper.least(&effect, put.friction, starts, self.ends[0].as_ref());
         self.learnt[0] = sweeper.learnt();
         let dilatant = found.dilatant.lower;
         let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
-        self.near = found.level.or(self.near.take());
+        self.ends[0] = found.level.or(self.ends[0].take());
         Carried { status: by_limit::status(found.status), factor, dilatant, slides: found.dilatant.slides }
     }
 
@@ -153,9 +159,7 @@ impl State {
         let effect = sweeper.effect(&put.forces);
         let (outcome, level) = sweeper.outcome_by(&effect, put.friction);
         self.learnt[k] = sweeper.learnt();
-        if self.vehicle.is_none() {
-            self.near = level.or(self.near.take());
-        }
+        self.ends[k] = level.or(self.ends[k].take());
         outcome
     }
 }

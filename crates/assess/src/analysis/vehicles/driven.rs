@@ -147,7 +147,7 @@ pub(in crate::analysis) struct Governing {
 pub(in crate::analysis) enum Asked {
     /// As a sweep does; loads of the file as an analysis by itself does.
     Carefully,
-    /// The same, but loads of the file are held against the place before.
+    /// The same, but held against the place before.
     Along,
     /// Not: the answer says where it is open.
     Quickly,
@@ -188,12 +188,13 @@ impl Driving {
         Driving { feet, drives: all, borders, weights: driven.weights.clone(), capacity, range }
     }
 
-    /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground and one sweeper for each
-    /// combination of weights.
+    /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground, one sweeper and one end of an
+    /// iteration without dilation, against which places are held where nothing slides, for each combination of weights.
     pub fn governing(
         &self,
         d: &Discretised,
         (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),
+        ends: &mut [Option<Level>],
         position: f64,
         asked: Asked,
     ) -> Governing {
@@ -238,7 +239,7 @@ impl Driving {
         if asked == Asked::Quickly {
             return governing;
         }
-        let (mut factor, mut ends) = (worst.factor, vec![None::<Level>; sweepers.len()]);
+        let mut factor = worst.factor;
         for Answered { answer: Answer { key, .. }, effect, .. } in again {
             let end = &mut ends[key.weights];
             let found = sweepers[key.weights].least(effect, Friction::Automatic, Starts::Doubtful, end.as_ref());
