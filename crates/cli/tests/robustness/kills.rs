@@ -4,7 +4,7 @@
 
 use crate::stage::{Ending, Stage};
 use crate::tally::{End, Tally};
-use crate::works::{LONG, WORKS, Whole, Work, is_sealed, left_over, prepared};
+use crate::works::{LONG, WORKS, Whole, Work, asked_for, is_sealed, left_over, prepared};
 use crate::{Draws, number};
 use serde_json::Value;
 use std::process::{Command, Output, Stdio};
@@ -144,6 +144,6 @@ fn robustness_a_few_runs_are_killed() {
 #[ignore = "minutes"]
 fn robustness_runs_of_every_command_are_killed() {
     let times = number("EXTRADOS_KILLS", 24);
-    let works: Vec<Work> = WORKS.into_iter().chain(LONG).collect();
+    let works = asked_for(WORKS.into_iter().chain(LONG));
     run("robustness-kills", &works, times, number("EXTRADOS_SEED", 1)).settle("Runs that were disturbed");
 }

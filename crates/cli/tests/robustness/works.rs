@@ -86,6 +86,13 @@ pub const LONG: [Work; 2] = [
     work("calibrate-fill", &["calibrate-fill", "grains.toml", "--seeds", "1"], None),
 ];
 
+/// Those of some works that `EXTRADOS_WORKS` names, separated by commas; without it all.
+pub fn asked_for(works: impl Iterator<Item = Work>) -> Vec<Work> {
+    let asked = std::env::var("EXTRADOS_WORKS").ok();
+    let names = |work: &Work| asked.as_ref().is_none_or(|names| names.split(',').any(|name| name.trim() == work.name));
+    works.filter(names).collect()
+}
+
 /// A stage with everything that the works read.
 pub fn prepared(name: &str) -> Stage {
     let stage = Stage::new(name);
