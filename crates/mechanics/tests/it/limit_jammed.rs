@@ -127,9 +127,11 @@ fn drawn(seed: u64) -> (BlockModel, Loading) {
 }
 
 /// Every answer is one of: they lock, they do not stand, they are jammed, or a load between two bounds. Discrete elements, which begin
-/// without any compression, say the same of what stands.
+/// without any compression, say the same of what stands. Of 120 drawn, 41 lock, 6 have a load, 70 are jammed, 3 end without an answer; two that lock fall by
+/// discrete elements: a block in the middle that is wider below could drop straight out, and the wedges beside it may press it by their weight so that
+/// friction holds it, which limit analysis finds, or hang in friction themselves.
 #[test]
-#[ignore = "open: case 54 locks by limit analysis and falls by discrete elements under ten times the load"]
+#[ignore = "open: of 120, cases 54 and 92 lock by limit analysis and fall by discrete elements; three end without an answer"]
 fn limit_and_discrete_elements_agree_on_what_stands() {
     let mut counts = [0usize; 5];
     for seed in 0..120 {
