@@ -7,8 +7,12 @@ use crate::tally::{End, Tally};
 use crate::works::{LONG, WORKS, Whole, Work, asked_for, is_sealed, left_over, prepared};
 use crate::{Draws, number};
 use serde_json::Value;
+use std::os::unix::process::ExitStatusExt;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
+
+/// Before a command has read its words it listens to nothing: SIGTERM ends it there as it ends any program, and there is nothing to lose.
+const WAKES: Duration = Duration::from_millis(250);
 
 /// How a run is disturbed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,12 +56,14 @@ fn torment(stage: &Stage, work: &Work, sign: Sign, times: u64, draws: &mut Draws
             0.75 + draws.below(300) as f64 / 1000.0
         };
         let (output, early) = disturbed(stage, &work.line("o", time > 0), sign, span.mul_f64(share));
+        let asleep = !early && span.mul_f64(share) < WAKES && output.status.signal() == Some(15);
         let ended = match (early, sign) {
             (true, _) => End::of(&output),
             (false, Sign::Kill) => End::Interrupted,
+            (false, Sign::Terminate) if asleep => End::Interrupted,
             (false, Sign::Terminate) => End::of(&output),
         };
-        let told = sign == Sign::Kill || serde_json::from_slice::<Value>(&output.stdout).is_ok();
+        let told = sign == Sign::Kill || asleep || serde_json::from_slice::<Value>(&output.stdout).is_ok();
         let fault = |end: End, what: String| (end, format!("{what} ({kind} {time}, after {share:.3} of {span:?})"));
         let found = match is_sealed(&folder) {
             _ if ended == End::Broken => Err(fault(End::Broken, String::from_utf8_lossy(&output.stderr).into_owned())),
