@@ -1,4 +1,4 @@
-//! Cohesion between rings helps, and comes and goes: the load without it leads, and the load with it is no less and no more than rigid blocks carry.
+//! Cohesion between rings helps, and comes and goes: the load without it leads, below that of rigid blocks, and the load with it stands beside it and is no less.
 
 use super::*;
 use mechanics::watch::Unwatched;
@@ -65,6 +65,7 @@ fn rings_with_cohesion_carry_no_less_and_the_load_without_it_leads() {
         assert!(bare < limit);
         let with = found.not_counted.with(Help::Cohesion).unwrap_or_else(|| panic!("{cohesion} kPa adds something"));
         let load = with.headline.unwrap();
+        // Loads of rings that slide hang on the steps by half a percent (docs/theory/path.md), and two of them are compared.
         assert!(load > 0.98 * before, "{cohesion} kPa: {load} after {before}");
         before = load;
     }
