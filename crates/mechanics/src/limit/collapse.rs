@@ -9,6 +9,7 @@ use super::mechanism::mechanism;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Ending, Program, Role, Solution};
 use super::proven::{Roomy, proven, roomy};
+use super::rest::{Rest, share};
 use super::settings::{Friction, Settings};
 use super::smooth::smooth;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
@@ -40,7 +41,7 @@ pub fn collapse_load_while(
     let found = largest_factor(&equilibrium, &joints, &strengths);
     let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
     let parts = (model, &equilibrium, &joints[..], &strengths[..]);
-    by_friction(settings.friction, parts, &found, &OnceLock::new(), &mut outcome);
+    by_friction(settings.friction, parts, &found, &Rest::default(), &mut outcome);
     if !pace.goes_on() {
         let Outcome { interfaces, iterations, friction, .. } = outcome;
         return Ok(Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations));
@@ -54,14 +55,14 @@ pub(super) fn by_friction(
     friction: Friction,
     (model, equilibrium, joints, strengths): (&BlockModel, &Equilibrium, &[Joint], &[Strength]),
     found: &Found,
-    slips: &OnceLock<bool>,
+    at_rest: &Rest,
     outcome: &mut Outcome,
 ) -> Option<Level> {
     if friction == Friction::Associated || !matches!(found.status, Status::Solved | Status::Locks) {
         return None;
     }
     let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty());
-    let level = without_dilation(equilibrium, joints, strengths, found, None, slips);
+    let level = without_dilation(equilibrium, joints, strengths, found, None, at_rest);
     let scale = equilibrium.factor_scale;
     let end = level.end(scale);
     if level.governs(friction, found, slides) == Governs::WithDilation {
@@ -106,8 +107,8 @@ pub(super) struct Carried {
     solution: Solution,
     /// A state with room to every limit, once it is asked for.
     roomy: OnceLock<Option<Roomy>>,
-    /// Whether blocks slip under the permanent loads where they are not jammed, once it is asked for.
-    pub slips: OnceLock<bool>,
+    /// How blocks rest under them, once it is asked for.
+    pub at_rest: Rest,
 }
 
 impl Carried {
@@ -131,11 +132,11 @@ pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[
     if let Some(forces) = elastic_state(equilibrium, joints, strengths) {
         let velocities = vec![0.0; equilibrium.rows];
         let solution = Solution { ending: Ending::Solved, forces, factor: 1.0, velocities, iterations: 0 };
-        return Carried { carried: Some(true), solution, roomy: OnceLock::new(), slips: OnceLock::new() };
+        return Carried { carried: Some(true), solution, roomy: OnceLock::new(), at_rest: Rest::default() };
     }
-    let solution = share_carried(equilibrium, joints, strengths);
+    let solution = share(equilibrium, joints, strengths, 0.0, 1e-8);
     let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
-    Carried { carried, solution, roomy: OnceLock::new(), slips: OnceLock::new() }
+    Carried { carried, solution, roomy: OnceLock::new(), at_rest: Rest::default() }
 }
 
 /// Maximises the load factor, and asks what is wrong where there is no largest one.
@@ -191,25 +192,6 @@ fn elastic_state(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Stren
     }
     let left = equilibrium.residual(&forces, 0.0).iter().fold(0.0f64, |m, r| m.max(r.abs()));
     (left < 1e-12 && bounds::yield_violation(equilibrium, joints, strengths, &forces) <= 0.0).then_some(forces)
-}
-
-/// The largest share of the permanent loads, up to all, that the joints carry. Always solvable: without loads no
-/// joint needs any force. Without cohesion and crushing the answer is all or nothing.
-fn share_carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
-    let rest = vec![0.0; equilibrium.rows];
-    let drive = &equilibrium.permanent;
-    Program {
-        equilibrium,
-        joints,
-        strengths,
-        drive,
-        rest: &rest,
-        cap: Some(1.0),
-        reward: Vec::new(),
-        price: 0.0,
-        role: Role::Factor,
-    }
-    .solve(1e-8)
 }
 
 /// Whether the variable loads alone can grow without end: forces that no strength limits carry them.

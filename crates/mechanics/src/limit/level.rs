@@ -8,11 +8,11 @@
 use super::collapse::{Found, locks};
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::nonassociated::{Settled, settle, settle_near, slips_under_weight};
+use super::nonassociated::{Settled, settle, settle_near};
 use super::outcome::Status;
 use super::program::Ending;
+use super::rest::Rest;
 use super::settings::Friction;
-use std::sync::OnceLock;
 
 /// Beside a load so many times all permanent loads, these are less than what the solver can see: geometry and friction alone carry the
 /// load, and would carry any other.
@@ -53,31 +53,35 @@ pub(super) enum Governs {
 }
 
 /// The load without dilation: from the end point of a load nearby alone, where one is given and leads to an end, or the lowest from all
-/// starts. `found` is the load with dilation; whether blocks slip under their weight is asked once for all loads.
+/// starts. `found` is the load with dilation; how blocks rest under the permanent loads is asked once for all.
 pub(super) fn without_dilation(
     equilibrium: &Equilibrium,
     joints: &[Joint],
     strengths: &[Strength],
     found: &Found,
     near: Option<&[f64]>,
-    slips: &OnceLock<bool>,
+    at_rest: &Rest,
 ) -> WithoutDilation {
     let endless = found.status == Status::Locks;
-    let slips = || *slips.get_or_init(|| slips_under_weight(equilibrium, joints, strengths));
+    // Where any load is carried with dilation, blocks may be held by compressions that nothing brings about.
+    let jammed = || match endless {
+        true => !at_rest.is_sure(equilibrium, joints, strengths),
+        false => at_rest.slips(equilibrium, joints, strengths),
+    };
     if endless && drives_nothing(equilibrium, joints, strengths) {
-        return if slips() { WithoutDilation::Jammed } else { WithoutDilation::Locks };
+        return if jammed() { WithoutDilation::Jammed } else { WithoutDilation::Locks };
     }
     let beside = near.and_then(|near| settle_near(equilibrium, joints, strengths, near));
     let associated = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
     let Some(mut settled) = beside.or_else(|| settle(equilibrium, joints, strengths, associated)) else {
-        return match endless && slips() {
+        return match endless && jammed() {
             true => WithoutDilation::Jammed,
             false => WithoutDilation::Unsettled,
         };
     };
     let factor = settled.solution.factor;
     let lower = endless || factor < (1.0 - BELOW) * found.solution.factor;
-    if factor < -ZERO || (lower && slips()) {
+    if factor < -ZERO || (lower && jammed()) {
         return WithoutDilation::Jammed;
     }
     if endless && factor > LOCKED {

@@ -31,6 +31,7 @@ mod outcome;
 mod program;
 mod proven;
 mod reduced;
+mod rest;
 mod rows;
 mod settings;
 mod simplex;

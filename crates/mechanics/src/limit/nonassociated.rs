@@ -21,9 +21,9 @@ use super::proven;
 use crate::watch::Pace;
 
 /// Share of a joint's compression down to which the fictitious surface is level.
-const REACH: f64 = 0.3;
+pub(super) const REACH: f64 = 0.3;
 /// Weight of the newest compressions in the first rounds.
-const DAMPING: f64 = 0.6;
+pub(super) const DAMPING: f64 = 0.6;
 /// How many rounds one start has.
 #[derive(Clone, Copy)]
 struct Rounds {
@@ -41,7 +41,7 @@ const NEARBY: Rounds = Rounds { calmed: 10, most: 30 };
 /// Price that picks the state of least self-stress. From 1e-2 down to 1e-5 the loads of three walls of Ferris and
 /// Tin-Loi change by less than 1e-3; compressed joints give way in the mechanism by about a tenth of the price, and at
 /// 1e-5 that is below what counts as motion.
-const PRICE: f64 = 1e-5;
+pub(super) const PRICE: f64 = 1e-5;
 /// End of the rounds: largest change of the load factor, relative. Tighter than the 1e-4 to which starts agree.
 const SETTLED: f64 = 1e-6;
 /// Largest relative difference between the load factor with the fictitious surfaces and with forces that keep to the
@@ -121,55 +121,6 @@ pub(super) fn settle_near(
     let range = end.range();
     Some(Settled { iterations, ..end.settled(range) })
 }
-
-/// Whether blocks slip under the permanent loads alone once joints lose the compressions that nothing but self-stress brings about: the
-/// share of these loads that the fictitious surfaces carry falls from round to round where friction needs compression and compression
-/// needs friction.
-pub(super) fn slips_under_weight(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
-    let rest = vec![0.0; equilibrium.rows];
-    let mut compression = vec![1.0; joints.len()];
-    for _ in 0..SLIPS_WITHIN {
-        let fictitious: Vec<Strength> = strengths
-            .iter()
-            .zip(&compression)
-            .map(|(s, c)| level(s, REACH, f64::max(*c, 0.0) * equilibrium.force))
-            .collect();
-        let found = Program {
-            equilibrium,
-            joints,
-            strengths: &fictitious,
-            drive: &equilibrium.permanent,
-            rest: &rest,
-            cap: Some(1.0),
-            reward: Vec::new(),
-            price: PRICE,
-            role: Role::Factor,
-        }
-        .solve(TOLERANCE);
-        if found.ending == Ending::Unknown {
-            return false;
-        }
-        if found.factor < SLIPPED {
-            return true;
-        }
-        let new = compressions(equilibrium, joints, &found.forces);
-        let change = compression.iter().zip(&new).map(|(old, new)| (old - new).abs()).fold(0.0, f64::max);
-        if change <= RESTS {
-            return false;
-        }
-        for (old, new) in compression.iter_mut().zip(new) {
-            *old += DAMPING * (new - *old);
-        }
-    }
-    false
-}
-
-/// Rounds in which compressions that nothing brings about fall to 1e-5 of the whole weight.
-const SLIPS_WITHIN: usize = 25;
-/// Share of the permanent loads below which blocks slip.
-const SLIPPED: f64 = 0.5;
-/// Largest change of a scaled compression from one round to the next at which blocks rest.
-const RESTS: f64 = 1e-4;
 
 /// Where one start ended.
 struct End {
@@ -265,7 +216,7 @@ fn from(
 }
 
 /// The fictitious strength of a joint that was compressed by `compression` [N/m], level down to a share `reach` of it.
-fn level(strength: &Strength, reach: f64, compression: f64) -> Strength {
+pub(super) fn level(strength: &Strength, reach: f64, compression: f64) -> Strength {
     if !strength.friction.is_finite() {
         return *strength;
     }
@@ -277,7 +228,7 @@ fn level(strength: &Strength, reach: f64, compression: f64) -> Strength {
 }
 
 /// Scaled compression of each joint.
-fn compressions(equilibrium: &Equilibrium, joints: &[Joint], forces: &[f64]) -> Vec<f64> {
+pub(super) fn compressions(equilibrium: &Equilibrium, joints: &[Joint], forces: &[f64]) -> Vec<f64> {
     let each = joints.iter().zip(&equilibrium.first_column);
     each.map(|(joint, &c)| forces[c..c + joint.points.len()].iter().sum()).collect()
 }

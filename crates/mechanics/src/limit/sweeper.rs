@@ -301,7 +301,7 @@ impl Sweeper<'_> {
         let by_corner = matches!(reached, Reached::Corner(..));
         let found = if near.is_none() && by_corner { self.by_itself(&equilibrium, found) } else { found };
         let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
-        let level = without_dilation(&equilibrium, joints, strengths, &found, near, &self.ground.stands.slips);
+        let level = without_dilation(&equilibrium, joints, strengths, &found, near, &self.ground.stands.at_rest);
         if !self.pace.goes_on() {
             let dilatant = Factor::without_numbers(Status::Cancelled);
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
@@ -415,7 +415,7 @@ impl Sweeper<'_> {
         let found =
             if friction != Friction::Associated && solved { self.by_itself(&equilibrium, found) } else { found };
         let parts = (&*ground.model, &equilibrium, &joints[..], &strengths[..]);
-        let level = by_friction(friction, parts, &found, &ground.stands.slips, &mut outcome);
+        let level = by_friction(friction, parts, &found, &ground.stands.at_rest, &mut outcome);
         if !self.pace.goes_on() {
             let Outcome { interfaces, iterations, friction, .. } = outcome;
             return (Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations), None);

@@ -126,15 +126,11 @@ fn drawn(seed: u64) -> (BlockModel, Loading) {
     between(&widths, &leans, friction, loaded, vec2(angle.cos(), -angle.sin()) * 1e4)
 }
 
-/// Every answer is one of: they lock, they do not stand, they are jammed, or a load between two bounds. Discrete elements, which begin
-/// without any compression, say the same of what stands. Of 120 drawn, 41 lock, 6 have a load, 70 are jammed, 3 end without an answer; two that lock fall by
-/// discrete elements: a block in the middle that is wider below could drop straight out, and the wedges beside it may press it by their weight so that
-/// friction holds it, which limit analysis finds, or hang in friction themselves.
-#[test]
-#[ignore = "open: of 120, cases 54 and 92 lock by limit analysis and fall by discrete elements; three end without an answer"]
-fn limit_and_discrete_elements_agree_on_what_stands() {
-    let mut counts = [0usize; 5];
-    for seed in 0..120 {
+/// How many of the answers are each of: they lock, they do not stand, a load between two bounds, jammed, none; and how many of the jammed
+/// stand by discrete elements, which begin without any compression. Of what limit analysis is sure discrete elements say the same.
+fn agreed(seeds: std::ops::Range<u64>) -> ([usize; 5], usize) {
+    let (mut counts, mut jammed_and_standing) = ([0; 5], 0);
+    for seed in seeds {
         let (model, loading) = drawn(seed);
         let found = carried(&model, &loading);
         let told = format!("{seed}: {:?} {:?} jammed {}", found.status, found.factor, found.jammed);
@@ -159,14 +155,31 @@ fn limit_and_discrete_elements_agree_on_what_stands() {
         } else {
             assert_eq!((found.factor, found.lower_bound), (None, None), "{told}");
         }
-        let seen = stands(&model, &loading, tried.max(1e-3));
-        match (kind, seen) {
-            (_, None) => {}
+        match (kind, stands(&model, &loading, tried.max(1e-3))) {
             (0 | 2, Some([_, at_rest])) => assert!(at_rest, "{told}"),
             (1, Some([_, at_rest])) => assert!(!at_rest, "{told}"),
             // Jammed blocks may stand or fall: that is what is said of them.
+            (3, Some([_, true])) => jammed_and_standing += 1,
             _ => {}
         }
     }
+    (counts, jammed_and_standing)
+}
+
+/// Of 600 boxes 104 lock, 2 do not stand, 6 have a load and 488 are jammed, of which 169 stand by discrete elements.
+#[test]
+fn limit_and_discrete_elements_agree_on_what_stands() {
+    let (counts, jammed_and_standing) = agreed(0..600);
     assert!(counts[..4].iter().all(|count| *count > 0) && counts[4] == 0, "{counts:?}");
+    // A rule that calls everything jammed is never wrong.
+    assert!(3 * counts[0] > jammed_and_standing, "{counts:?} {jammed_and_standing}");
+}
+
+/// Seeds that no constant was chosen by.
+#[test]
+#[ignore = "a minute"]
+fn limit_and_discrete_elements_agree_on_what_stands_in_five_thousand() {
+    let (counts, jammed_and_standing) = agreed(2_000..7_000);
+    println!("{counts:?}, of the jammed {jammed_and_standing} stand");
+    assert!(counts[4] <= 5, "{counts:?}");
 }
