@@ -1,6 +1,6 @@
 // Every example by the engine in WebAssembly and by the command: the same words, and numbers as close as the platforms' sines allow.
 //
-//     node crates/workbench/tests/same-numbers.mjs target/release/extrados [FOLDER/NAME...]
+//     node crates/workbench/tests/same-numbers.mjs target/release/extrados [--quick] [FOLDER/NAME...]
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -54,7 +54,12 @@ function ofTheCommand(result) {
  * both is named as the worst is round-off. */
 const MIRRORED = { "bridgemill/assess.toml": 18.3 };
 
-const [program, ...only] = process.argv.slice(2);
+/** Left out by `--quick`: minutes each, and another example goes through the same code. */
+const SLOW = ["bridgemill/assess.toml"];
+
+const [program, ...words] = process.argv.slice(2);
+const quick = words.includes("--quick");
+const only = words.filter((word) => word !== "--quick");
 const collapse = (method) => ["collapse", method];
 const wanted = [
   ...["case-1", "case-2", "case-4", "whole", "parabola", "pressure"].map((name) => ["bridgemill", `${name}.toml`, ...collapse("limit")]),
@@ -78,7 +83,7 @@ const wanted = [
   ["bridgemill", "assess.toml", "assess", ""],
   ["railway-arch", "passage.toml", "respond", ""],
   ["railway-arch", "update.toml", "update", ""],
-].filter(([folder, name, kind]) => only.length === 0 || only.includes(`${folder}/${name}`) || only.includes(kind));
+].filter(([folder, name]) => !quick || !SLOW.includes(`${folder}/${name}`)).filter(([folder, name, kind]) => only.length === 0 || only.includes(`${folder}/${name}`) || only.includes(kind));
 
 /** The command line of each kind, and the call of the engine. */
 const DAY = "2026-01-01";
@@ -123,6 +128,16 @@ function unmirrored(value, length) {
       return [key, unmirrored(one, length)];
     }),
   );
+}
+
+/** Hinges of two results without those that one of them alone counts and that turn by less than a mechanism is certain to, beside its largest turn. */
+function certain(mine, theirs) {
+  const name = ({ between, edge }) => `${between} ${edge}`;
+  const [one, other] = [mine, theirs].map(({ hinges = [] }) => new Set(hinges.map(name)));
+  for (const result of [mine, theirs].filter((each) => each.hinges)) {
+    const most = Math.max(...result.hinges.map(({ rotation }) => Math.abs(rotation)));
+    result.hinges = result.hinges.filter((hinge) => (one.has(name(hinge)) && other.has(name(hinge))) || Math.abs(hinge.rotation) > OF_SEVERAL * most);
+  }
 }
 
 function bound(kind, method, level, key, gaps, scale) {
@@ -170,6 +185,7 @@ for (const [folder, name, kind, method] of wanted) {
     ofTheCommand(read);
     return length === undefined ? read : unmirrored(read, length);
   });
+  if (theirs.friction === "non-associated") certain(mine, theirs);
   const numbers = [[], []];
   const words = [mine, theirs].map((value, k) => JSON.stringify(taken(value, "", numbers[k])));
   let [worst, where, exact] = [0, "", 0];
