@@ -198,7 +198,7 @@ above = "It was grouted."
 
 /// A small bridge of a fleet, with its own geometry; every fiftieth file is broken.
 fn fleet_file(number: usize) -> String {
-    if number % 50 == 7 {
+    if number % 10 == 7 {
         return match number % 3 {
             0 => "bridge = [".to_owned(),
             1 => "[bridge]\nname = \"half a file\"\n".to_owned(),
@@ -229,22 +229,22 @@ fn fleet(name: &str, count: usize) -> Stage {
 /// Broken files are rows and stop nothing; the worst bridge stands first; a killed run is taken up to the same table.
 #[test]
 fn a_fleet_survives_broken_files_and_a_kill() {
-    let stage = fleet("assess-fleet", 60);
+    let stage = fleet("assess-fleet", 24);
     let words = ["assess", "bridges", "--out", "fleet", "--skip", "sensitivity"];
     let mut child = stage.start(&words);
     child.wait_for("the first bridges", || finished(&stage, "fleet").len() >= 3);
     child.kill();
     let torn = finished(&stage, "fleet").len();
-    assert!(torn < 58, "killed when {torn} of 58 were finished");
+    assert!(torn < 22, "killed when {torn} of 22 were finished");
     let (answer, ending) = stage.object(&words);
-    assert_eq!(answer["bridges"], 60, "{answer}");
+    assert_eq!(answer["bridges"], 24, "{answer}");
     let broken = answer["unusable"].as_array().expect("a list");
     let names: Vec<&str> = broken.iter().filter_map(|one| one["file"].as_str()).collect();
-    assert_eq!(names, ["0007.toml", "0057.toml"]);
+    assert_eq!(names, ["0007.toml", "0017.toml"]);
     assert!(broken.iter().all(|one| one["message"].as_str().is_some_and(|words| words.len() > 10)), "{broken:?}");
     assert!(matches!(ending.code, Some(1 | 3)), "{:?}", ending.code);
     let table = stage.read("fleet/fleet.csv");
-    assert_eq!(table.lines().count(), 61);
+    assert_eq!(table.lines().count(), 25);
     let page = stage.read("fleet/fleet.html");
     assert!(page.contains("href=\"0000/report.html\"") && stage.read("fleet/0000/report.html").contains("Bridge 0"));
     // An undisturbed run on one core ends in the same table.
@@ -291,18 +291,18 @@ fn an_interrupted_assessment_goes_on_where_it_was() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_fleet_goes_on_where_it_was() {
-    let stage = fleet("assess-fleet-interrupted", 60);
+    let stage = fleet("assess-fleet-interrupted", 24);
     let words = ["assess", "bridges", "--out", "fleet", "--skip", "sensitivity", "--json"];
     let mut child = stage.start(&words);
     child.wait_for("the first bridges", || finished(&stage, "fleet").len() >= 3);
     let (cancelled, code) = child.interrupted();
     assert_eq!((code, cancelled["status"].as_str()), (Some(130), Some("cancelled")), "{cancelled}");
     let torn = finished(&stage, "fleet");
-    assert!((3..58).contains(&torn.len()), "{torn:?}");
+    assert!((3..22).contains(&torn.len()), "{torn:?}");
     let kept = |name: &String| stage.read(&format!("fleet/{name}/stages/collapse.json"));
     let before: Vec<String> = torn.iter().map(kept).collect();
     let (answer, ending) = stage.object(&words[..6]);
-    assert_eq!(answer["bridges"], 60, "{answer}");
+    assert_eq!(answer["bridges"], 24, "{answer}");
     assert!(matches!(ending.code, Some(1 | 3)), "{:?}", ending.code);
     // The seconds that a stage took are kept with it: finished bridges were not computed again.
     assert_eq!(torn.iter().map(kept).collect::<Vec<_>>(), before);
@@ -310,13 +310,13 @@ fn an_interrupted_fleet_goes_on_where_it_was() {
     assert_eq!(stage.read("calm/fleet.csv"), stage.read("fleet/fleet.csv"));
 }
 
-/// Slow: a thousand bridges, twenty of them broken. `cargo test --release -p cli --test it -- --ignored a_thousand`
+/// Slow: a thousand bridges, a hundred of them broken. `cargo test --release -p cli --test it -- --ignored a_thousand`
 #[test]
 #[ignore = "a thousand bridges take minutes"]
 fn a_thousand_bridges() {
     let stage = fleet("assess-thousand", 1000);
     let (answer, _) = stage.object(&["assess", "bridges", "--out", "fleet", "--skip", "sensitivity"]);
-    assert_eq!(answer["unusable"].as_array().map(Vec::len), Some(20));
+    assert_eq!(answer["unusable"].as_array().map(Vec::len), Some(100));
     assert_eq!(answer["bridges"], 1000);
     // A quarter of a second of one core each; an hour is a machine that does something else.
     assert!(number(&answer, "wall_seconds") < 3600.0);

@@ -27,6 +27,7 @@ const KEYS: &[(&str, &str, &str, &str, f64, f64)] = &[
 /// Files that take most of a minute are only read and drawn here; slow cases of `verification/` run those of Bridgemill, and
 /// `respond.rs` goes through the first metres of the passage.
 const SLOW: &[(&str, &str)] = &[
+    ("bridgemill", "case-3.toml"),
     ("bridgemill", "case-4.toml"),
     ("bridgemill", "whole.toml"),
     ("bridgemill", "calibration.toml"),

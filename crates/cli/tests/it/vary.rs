@@ -219,14 +219,14 @@ fn everything_that_is_wrong_is_said_at_once_and_nothing_is_started() {
 #[test]
 fn too_many_runs_are_counted_and_refused_unless_allowed() {
     let stage = stage("many");
-    let set = ["--set", "joint.friction_angle=20deg..40deg:5", "--set", "masonry.density=-10%..+10%:3"];
+    let set = ["--set", "joint.friction_angle=20deg..40deg:2", "--set", "masonry.density=-10%..+10%:2"];
     let words = [&["vary", FILE, "--grid", "--method", "limit", "--out", "o"], &set[..]].concat();
-    let (answer, ending) = stage.object(&[&words[..], &["--most-runs", "10"]].concat());
+    let (answer, ending) = stage.object(&[&words[..], &["--most-runs", "3"]].concat());
     assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F115")), "{}", ending.stderr);
     let message = answer["errors"][0]["message"].as_str().unwrap_or_default();
-    assert!(message.starts_with("16 runs are more than 10: at ") && message.contains("thread"), "{message}");
+    assert!(message.starts_with("5 runs are more than 3: at ") && message.contains("thread"), "{message}");
     assert_eq!(stage.names("o/cache").len(), 1, "the file's own bridge, which the estimate is made from");
-    let (answer, ending) = stage.object(&[&words[..], &["--most-runs", "16"]].concat());
+    let (answer, ending) = stage.object(&[&words[..], &["--most-runs", "5"]].concat());
     assert_eq!((ending.code, from_cache(&answer)), (Some(0), 1));
     let huge = ["joint.friction_angle", "joint.cohesion", "masonry.density", "bridge.width", "span.rise", "span.span"];
     let huge: Vec<String> = huge.iter().map(|path| format!("--set={path}=x1..x1.1:1000")).collect();
