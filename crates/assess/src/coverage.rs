@@ -3,6 +3,7 @@
 use crate::evidence::Evidence;
 use crate::vehicles::{Chosen, LoadModel, Rule, applicable, chosen, of_plan};
 use bridge::{Bridge, Directions, SweepPlan};
+use outcome::given::Taken;
 use rules::{Confidence, Required, Ways};
 
 /// The rule of a file and what its vehicles cover.
@@ -205,20 +206,25 @@ const WIDEST_LANE: f64 = 3.65;
 const FARTHEST_WHEEL: f64 = 2.0;
 
 /// How a road's carriageway keeps vehicles from where they weigh most on the barrel, each in a sentence.
-pub fn lanes_apart(bridge: &Bridge) -> Vec<String> {
+pub fn lanes_apart(bridge: &Bridge) -> Vec<Taken> {
     let Some(asked) = bridge.carriageway.as_ref() else { return Vec::new() };
     let road = bridge.sweep.as_ref().and_then(|plan| chosen(bridge, plan).ok());
     if !road.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Road)) {
         return Vec::new();
     }
+    let told = |what, how: &str| Taken { what, how: how.to_owned(), open: false };
     let room = (bridge.width / crate::analysis::vehicles::ROAD_LANE).floor().min(2.0) as usize;
     let fewer = asked.lanes.filter(|lanes| *lanes < room).map(|lanes| {
         let width = bridge.width;
-        format!("{lanes} lane where {width:.2} m have room for {room}: vehicles beside one another are left out")
+        told(
+            format!("{lanes} lane where {width:.2} m have room for {room}"),
+            "vehicles beside one another are left out",
+        )
     });
     let wide = asked.lane_width.filter(|width| *width > WIDEST_LANE);
-    let wide = wide.map(|width| format!("lane_width {width:.2} m: vehicles beside one another are that far apart"));
+    let wide =
+        wide.map(|width| told(format!("lane_width {width:.2} m"), "vehicles beside one another are that far apart"));
     let far = asked.edge_distance.filter(|distance| *distance > FARTHEST_WHEEL);
-    let far = far.map(|distance| format!("edge_distance {distance:.2} m: no wheel comes nearer to the edge"));
+    let far = far.map(|distance| told(format!("edge_distance {distance:.2} m"), "no wheel comes nearer to the edge"));
     fewer.into_iter().chain(wide).chain(far).collect()
 }

@@ -49,8 +49,9 @@ fn worst<'a>(list: impl Iterator<Item = (&'a Checked, &'a Comparison)>) -> Optio
 fn restrict(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &mut Vec<Step>) {
     let Some(found) = worst(compared(checked).filter(|(_, one)| one.strength && !one.met())) else { return };
     let grades = evidence.facts.vehicles.made().map_or(&[][..], |facts| &facts.grades);
-    for [of, highest, _] in grades {
-        let what = if highest.starts_with("less than") {
+    for graded in grades {
+        let (of, highest) = (&graded.of, graded.told());
+        let what = if graded.highest.is_none() && !graded.not_carried.is_empty() {
             format!(
                 "{of}: no grade that was asked for is carried ({highest}); keep all of these loads off until the shortfall is removed or disproved"
             )
@@ -224,6 +225,7 @@ mod tests {
     use outcome::assessment::{Facts, Stage};
     use outcome::checked::{NotMade, Rung, Strength, Unit};
     use outcome::facts::{ChangeFacts, SensitivityFacts, VehicleFacts};
+    use outcome::vehicles::Graded;
     use outcome::warning::Warning;
 
     fn evidence() -> Evidence {
@@ -284,19 +286,24 @@ mod tests {
         let mut e = evidence();
         let short = |e: &Evidence| steps(e, &[check(1.6)], &verdict(Judgement::Inadequate));
         assert!(short(&e)[0].what.contains("off the bridge"), "{:?}", short(&e));
-        let grade = |highest: &str| VehicleFacts {
-            grades: vec![["weight restriction".into(), highest.into(), String::new()]],
+        let grade = |highest: Option<&str>, not_carried: &str| VehicleFacts {
+            grades: vec![Graded {
+                of: "weight restriction".into(),
+                highest: highest.map(str::to_owned),
+                not_carried: vec![not_carried.into()],
+                ..Graded::default()
+            }],
             warnings: vec![
                 Warning::new(warning::FILL_AS_WEIGHT, "fill"),
                 Warning::new(warning::ACROSS_ASSUMED, "lanes"),
             ],
             ..VehicleFacts::default()
         };
-        e.facts.vehicles = Stage::Made(grade("7.5 t"));
+        e.facts.vehicles = Stage::Made(grade(Some("7.5 t"), "10 t"));
         let list = short(&e);
         assert!(list[0].what.contains("no more than 7.5 t") && list[0].because.contains("160 %"), "{list:?}");
         assert_eq!(actions(&list), [Action::Restrict, Action::Inspect, Action::Refine]);
-        e.facts.vehicles = Stage::Made(grade("less than 3 t"));
+        e.facts.vehicles = Stage::Made(grade(None, "3 t"));
         assert!(short(&e)[0].what.contains("keep all of these loads off"));
         // Where all is carried, neither a restriction nor a better model of the fill follows.
         assert_eq!(actions(&steps(&e, &[check(0.5)], &verdict(Judgement::Adequate))), [Action::Inspect]);

@@ -1,5 +1,6 @@
 //! Checks and the verdict: what was compared with what.
 
+use crate::facts::Reading;
 use crate::given::Given;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
@@ -41,14 +42,24 @@ pub struct Comparison {
     pub basis: String,
     /// Position of the first axle that it belongs to [m], where there is one.
     pub position: Option<f64>,
-    /// Self-weight, live load with design augment, their sum, live load with total augment, their sum: the columns of the
-    /// railway paper's Table 7, where the check has them.
-    pub columns: Option<[f64; 5]>,
+    /// The columns of the railway paper's Table 7, where the check has them.
+    pub columns: Option<Columns>,
     /// Whether this is a check of strength: at ultimate, under factors with a source.
     pub strength: bool,
     /// What the value must reach for a verdict, where the factors are the engineer's own and the uncertainty of the method comes on top.
     #[serde(default)]
     pub needed: Option<f64>,
+}
+
+/// A row of the railway paper's Table 7.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Columns {
+    /// The load.
+    pub load: String,
+    /// The augment of the comparison that it stands beside.
+    pub reading: Reading,
+    /// Self-weight, live load with design augment, their sum, live load with total augment, their sum [unit of the comparison].
+    pub values: [f64; 5],
 }
 
 impl Comparison {

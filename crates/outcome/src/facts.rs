@@ -5,7 +5,7 @@ use crate::collapse::{Collapse, Permissible, Status};
 use crate::help::NotCounted;
 use crate::passage::PassageStatus;
 use crate::update::{Update, UpdateStatus};
-use crate::vehicles::PermissibleFactor;
+use crate::vehicles::{Graded, PermissibleFactor};
 use crate::warning::Warning;
 use crate::words::words;
 use bridge::passage::Face;
@@ -273,9 +273,9 @@ pub struct VehicleFacts {
     pub safety: SafetyFacts,
     /// One entry a vehicle.
     pub vehicles: Vec<SweptFacts>,
-    /// What the bridge is worth in the grades of the vehicles' load models: what they are of, the highest grade, and the others in words.
+    /// What the bridge is worth in the grades of the vehicles' load models.
     #[serde(default)]
-    pub grades: Vec<[String; 3]>,
+    pub grades: Vec<Graded>,
     /// Distance between positions [m].
     pub step_m: f64,
     /// The vehicle with the least adequacy factor.

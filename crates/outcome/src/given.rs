@@ -5,6 +5,7 @@ use crate::checked::{Rung, Verdict};
 use findings::words::counted;
 pub use rules::ChangedFactor;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// By what a verdict is given, and what a reader must know beside it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -26,12 +27,29 @@ pub struct Given {
     pub doubtful: Vec<Doubt>,
     /// Factors that differ from those of the library's rule.
     pub changed_factors: Vec<ChangedFactor>,
-    /// What the file does not give and was taken, and what it takes otherwise than usual, each in a sentence.
-    pub taken: Vec<String>,
+    /// What the file does not give and was taken, and what it takes otherwise than usual.
+    pub taken: Vec<Taken>,
     /// The model factor in force, where the factors are not those of a standard.
     pub model_factor: Option<ModelFactor>,
     /// What tests to collapse carried of the predictions of the same method.
     pub record: Option<Record>,
+}
+
+/// Something that a verdict takes without being told, or otherwise than usual.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Taken {
+    /// What, in few words: "skew not given".
+    pub what: String,
+    /// What it is taken for.
+    pub how: String,
+    /// Whether somebody should look at the bridge for it.
+    pub open: bool,
+}
+
+impl fmt::Display for Taken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.what, self.how)
+    }
 }
 
 /// A doubtful value.
@@ -129,8 +147,7 @@ impl Given {
             codes.dedup();
             parts.push(format!("doubtful: {}", codes.join(", ")));
         }
-        // A sentence says its subject before the colon.
-        parts.extend(self.taken.iter().map(|words| words.split(':').next().unwrap_or(words).to_owned()));
+        parts.extend(self.taken.iter().map(|one| one.what.clone()));
         if parts.is_empty() { String::new() } else { format!(" ({})", parts.join("; ")) }
     }
 }
@@ -173,7 +190,7 @@ impl Verdict {
         list("factors that differ from the library's".to_owned(), &changed);
         let doubts: Vec<String> = given.doubtful.iter().map(|one| format!("{} ({})", one.message, one.code)).collect();
         list("doubtful values".to_owned(), &doubts);
-        lines.extend(given.taken.iter().cloned());
+        lines.extend(given.taken.iter().map(Taken::to_string));
         if let Some(model) = &given.model_factor {
             lines.push(format!("model factor in force: {} ({})", model.value, model.source));
         }

@@ -24,11 +24,24 @@ pub struct Weight {
     pub force: f64,
 }
 
+/// What a joint that hands weight down is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Seat {
+    /// A springing on an abutment that is ground itself.
+    Springing,
+    /// A springing on a pier, or on an abutment of blocks, which has a foot of its own.
+    Carried,
+    /// The foot of a pier, or of an abutment of blocks.
+    Foot,
+}
+
 /// What a joint on the ground or on a pier carries.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reaction {
     /// Where: "span 1 left springing", "foot of pier 1".
     pub place: String,
+    /// What joint that is.
+    pub seat: Seat,
     /// Upward force on what stands there, per metre of width [N/m].
     pub vertical: f64,
     /// Thrust on what carries it, outwards from the span at springings, to the right at feet of piers [N/m].

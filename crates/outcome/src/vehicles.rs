@@ -412,7 +412,7 @@ pub struct VehicleSweep {
 }
 
 /// What a bridge is worth in the grades of a load model, lightest first: those of the vehicles that were asked for.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Graded {
     /// What the grades are of: "Route Availability".
     pub of: String,

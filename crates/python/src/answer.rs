@@ -102,7 +102,7 @@ impl Answer {
                 add(&done.warnings());
                 let verdict = &done.assessment.verdict;
                 let stages: Vec<Value> = (done.appendix.stages.iter())
-                    .map(|stage| json!({ "name": stage.name, "state": stage.state, "key": stage.key }))
+                    .map(|stage| json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key }))
                     .collect();
                 let mut fields = done.object();
                 fields.insert("stages".to_owned(), json!(stages));

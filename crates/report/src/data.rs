@@ -63,7 +63,11 @@ fn parts(list: &[Part]) -> Value {
 fn appendix(page: &Page<'_>) -> Value {
     let appendix = page.appendix;
     let mut object = object!(appendix: version program file input command day);
-    object["stages"] = objects!(appendix.stages => name state seconds key);
+    let stages = appendix
+        .stages
+        .iter()
+        .map(|one| json!({ "name": one.name, "state": one.state.to_string(), "seconds": one.seconds, "key": one.key }));
+    object["stages"] = stages.collect();
     object
 }
 

@@ -12,4 +12,4 @@ mod rows;
 pub use data::data;
 pub use figure::Figure;
 pub use fleet::{FleetRow, fleet_csv, fleet_html};
-pub use page::{Appendix, Material, Photograph, StageLine, html};
+pub use page::{Appendix, Material, Photograph, StageLine, StageState, html};

@@ -11,6 +11,7 @@ use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::checked::governing;
+use std::fmt;
 
 /// Everything that a report is made of.
 #[derive(Debug, Clone, Copy)]
@@ -79,12 +80,40 @@ pub struct Appendix {
 pub struct StageLine {
     /// Its name.
     pub name: String,
-    /// "made", "taken from an earlier run", or why not.
-    pub state: String,
+    /// What became of it.
+    pub state: StageState,
     /// How long it took when it was made.
     pub seconds: String,
     /// Hash of its inputs.
     pub key: String,
+}
+
+/// What became of a stage.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum StageState {
+    /// It was made.
+    #[default]
+    Made,
+    /// An earlier run had made it.
+    TakenUp,
+    /// It was asked for and has no result.
+    Failed(String),
+    /// The file does not ask for it.
+    NotAsked(String),
+    /// The file asks for it and the command leaves it out.
+    LeftOut(String),
+}
+
+impl fmt::Display for StageState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StageState::Made => write!(f, "made"),
+            StageState::TakenUp => write!(f, "taken from an earlier run"),
+            StageState::Failed(why) => write!(f, "failed: {why}"),
+            StageState::NotAsked(why) => write!(f, "not asked for: {why}"),
+            StageState::LeftOut(why) => write!(f, "{why}"),
+        }
+    }
 }
 
 /// Every string of a report, by section.
@@ -221,7 +250,7 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         ]).collect()).unwrap_or_default(),
         collapse: collapse(a),
         vehicles: a.facts.vehicles.made().map(rows::vehicles).unwrap_or_default(),
-        grades: a.facts.vehicles.made().map(|facts| facts.grades.clone()).unwrap_or_default(),
+        grades: a.facts.vehicles.made().map(|facts| facts.grades.iter().map(|one| [one.of.clone(), one.told(), one.all_told()]).collect()).unwrap_or_default(),
         rule: a.facts.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
         factors: a.facts.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
         discrete_elements: a.facts.vehicles.made().and_then(|facts| facts.discrete_elements.clone()).unwrap_or_default(),

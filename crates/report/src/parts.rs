@@ -6,7 +6,7 @@ use crate::page::{Appendix, Photograph};
 use bridge::document::{Inspection, ReportDocument};
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
-use outcome::statics::{Reaction, Statics};
+use outcome::statics::{Reaction, Seat, Statics};
 
 /// A section: a title, words, and a table.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -113,8 +113,8 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
             part.rows.push(vec![input.path(), input.value.clone(), input.remark.clone(), blank(), blank()]);
         }
     }
-    for words in a.verdict.given.taken.iter().filter(|words| words.contains("not given")) {
-        part.rows.push(vec![words.clone(), blank(), "not given by the file".into(), blank(), blank()]);
+    for one in a.verdict.given.taken.iter().filter(|one| one.open) {
+        part.rows.push(vec![one.to_string(), blank(), "not given by the file".into(), blank(), blank()]);
     }
     for (stage, warning) in a.facts.warnings_once() {
         if SITE.contains(&warning.code) {
@@ -322,7 +322,7 @@ pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&S
             "dead load, by hand from areas and densities".into(),
             format!("{} kN/m", kilonewtons(statics.total())),
         ));
-        let up: f64 = statics.reactions.iter().filter(|one| on_ground(one, statics)).map(|one| one.vertical).sum();
+        let up: f64 = statics.reactions.iter().filter(|one| one.seat != Seat::Carried).map(|one| one.vertical).sum();
         if up > 0.0 {
             items.push((
                 "sum of vertical reactions on the ground = dead load".into(),
@@ -397,13 +397,6 @@ pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&S
         parts.push(numbers);
     }
     parts
-}
-
-/// Whether a reaction is one of the ground: outer springings and feet of piers.
-fn on_ground(one: &Reaction, statics: &Statics) -> bool {
-    let spans = statics.reactions.iter().filter(|one| one.place.contains("springing")).count() / 2;
-    let last = format!("span {spans}, right springing");
-    one.place.starts_with("foot") || spans <= 1 || one.place == "span 1, left springing" || one.place == last
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 use crate::numbers::{digits, maybe, percent, with_unit};
 use bridge::inputs::{Input, table_with};
 use outcome::assessment::{Assessment, once};
-use outcome::checked::{Checked, governing};
+use outcome::checked::{Checked, Columns, governing};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
-use outcome::facts::{ChangeFacts, SensitivityFacts, ServiceFacts, SweptFacts, UpdateFacts, VehicleFacts};
+use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, UpdateFacts, VehicleFacts};
 use outcome::warning::Warning;
 
 /// A comparison.
@@ -108,12 +108,11 @@ pub struct ColumnRow {
 pub fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
     let mut rows = Vec::new();
     for check in checked {
-        for finding in check.outcome.iter().flatten().filter(|finding| finding.load_model.contains("total CDA")) {
-            let Some(columns) = finding.columns else { continue };
-            let load = finding.load_model.split(", total CDA").next().unwrap_or_default();
+        for finding in check.outcome.iter().flatten() {
+            let Some(Columns { load, reading: Reading::Total, values }) = &finding.columns else { continue };
             rows.push(ColumnRow {
                 what: format!("{}, {load}", check.title),
-                cells: columns.map(digits),
+                cells: values.map(digits),
                 limit: digits(finding.limit),
                 unit: finding.unit.word(),
                 place: finding.basis.clone(),

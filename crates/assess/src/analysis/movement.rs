@@ -118,8 +118,6 @@ fn by_limit(
     let stands = (outcome.status != limit::MovementStatus::NoEquilibrium).then_some(outcome.stands);
     c.sought = Sought::SupportMovement(SupportReport { last_stable: stands, collapse: outcome.falls, step });
     notes::limit(bridge, d, &mut c);
-    c.assumptions.retain(|a| !a.contains("displacements before collapse"));
-    c.assumptions.push("Rigid blocks that follow the support as a mechanism; displacements are large.".into());
     c.assumptions.push(
         "Collapse is the first movement at which a small increment has no equilibrium near by; blocks that jump there may \
          come to rest again farther on."

@@ -5,7 +5,7 @@ use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Pl
 use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
-use outcome::collapse::{Collapse, Status};
+use outcome::collapse::{Collapse, Sought, Status};
 use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, Origin, pressure};
 
@@ -31,7 +31,13 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     let Some(report) = c.limit() else { return };
     let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
     assumptions.push(
-        "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
+        match c.sought {
+            Sought::SupportMovement(_) => {
+                "Rigid blocks that follow the support as a mechanism; displacements are large."
+            }
+            _ => "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.",
+        }
+        .into(),
     );
     match (report.friction, report.associated_load) {
         (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(

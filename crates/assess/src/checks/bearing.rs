@@ -4,7 +4,7 @@ use super::{Check, CheckCard, Probe, limit, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::{SweptFacts, ThrustFacts};
-use outcome::statics::{Reaction, pressure};
+use outcome::statics::{Reaction, Seat, pressure};
 
 /// The check.
 pub struct Bearing;
@@ -36,7 +36,7 @@ impl Check for Bearing {
         let limit = limit(a.asked.limits.bearing, form, "from the ground investigation or the owner")?;
         let statics = a.statics.as_ref();
         let feet: Vec<&Reaction> =
-            statics.iter().flat_map(|statics| &statics.reactions).filter(|one| one.place.starts_with("foot")).collect();
+            statics.iter().flat_map(|statics| &statics.reactions).filter(|one| one.seat == Seat::Foot).collect();
         if feet.is_empty() {
             return Err(NotMade::because(
                 "no pier, and no abutment as blocks, stands on the ground with a known reaction",

@@ -48,7 +48,13 @@ impl Check for CrownDeflection {
                     utilisation: used(value, limit),
                     basis: format!("{}; first axle at {:.2} m", place.about, place.minimum_at_m),
                     position: Some(place.minimum_at_m),
-                    columns: Some(columns(facts, place.minimum_span, place.self_weight, place.minimum)),
+                    columns: Some(columns(
+                        facts,
+                        (&load.name, word),
+                        place.minimum_span,
+                        place.self_weight,
+                        place.minimum,
+                    )),
                     strength: false,
                     needed: None,
                 });

@@ -3,7 +3,7 @@
 use crate::coverage::{self, Coverage};
 use crate::evidence::Evidence;
 use crate::record;
-use outcome::given::{Doubt, Given, ModelFactor};
+use outcome::given::{Doubt, Given, ModelFactor, Taken};
 use rules::Confidence;
 
 /// Reads it off the evidence; none of it changes the rung.
@@ -90,12 +90,13 @@ fn doubtful(a: &Evidence) -> Vec<Doubt> {
 }
 
 /// What the file does not give and was taken, or takes otherwise than the rule.
-fn taken(a: &Evidence) -> Vec<String> {
+fn taken(a: &Evidence) -> Vec<Taken> {
+    let told = |what: String, how: &str, open| Taken { what, how: how.to_owned(), open };
     let mut list = Vec::new();
     let carriageway = a.bridge.carriageway.as_ref();
     let skewed = a.bridge.spans.iter().any(|span| span.skew != 0.0);
     if !skewed && carriageway.is_none_or(|asked| asked.skew.is_none()) {
-        list.push("skew not given: the bridge is taken as square".to_owned());
+        list.push(told("skew not given".to_owned(), "the bridge is taken as square", true));
     }
     if a.bridge.sweep.is_some() {
         let missing: Vec<&str> = [
@@ -107,15 +108,13 @@ fn taken(a: &Evidence) -> Vec<String> {
         .map(|(key, _)| key)
         .collect();
         if !missing.is_empty() {
-            list.push(format!(
-                "{} not given: vehicles stand across the bridge as is usual (A182)",
-                missing.join(" and ")
-            ));
+            let what = format!("{} not given", missing.join(" and "));
+            list.push(told(what, "vehicles stand across the bridge as is usual (A182)", true));
         }
         list.extend(coverage::lanes_apart(&a.bridge));
     }
     if let Some(source) = &a.asked.limits.skew_source {
-        list.push(format!("skew confirmed by {source}: the model is square"));
+        list.push(told(format!("skew confirmed by {source}"), "the model is square", false));
     }
     list
 }

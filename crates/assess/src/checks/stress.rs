@@ -2,7 +2,7 @@
 
 use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
-use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::checked::{Columns, Comparison, NotMade, Unit};
 use outcome::facts::{Reading, RingSection, SectionFacts, ServiceFacts, Watched};
 
 /// At crowns.
@@ -31,9 +31,15 @@ pub(super) fn told(word: Reading, augment: f64) -> String {
 
 /// The columns of Table 7: self-weight, live load with design augment, sum, live load with total augment, sum; loads stand on
 /// a span, from 1.
-pub(super) fn columns(facts: &ServiceFacts, span: usize, own: f64, live: f64) -> [f64; 5] {
+pub(super) fn columns(
+    facts: &ServiceFacts,
+    (load, reading): (&str, Reading),
+    span: usize,
+    own: f64,
+    live: f64,
+) -> Columns {
     let [design, total] = facts.augment.on(span).map(|augment| (1.0 + augment) * live);
-    [own, design, own + design, total, own + total]
+    Columns { load: load.to_owned(), reading, values: [own, design, own + design, total, own + total] }
 }
 
 fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
@@ -69,7 +75,7 @@ fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
                     utilisation: used(size, limit),
                     basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
                     position: Some(position),
-                    columns: Some(columns(facts, span, at.self_weight, live)),
+                    columns: Some(columns(facts, (&load.name, reading), span, at.self_weight, live)),
                     strength: false,
                     needed: None,
                 });

@@ -78,7 +78,7 @@ pub fn answer(done: &Assessed, source: &Source) -> Report {
         .appendix
         .stages
         .iter()
-        .map(|stage| serde_json::json!({ "name": stage.name, "state": stage.state, "key": stage.key }))
+        .map(|stage| serde_json::json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key }))
         .collect();
     report.with("stages", stages).with("input_hash", done.appendix.input.as_str())
 }

@@ -14,7 +14,7 @@ use findings::visible::one_line;
 use outcome::assessment::Assessment;
 use outcome::published;
 use outcome::warning::{self, Warning};
-use report::{Appendix, Figure, Material, Photograph};
+use report::{Appendix, Figure, Material, Photograph, StageState};
 use stages::{Halt, Stages};
 
 /// A stage that can be left out.
@@ -149,7 +149,7 @@ impl Assessed {
         if !missing.is_empty() {
             all.push(Warning::new(warning::STRENGTH_OPEN, missing.join("; ")));
         }
-        let failed = self.appendix.stages.iter().filter(|stage| stage.state.starts_with("failed"));
+        let failed = self.appendix.stages.iter().filter(|stage| matches!(stage.state, StageState::Failed(_)));
         all.extend(
             failed.map(|stage| Warning::new(warning::STAGE_FAILED, format!("stage {}: {}", stage.name, stage.state))),
         );

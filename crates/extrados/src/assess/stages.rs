@@ -26,7 +26,7 @@ use outcome::given::Doubt;
 use outcome::passage::PassageStatus;
 use outcome::statics::Statics;
 use outcome::update::UpdateStatus;
-use report::{Figure, StageLine};
+use report::{Figure, StageLine, StageState};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
@@ -108,7 +108,7 @@ impl Stages<'_> {
     ) -> Result<Stage<T>, Halt> {
         let key = self.means.key(name, input);
         if let Some(finished) = kept::get::<T>(self.means, name, &key) {
-            self.note(name, "taken from an earlier run".to_owned(), Some(finished.seconds), &key);
+            self.note(name, StageState::TakenUp, Some(finished.seconds), &key);
             self.figures.extend(finished.figures);
             return Ok(Stage::Made(finished.facts));
         }
@@ -127,26 +127,26 @@ impl Stages<'_> {
             Ran::Made(facts, figures) => {
                 let finished = Finished { facts, figures, seconds };
                 kept::put(self.means, name, &key, &finished);
-                self.note(name, "made".to_owned(), Some(seconds), &key);
+                self.note(name, StageState::Made, Some(seconds), &key);
                 self.figures.extend(finished.figures);
                 Ok(Stage::Made(finished.facts))
             }
             Ran::Failed(why) => {
-                self.note(name, format!("failed: {why}"), Some(seconds), &key);
+                self.note(name, StageState::Failed(why.clone()), Some(seconds), &key);
                 Ok(Stage::Failed(why))
             }
         }
     }
 
     /// A line of the appendix.
-    fn note(&mut self, name: &str, state: String, seconds: Option<f64>, key: &str) {
+    fn note(&mut self, name: &str, state: StageState, seconds: Option<f64>, key: &str) {
         let seconds = seconds.map_or("–".to_owned(), |seconds| format!("{seconds:.1} s"));
         self.lines.push(StageLine { name: name.to_owned(), state, seconds, key: key.to_owned() });
     }
 
     /// A stage that the file does not ask for.
     fn not_asked<T>(&mut self, name: &str, why: &str) -> Stage<T> {
-        self.note(name, format!("not asked for: {why}"), None, "–");
+        self.note(name, StageState::NotAsked(why.to_owned()), None, "–");
         Stage::NotAsked(why.to_owned())
     }
 
@@ -157,7 +157,7 @@ impl Stages<'_> {
     /// A stage that the file asks for and the command leaves out.
     fn left_out<T>(&mut self, name: &str, more: &str) -> Stage<T> {
         let why = format!("left out by --skip {name}{more}");
-        self.note(name, why.clone(), None, "–");
+        self.note(name, StageState::LeftOut(why.clone()), None, "–");
         Stage::LeftOut { stage: name.to_owned(), why }
     }
 
@@ -176,7 +176,7 @@ impl Stages<'_> {
         let files = match project.records() {
             Ok(files) => files,
             Err(refusal) => {
-                self.note("update", format!("failed: {}", refusal.message), None, "–");
+                self.note("update", StageState::Failed(refusal.message.clone()), None, "–");
                 return Ok((Stage::Failed(refusal.message), own.clone(), whole));
             }
         };

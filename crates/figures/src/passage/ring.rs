@@ -5,6 +5,7 @@ use crate::elevation::{self as draw, INK, THRUST};
 use crate::geometry::{Extent, View};
 use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THICK, font};
 use crate::words;
+use outcome::mesh::MadeOf;
 use outcome::passage::Passage;
 use outcome::passage::{Moment, Pair, PairState, Row, RowKind};
 use outcome::picture::Point;
@@ -98,11 +99,11 @@ fn counts(moment: &Moment, span: usize) -> String {
 /// Masonry as built, pale.
 fn stones(sheet: &mut Sheet, view: &View, passage: &Passage) {
     let mesh = &passage.mesh;
-    let named = |zone: usize| mesh.zones.get(zone).map_or("", |zone| zone.name.as_str());
+    let made_of = |zone: usize| mesh.zones.get(zone).map(|zone| zone.made_of);
     for (kinds, colour) in
-        [(&["voussoirs"][..], "#f2e8d5"), (&["pier", "abutment left", "abutment right", "backing"][..], "#e2dccd")]
+        [(&[MadeOf::Voussoirs][..], "#f2e8d5"), (&[MadeOf::Pier, MadeOf::Abutment, MadeOf::Backing][..], "#e2dccd")]
     {
-        let of = |zone: usize| kinds.iter().any(|kind| named(zone).starts_with(kind));
+        let of = |zone: usize| made_of(zone).is_some_and(|one| kinds.contains(&one));
         let quads = mesh.quads.iter().zip(&mesh.zone_of).filter(|(_, zone)| of(**zone));
         let spots: Vec<[Spot; 4]> = quads.map(|(quad, _)| quad.map(|node| view.spot(mesh.nodes[node]))).collect();
         sheet.areas(&spots, colour);
@@ -110,7 +111,7 @@ fn stones(sheet: &mut Sheet, view: &View, passage: &Passage) {
     let masonry = |edge: &[usize; 2], inside: &[bool]| edge.iter().all(|node| inside[*node]);
     let mut inside = vec![false; mesh.nodes.len()];
     for (quad, zone) in mesh.quads.iter().zip(&mesh.zone_of) {
-        let fill = named(*zone).contains("fill");
+        let fill = matches!(made_of(*zone), Some(MadeOf::Fill | MadeOf::HaunchFill | MadeOf::AbutmentFill));
         quad.iter().filter(|_| !fill).for_each(|node| inside[*node] = true);
     }
     let edges: Vec<[usize; 2]> = scene::outlines(mesh).into_iter().filter(|edge| masonry(edge, &inside)).collect();

@@ -175,11 +175,10 @@ fn limit_and_discrete_elements_agree_on_what_stands() {
     assert!(3 * counts[0] > jammed_and_standing, "{counts:?} {jammed_and_standing}");
 }
 
-/// Seeds that no constant was chosen by.
+/// Seeds that no constant was chosen by: 1,061 lock, 29 do not stand, 57 have a load, 3,852 are jammed, of which 1,306 stand, one has no end.
 #[test]
 #[ignore = "a minute"]
 fn limit_and_discrete_elements_agree_on_what_stands_in_five_thousand() {
     let (counts, jammed_and_standing) = agreed(2_000..7_000);
-    println!("{counts:?}, of the jammed {jammed_and_standing} stand");
-    assert!(counts[4] <= 5, "{counts:?}");
+    assert!(counts[4] <= 5 && 2 * counts[0] > jammed_and_standing, "{counts:?} {jammed_and_standing}");
 }

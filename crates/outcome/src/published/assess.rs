@@ -32,7 +32,7 @@ pub fn assessment(a: &Assessment) -> Object {
         load_cases_left_out: verdict.given.load_cases_left_out,
         doubtful: verdict.given.doubtful.iter().map(|one| one.code.clone()).collect::<Vec<_>>(),
         changed_factors: verdict.given.changed_factors,
-        taken: verdict.given.taken,
+        taken: verdict.given.taken.iter().map(ToString::to_string).collect::<Vec<_>>(),
         model_factor: verdict.given.model_factor,
         record: verdict.given.record,
         strength_assessed: verdict.strength.assessed,
@@ -104,7 +104,7 @@ fn comparison(check: &Checked, finding: &Comparison) -> Object {
         needed_for_a_verdict?: finding.needed,
         basis: finding.basis,
         position_m: finding.position,
-        columns?: finding.columns.map(|[own, design, sum, total, whole]| object! {
+        columns?: finding.columns.as_ref().map(|row| row.values).map(|[own, design, sum, total, whole]| object! {
             self_weight: own,
             live_load_design_cda: design,
             total_design_cda: sum,
