@@ -34,7 +34,7 @@ from .runs import CollapseRun, PassageRun
 __all__ = ["Blocks", "Bridge", "Check", "Quantity"]
 
 Method = Literal["dem", "limit", "path", "fe"]
-"""Discrete elements, limit analysis, the path of equilibrium, finite elements."""
+"""Discrete elements, limit analysis, the equilibrium path, finite elements."""
 Analysis = Literal["load", "thickness", "support-movement"]
 Friction = Literal["associated", "non-associated"]
 Stage = Literal["update", "service", "collapse", "vehicles", "cases", "support-movement", "sensitivity"]

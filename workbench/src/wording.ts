@@ -9,7 +9,7 @@ export function typeset(text: string): string {
 
 /** Where the page has a control for what a key of the file says. */
 const CONTROLS: [RegExp, string][] = [
-  [/\b(?:method|`method`) = "path" in \[analysis\]/g, "“Joints that give”, in the table of methods under Load,"],
+  [/\b(?:method|`method`) = "path" in \[analysis\]/g, "“Deformable joints”, in the table of methods under Load,"],
   [/\bthe file has no \[sweep\] of vehicles/g, "no rule and no vehicles are chosen: “Verdict” asks for them, and so does a survey"],
   [/\bno rule for strength: write rule = [^;]* in \[sweep\]; or adequacy_factor with its source in \[assess\]/g, "no rule for strength: “Verdict” asks for rule and vehicles, and so does a survey"],
 ];

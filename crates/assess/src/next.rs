@@ -189,7 +189,7 @@ fn refine(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &mu
             ),
             warning::RINGS_SHARE => {
                 add(
-                    "analyse the governing case by discrete elements or the path of equilibrium; it may carry less",
+                    "analyse the governing case by discrete elements or the equilibrium path; it may carry less",
                     because,
                     OWN,
                 );

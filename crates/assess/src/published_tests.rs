@@ -55,7 +55,7 @@ fn the_object_of_a_limit_analysis_has_every_promised_key() {
     assert_eq!(thrust_line(&c).lines().count(), 1 + 63);
 }
 
-/// Sweeps on joints that give name both factors at every position, of loads and of vehicles.
+/// Sweeps on deformable joints name both factors at every position, of loads and of vehicles.
 #[test]
 fn sweeps_on_joints_that_give_name_both_factors_at_every_position() {
     let mut b = bridgemill();

@@ -603,7 +603,7 @@ choice! {
     }
 }
 
-/// Horizontal pressure of the fill on backs that move against it, for limit analysis and for the path of equilibrium.
+/// Horizontal pressure of the fill on backs that move against it, for limit analysis and for the equilibrium path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FillPressure {
     /// Whether it acts.
@@ -865,7 +865,7 @@ choice! {
         Dem = "dem",
         /// limit analysis: the exact collapse load of rigid blocks
         Limit = "limit",
-        /// the path of equilibrium: rigid blocks on joints that give, past the largest load
+        /// the equilibrium path: rigid blocks on deformable joints, past the largest load
         Path = "path",
         /// finite elements: elastic stones on joints that open and slide; one ring between fixed abutments
         Fe = "fe",

@@ -50,7 +50,7 @@ pub enum Command {
     Vary(Box<Vary>),
     /// Displacements, strains and stresses as a train passes
     Respond(Respond),
-    /// Find the moduli of a bridge from the records of a train's passage, and what the records cannot tell
+    /// Find the moduli of a bridge from the records of a train's passage, and which parameters they cannot identify
     Update(Update),
     /// Judge a bridge, or a folder of bridges, against the limits of its file, with a report
     Assess(Assess),
@@ -70,7 +70,7 @@ pub enum Command {
     Verify(Verify),
     /// Predict every field test of a folder by every method from one set of prior values: table and figure of prediction over test
     Validate(Validate),
-    /// Open the page where the load is dragged and the bridge answers, in the browser of this machine
+    /// Open the interactive workbench, where loads are dragged over the bridge, in the browser of this machine
     Workbench(Workbench),
     /// Measure the speed of one method on this machine
     Bench(Bench),
@@ -127,7 +127,7 @@ pub struct Collapse {
     /// Which analysis.
     #[command(flatten)]
     pub choice: Choice,
-    /// Move the loads over the whole bridge by limit analysis and draw the envelope; with --method path on joints that give too
+    /// Move the loads over the whole bridge by limit analysis and draw the envelope; with --method path on deformable joints too
     #[arg(long)]
     pub sweep: bool,
     /// Distance between the positions of a sweep, such as "0.25 m"
@@ -524,9 +524,9 @@ pub enum BenchName {
     Arch,
     /// Bridgemill's ring and dispersed knife load by limit analysis, building and both bounds included
     Limit,
-    /// The same ring along the path of equilibrium, joints with distributed contact, from its weight to past its peak
+    /// The same ring along the equilibrium path, joints with distributed contact, from its weight to past its peak
     Path,
-    /// A vehicle of 13 axles at 510 positions over three spans, on rigid blocks and on joints that give
+    /// A vehicle of 13 axles at 510 positions over three spans, on rigid blocks and on deformable joints
     Crossing,
     /// Bridgemill with its fill as a continuum: both bounds of its load, meshes included
     Bounds,

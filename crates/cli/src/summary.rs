@@ -54,7 +54,7 @@ pub fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
 
 /// The governing position of a sweep, and a few of the others.
 pub fn sweep(sweep: &Sweep, out: &str) -> Page {
-    let methods = if sweep.is_deformable() { "limit analysis and on joints that give" } else { "limit analysis" };
+    let methods = if sweep.is_deformable() { "limit analysis and on deformable joints" } else { "limit analysis" };
     let mut page = format!("{} of the loads by {methods}\n\n", counted(sweep.points.len(), "position"));
     if !sweep.whole {
         page += "  interrupted: these are the positions that were answered by then\n";
@@ -85,7 +85,7 @@ pub fn sweep(sweep: &Sweep, out: &str) -> Page {
                 ("upper bound there", worst.upper_factor),
                 ("rigid blocks", worst.rigid_factor.filter(|_| worst.upper_factor.is_none())),
                 ("fill as weight", worst.rigid_factor.filter(|_| worst.upper_factor.is_some())),
-                ("joints that give", worst.deformable_factor),
+                ("deformable joints", worst.deformable_factor),
             ];
             for (name, factor) in others {
                 if let Some(factor) = factor {
@@ -173,7 +173,7 @@ fn title(found: &Collapse) -> String {
     let method = match found.method() {
         Method::Dem => "discrete elements",
         Method::Limit => "limit analysis",
-        Method::Path => "the path of equilibrium",
+        Method::Path => "the equilibrium path",
         Method::Fe => "finite elements",
     };
     format!("{} by {method}, {}", found.status.word().replace('-', " "), counted(found.blocks, "block"))

@@ -91,7 +91,7 @@ pub const ALL: &[Example] = &[
     },
     Example {
         name: "viaduct",
-        about: "a brick viaduct of three spans under every vehicle of a rule, on joints that give",
+        about: "a brick viaduct of three spans under every vehicle of a rule, on deformable joints",
         main: "bridge.toml",
         files: files!("viaduct": "bridge.toml"),
     },

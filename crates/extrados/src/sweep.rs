@@ -57,7 +57,7 @@ pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -
     found.map_err(|error| Refusal::not_set_up(&error))
 }
 
-/// Whether a method moves loads over a bridge: limit analysis does, and the path of equilibrium beside it.
+/// Whether a method moves loads over a bridge: limit analysis does, and the equilibrium path beside it.
 pub fn sweeps(method: Method) -> bool {
     match method {
         Method::Limit | Method::Path => true,

@@ -38,7 +38,7 @@ pub fn sweep_drawing(name: &str, found: &outcome::sweep::Sweep) -> Option<String
             ("upper bound", |p| p.upper_factor),
             ("fill as weight", |p| p.rigid_factor),
         ],
-        true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
+        true => &[("deformable joints", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
         false => &[("load factor", |p| p.load_factor)],
     };
     let curve = |(label, factor): &(&str, Factor)| {

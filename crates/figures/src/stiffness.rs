@@ -47,7 +47,7 @@ fn over_stiffness(picture: &Picture) -> Option<String> {
     }
     let rigid_words = format!("rigid blocks: {}", words::force(over.rigid));
     let entries = [
-        Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "joints that give" },
+        Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "deformable joints" },
         Entry { line: Some((RIGID, "9 4")), mark: None, text: &rigid_words },
     ];
     let bottom = key(&mut sheet, bottom, &entries);

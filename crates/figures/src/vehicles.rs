@@ -37,7 +37,7 @@ fn curves(v: &Swept) -> Vec<Sweep> {
     let drawn = |a: Option<f64>| a.map_or(f64::NAN, |a| a.min(8.0 * least));
     let ways = [(Direction::Right, "travelling to the right"), (Direction::Left, "travelling to the left")];
     let factors: &[(Factor, &str)] = match v.deformable {
-        Some(_) => &[(|p| p.deformable, "joints that give"), (|p| p.rigid, "rigid blocks")],
+        Some(_) => &[(|p| p.deformable, "deformable joints"), (|p| p.rigid, "rigid blocks")],
         None => &[(|p| p.adequacy, "")],
     };
     let both_ways = ways.iter().all(|(way, _)| v.envelope.iter().any(|p| p.direction == *way));
@@ -80,7 +80,7 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
     bars.sort_by(|a, b| a.factor.total_cmp(&b.factor).then_with(|| a.label.cmp(b.label)));
     let least = bars.first()?.factor;
     let both = found.vehicles.iter().any(|v| v.deformable.is_some());
-    let method = if both { ", the smaller of rigid blocks and joints that give" } else { " by limit analysis" };
+    let method = if both { ", the smaller of rigid blocks and deformable joints" } else { " by limit analysis" };
     let words = match least < 1.0 {
         true => "left of the dashed line the bridge does not carry the vehicle with the rule's factors",
         false => "right of the dashed line the bridge carries the vehicle with the rule's factors",

@@ -1,4 +1,4 @@
-//! How a joint answers the overlap of its two sides: one law for the block engine and for the path of equilibrium.
+//! How a joint answers the overlap of its two sides: one law for the block engine and for the equilibrium path.
 //!
 //! The overlap is linear along the common face, so its values at the two ends say all. What presses is given back as one
 //! force at each end, statically equivalent to the pressure between them.

@@ -1,4 +1,4 @@
-//! Rigid blocks in contact: discrete elements, the path of equilibrium and limit analysis on one block model.
+//! Rigid blocks in contact: discrete elements, the equilibrium path and limit analysis on one block model.
 //!
 //! This crate computes and has never heard of a bridge. It owns no file, clock, thread or format.
 //!

@@ -33,9 +33,9 @@ pub enum Wish {
     Stop,
 }
 
-/// Whether work that is shared by several threads goes on: asked in every iteration of its loops. Clones are the same pace.
+/// Cancellation token with progress, shared by the threads of one run and asked in every iteration of their loops. Clones are the same token.
 #[derive(Debug, Clone)]
-pub struct Pace {
+pub struct CancelToken {
     counts: Arc<Counts>,
     /// Shares of the whole work at which the part that this clone is given begins and ends.
     part: [f64; 2],
@@ -43,65 +43,65 @@ pub struct Pace {
 
 #[derive(Debug, Default)]
 struct Counts {
-    stop: AtomicBool,
+    cancelled: AtomicBool,
     steps: AtomicU64,
-    beats: AtomicU64,
+    iterations: AtomicU64,
     /// Bits of the share of the work that is done: those of positive numbers are in their order.
     share: AtomicU64,
     /// Iterations after which it ends by itself; zero for none.
     most: u64,
 }
 
-impl Default for Pace {
-    fn default() -> Pace {
-        Pace { counts: Arc::default(), part: [0.0, 1.0] }
+impl Default for CancelToken {
+    fn default() -> CancelToken {
+        CancelToken { counts: Arc::default(), part: [0.0, 1.0] }
     }
 }
 
-impl Pace {
-    /// Of work that does not go on.
-    pub fn at_its_end() -> Pace {
-        let pace = Pace::default();
-        pace.stop();
-        pace
+impl CancelToken {
+    /// A token that is cancelled already.
+    pub fn cancelled() -> CancelToken {
+        let token = CancelToken::default();
+        token.cancel();
+        token
     }
 
-    /// Of work that ends by itself after so many iterations.
-    pub fn of(iterations: u64) -> Pace {
+    /// A token that is cancelled by itself after so many iterations.
+    pub fn limited_to(iterations: u64) -> CancelToken {
         let counts = Counts { most: iterations.max(1), ..Counts::default() };
-        Pace { counts: Arc::new(counts), ..Pace::default() }
+        CancelToken { counts: Arc::new(counts), ..CancelToken::default() }
     }
 
-    /// Ends the work.
-    pub fn stop(&self) {
-        self.counts.stop.store(true, Ordering::Relaxed);
+    /// Cancels the run.
+    pub fn cancel(&self) {
+        self.counts.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the work goes on.
-    pub fn goes_on(&self) -> bool {
-        !self.counts.stop.load(Ordering::Relaxed)
+    /// Whether the run is cancelled.
+    pub fn is_cancelled(&self) -> bool {
+        self.counts.cancelled.load(Ordering::Relaxed)
     }
 
     /// Counts an iteration, and says whether the work goes on.
-    pub fn beat(&self) -> bool {
-        if self.counts.beats.fetch_add(1, Ordering::Relaxed) + 1 == self.counts.most {
-            self.stop();
+    pub fn iterate(&self) -> bool {
+        if self.counts.iterations.fetch_add(1, Ordering::Relaxed) + 1 == self.counts.most {
+            self.cancel();
         }
-        self.goes_on()
+        !self.is_cancelled()
     }
 
     /// Counts a step, of which the onlooker is told, and says whether the work goes on.
     pub fn step(&self) -> bool {
         self.counts.steps.fetch_add(1, Ordering::Relaxed);
-        self.goes_on()
+        !self.is_cancelled()
     }
 
-    /// The pace of part `k` of several that take about the same time.
+    /// The token of part `k` of several that take about the same time.
     #[must_use]
-    pub fn part(&self, k: usize, of: usize) -> Pace {
+    pub fn part(&self, k: usize, of: usize) -> CancelToken {
         let [from, to] = self.part;
         let at = |k: usize| from + (to - from) * k as f64 / of.max(1) as f64;
-        Pace { counts: Arc::clone(&self.counts), part: [at(k), at(k + 1)] }
+        CancelToken { counts: Arc::clone(&self.counts), part: [at(k), at(k + 1)] }
     }
 
     /// Tells how far its part of the work is, 0 to 1.
@@ -117,8 +117,8 @@ impl Pace {
     }
 
     /// Iterations so far.
-    pub fn beats(&self) -> u64 {
-        self.counts.beats.load(Ordering::Relaxed)
+    pub fn iterations(&self) -> u64 {
+        self.counts.iterations.load(Ordering::Relaxed)
     }
 
     /// Steps so far.
@@ -128,9 +128,9 @@ impl Pace {
 }
 
 /// A piece of shared work is asked in its iterations; what it tells is not passed on.
-impl Watch for Pace {
+impl Watch for CancelToken {
     fn look(&mut self, _: &Progress) -> Wish {
-        if self.beat() { Wish::GoOn } else { Wish::Stop }
+        if self.iterate() { Wish::GoOn } else { Wish::Stop }
     }
 }
 

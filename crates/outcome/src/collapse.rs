@@ -58,7 +58,7 @@ impl Collapse {
         let (own, rigid) = match self.by {
             By::Limit(_) => ("limit analysis, lower bound", None),
             By::Dem(_) => ("discrete elements, last stable step", self.limit_load),
-            By::Path(_) => ("path of equilibrium, largest load in balance", self.limit_load),
+            By::Path(_) => ("equilibrium path, largest load in balance", self.limit_load),
             By::Fe(_) => ("finite elements, largest load in balance", self.limit_load),
         };
         let others = [
@@ -112,7 +112,7 @@ impl Collapse {
         if let By::Fe(report) = &self.by { Some(report) } else { None }
     }
 
-    /// What only the path of equilibrium reports.
+    /// What only the equilibrium path reports.
     pub fn along(&self) -> Option<&PathReport> {
         if let By::Path(report) = &self.by { Some(report) } else { None }
     }
@@ -241,7 +241,7 @@ pub struct LimitReport {
 }
 
 words! {
-    /// How a path of equilibrium ended.
+    /// How an equilibrium path ended.
     #[derive(Default)]
     pub enum Ended {
         /// The load passed a largest value, for joints had opened.
@@ -287,7 +287,7 @@ pub struct Permissible {
     pub load: f64,
 }
 
-/// What only the path of equilibrium reports.
+/// What only the equilibrium path reports.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PathReport {
     /// How it ended.
@@ -360,7 +360,7 @@ pub enum By {
     Limit(LimitReport),
     /// Discrete elements; none where the run never began.
     Dem(Option<DemReport>),
-    /// The path of equilibrium.
+    /// The equilibrium path.
     Path(PathReport),
     /// Finite elements.
     Fe(FiniteReport),

@@ -227,7 +227,7 @@ pub struct UltimateFacts {
     pub collapse_load_kn_per_m: Option<f64>,
     /// Loads of the file [kN/m].
     pub reference_load_kn_per_m: f64,
-    /// Loads at which states are first reached there that a bridge should not come to in service, where joints that give were
+    /// Loads at which states are first reached there that a bridge should not come to in service, where deformable joints were
     /// followed.
     #[serde(default)]
     pub permissible: Vec<Permissible>,
@@ -417,10 +417,10 @@ pub struct SweptFacts {
     /// How sure its loads and distances are.
     #[serde(default)]
     pub loads_confidence: Confidence,
-    /// The factor of rigid blocks, where joints that give were followed too: `adequacy` is the smaller one then.
+    /// The factor of rigid blocks, where deformable joints were followed too: `adequacy` is the smaller one then.
     #[serde(default)]
     pub rigid: Option<f64>,
-    /// The factor in balance on joints that give.
+    /// The factor in balance on deformable joints.
     #[serde(default)]
     pub deformable: Option<f64>,
     /// Factors at which states are first reached that a bridge should not come to in service.

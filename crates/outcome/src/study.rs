@@ -85,7 +85,7 @@ impl Study {
         match self.method {
             bridge::Method::Dem => "discrete elements",
             bridge::Method::Limit => "limit analysis",
-            bridge::Method::Path => "the path of equilibrium",
+            bridge::Method::Path => "the equilibrium path",
             bridge::Method::Fe => "finite elements",
         }
     }

@@ -23,9 +23,9 @@ pub struct SweepPoint {
     pub collapse_load: Option<f64>,
     /// First and last axle of the governing subset, over all loads in the order of the file.
     pub axles: [usize; 2],
-    /// Least load factor of rigid blocks, where joints that give were followed too: `load_factor` is the smaller one then.
+    /// Least load factor of rigid blocks, where deformable joints were followed too: `load_factor` is the smaller one then.
     pub rigid_factor: Option<f64>,
-    /// Least load factor in balance on joints that give.
+    /// Least load factor in balance on deformable joints.
     pub deformable_factor: Option<f64>,
     /// Upper bound of the load factor, where fill yields as a continuum: `load_factor` is the lower one then, and `rigid_factor` that of fill
     /// as weight alone.
@@ -75,7 +75,7 @@ impl Sweep {
         }
     }
 
-    /// Whether joints that give were followed.
+    /// Whether deformable joints were followed.
     pub fn is_deformable(&self) -> bool {
         self.points.iter().any(|point| point.deformable_factor.is_some())
     }

@@ -11,7 +11,7 @@ words! {
         Pressure = "pressure",
         /// Limit analysis with fill as a continuum that yields with its full strength and without dilation: the lower bound.
         Continuum = "continuum",
-        /// The path of equilibrium on joints that give, with fill as weight.
+        /// The equilibrium path on deformable joints, with fill as weight.
         Path = "path",
         /// The same, where fill resists the more the further the ring moves against it.
         Movement = "movement",
@@ -27,8 +27,8 @@ impl Predictor {
             Predictor::Weight => "limit analysis, fill as weight",
             Predictor::Pressure => "limit analysis, half of the passive pressure",
             Predictor::Continuum => "limit analysis, fill as a continuum, lower bound",
-            Predictor::Path => "path of equilibrium, fill as weight",
-            Predictor::Movement => "path of equilibrium, fill resists as the ring moves against it",
+            Predictor::Path => "equilibrium path, fill as weight",
+            Predictor::Movement => "equilibrium path, fill resists as the ring moves against it",
             Predictor::Particles => "discrete elements, fill as particles",
         }
     }

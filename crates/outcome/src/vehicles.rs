@@ -65,9 +65,9 @@ pub struct EnvelopePoint {
     pub uniform: Option<[f64; 2]>,
     /// Factors on the weights of what governs.
     pub weights: Option<Weights>,
-    /// Least adequacy factor of rigid blocks, where joints that give were followed too: `adequacy` is the smaller one then.
+    /// Least adequacy factor of rigid blocks, where deformable joints were followed too: `adequacy` is the smaller one then.
     pub rigid: Option<f64>,
-    /// Adequacy factor in balance on joints that give.
+    /// Adequacy factor in balance on deformable joints.
     pub deformable: Option<f64>,
 }
 
@@ -89,7 +89,7 @@ impl EnvelopePoint {
         }
     }
 
-    /// Takes the factor of a case on joints that give: where it is the smaller one, it counts, unless a case was not answered.
+    /// Takes the factor of a case on deformable joints: where it is the smaller one, it counts, unless a case was not answered.
     pub fn deforms(&mut self, factor: f64, case: &Case) {
         self.deformable = Some(factor);
         if self.converged && self.adequacy.is_none_or(|rigid| factor < rigid) {
@@ -100,7 +100,7 @@ impl EnvelopePoint {
     }
 }
 
-/// What a vehicle comes to on joints that give.
+/// What a vehicle comes to on deformable joints.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Deformable {
     /// Whether the state under self-weight was found with all factors on weights.
@@ -190,9 +190,9 @@ pub struct Swept {
     pub cases: usize,
     /// How many of them had to be left to the interior-point method.
     pub by_interior_point: usize,
-    /// Adequacy factor of rigid blocks, or what bounds it from above, where joints that give were followed too.
+    /// Adequacy factor of rigid blocks, or what bounds it from above, where deformable joints were followed too.
     pub rigid: Option<f64>,
-    /// What came of joints that give; `adequacy` is the smaller factor then.
+    /// What came of deformable joints; `adequacy` is the smaller factor then.
     pub deformable: Option<Deformable>,
     /// What may help the bridge and is not counted.
     #[serde(default)]
@@ -308,7 +308,7 @@ impl Swept {
         self.envelope = points.collect();
     }
 
-    /// Takes what came of joints that give. The smaller factor counts; where the state under self-weight was not found, nothing is
+    /// Takes what came of deformable joints. The smaller factor counts; where the state under self-weight was not found, nothing is
     /// settled.
     pub fn judged_with(&mut self, deformable: Deformable) {
         self.rigid = self.factor();
@@ -333,7 +333,7 @@ impl Swept {
         self.deformable = Some(deformable);
     }
 
-    /// Takes what came of joints that give from a vehicle whose loads are so many times smaller.
+    /// Takes what came of deformable joints from a vehicle whose loads are so many times smaller.
     pub fn deforms_like(&mut self, of: &Swept, times: f64) {
         let less = |factor: Option<f64>| factor.map(|factor| factor / times);
         let points = of.envelope.iter().map(|p| EnvelopePoint {
@@ -351,7 +351,7 @@ impl Swept {
         self.judged_with(deformable);
     }
 
-    /// Whether joints that give carry less than rigid blocks.
+    /// Whether deformable joints carry less than rigid blocks.
     pub fn is_deformable_governing(&self) -> bool {
         let own = self.deformable.as_ref().and_then(|deformable| deformable.adequacy);
         own.is_some_and(|own| self.rigid.is_none_or(|rigid| own < rigid))

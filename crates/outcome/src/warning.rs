@@ -338,18 +338,18 @@ findings::cards! {
         "The effect of fill depends on how far its pressure is mobilised, which is not known for any bridge: with half \
          of the passive pressure the prediction is 1.33 times the load of one test and 0.53 times that of another. A \
          result with [fill_pressure] leads with the load by weight alone where that is less, and gives the load with the file's share of the \
-         passive pressure and with all of it beside; ultimate checks use the lower end. Along the path of equilibrium the movement of the ring decides what is \
+         passive pressure and with all of it beside; ultimate checks use the lower end. Along the equilibrium path the movement of the ring decides what is \
          mobilised; its result gives the load by weight alone and that of rigid blocks beside it.";
-    /// Paths of equilibrium that broke off.
-    PATHS_BROKEN_OFF = "A196", "a path of equilibrium broke off",
-        "On joints that give, the path of balanced states could not be followed to its largest load, in a sweep at some positions, or \
+    /// Equilibrium paths that broke off.
+    PATHS_BROKEN_OFF = "A196", "an equilibrium path broke off",
+        "On deformable joints, the path of balanced states could not be followed to its largest load, in a sweep at some positions, or \
          no state was found under self-weight. Where a path broke off, the factor of its last balanced state counts: that load is \
          carried in the model, and more may be. Where no state was found under self-weight, nothing is settled, and the factor is \
          at most that of rigid blocks. Rings that slide on each other are the usual reason. Analyse the position by itself (extrados \
          collapse --method path, or --method dem), or check the stiffness and the friction of the joints.";
     /// Stiffness of joints that the file does not give.
     STIFFNESS_TAKEN = "A197", "the stiffness of joints is taken from the modulus of the units",
-        "The file gives no stiffness for some joints, and the path of equilibrium needs one. The masonry is taken to have a tenth of \
+        "The file gives no stiffness for some joints, and the equilibrium path needs one. The masonry is taken to have a tenth of \
          the modulus of its units, the ratio of Bridgemill's published joints, over the length of the longest voussoir. Joints decide \
          what a flat ring carries: at Bridgemill 132 kN/m with these, 182 with ten times as stiff ones, 231 as rigid blocks. Measure \
          the stiffness, or vary it (extrados vary), and write normal_stiffness and shear_stiffness into [joint] and [ring_joint].";
@@ -397,7 +397,7 @@ findings::cards! {
          with the whole density. Friction and bending of the walls themselves are left out.";
     /// Finite elements hold joints that would slide.
     HELD_AGAINST_SLIDING = "A205", "joints that finite elements do not let slide would slide",
-        "Joints of finite elements shear elastically and never slide. At each load that was in balance their shear is held against what friction          on their compression, and cohesion on their compressed length, hold. Where it is more, the joint would slide there, and loads above the one          that is named may be too high: use limit analysis or the path of equilibrium, in which joints slide.";
+        "Joints of finite elements shear elastically and never slide. At each load that was in balance their shear is held against what friction          on their compression, and cohesion on their compressed length, hold. Where it is more, the joint would slide there, and loads above the one          that is named may be too high: use limit analysis or the equilibrium path, in which joints slide.";
     /// Blocks that stand by being jammed.
     JAMMED = "A206", "what blocks carry depends on how hard they are jammed",
         "Friction holds blocks only where they are pressed together. Between faces that do not give, blocks may be pressed by nothing but \

@@ -197,7 +197,7 @@ impl Project {
         given.end()?;
         if let Some(method) = choice.method.filter(|method| !extrados::sweeps(*method)) {
             let message = format!("method = \"{}\" cannot be used: a sweep is limit analysis", method.word());
-            let help = "leave method out, or write \"limit\", or \"path\" for joints that give too";
+            let help = "leave method out, or write \"limit\", or \"path\" for deformable joints too";
             return Err(errors::argument(py, message, help));
         }
         self.answered(py, progress, move |file, watch| {

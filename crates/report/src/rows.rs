@@ -297,10 +297,10 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
     list.into_iter().map(row).collect()
 }
 
-/// The factors of both methods, where joints that give were followed.
+/// The factors of both methods, where deformable joints were followed.
 fn both(one: &SweptFacts) -> String {
     match (one.rigid, one.deformable) {
-        (Some(rigid), Some(gives)) => format!(" (rigid blocks {}, joints that give {})", digits(rigid), digits(gives)),
+        (Some(rigid), Some(gives)) => format!(" (rigid blocks {}, deformable joints {})", digits(rigid), digits(gives)),
         _ => String::new(),
     }
 }

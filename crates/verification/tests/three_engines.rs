@@ -202,7 +202,7 @@ fn discrete_elements_of_stiff_joints_carry_the_same_along_the_path() {
     }
 }
 
-/// With stress over all that is closed finite elements of stiff stones carry what the path of equilibrium does, at any stiffness of the
+/// With stress over all that is closed finite elements of stiff stones carry what the equilibrium path does, at any stiffness of the
 /// joints: two programs that share no line of the joint's law. Springs at nodes alone are 10 % above at the file's stiffness.
 #[test]
 fn joints_that_bear_over_their_length_carry_the_same_along_the_path() {

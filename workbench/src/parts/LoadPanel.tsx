@@ -183,7 +183,7 @@ type Row = {
 const own = (text: string): string => text;
 const METHODS: Omit<Row, "state" | "fraction" | "load" | "words" | "at">[] = [
   { key: "limit", title: "Rigid blocks", about: "Limit analysis: bounds of the load, joints do not give", choice: '{"method":"limit"}', text: own },
-  { key: "path", title: "Joints that give", about: "Path of equilibrium: the load at which balance ends", choice: '{"method":"path"}', text: own },
+  { key: "path", title: "Deformable joints", about: "Equilibrium path: the load at which balance ends", choice: '{"method":"path"}', text: own },
   { key: "dem", title: "Discrete elements", about: "Blocks in motion, loaded step by step", choice: '{"method":"dem"}', text: own },
   { key: "pressure", title: "Fill that presses sideways", about: `Limit analysis; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit"}', text: withPressure },
   { key: "continuum", title: "Fill as a continuum", about: `Both bounds; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit"}', text: withContinuum },

@@ -152,7 +152,7 @@ test("the page names its own controls, and units as they are printed", async () 
   const { page, context } = await visit();
   await survey(page);
   const notes = page.getByRole("region", { name: "Warnings and assumptions" });
-  await notes.getByText(/“Joints that give”, in the table of methods under Load/).waitFor();
+  await notes.getByText(/“Deformable joints”, in the table of methods under Load/).waitFor();
   const said = async (where) => {
     const text = await page.locator("body").innerText();
     assert.ok(!/docs\//.test(text), `${where}: a page of the documentation: ${/.{40}docs\/.{40}/.exec(text)?.[0]}`);
@@ -165,7 +165,7 @@ test("the page names its own controls, and units as they are printed", async () 
   await page.locator(".library select").first().selectOption({ index: 1 });
   await said("form");
   await part(page, "Load");
-  await page.getByRole("cell", { name: /^Joints that give/ }).waitFor();
+  await page.getByRole("cell", { name: /^Deformable joints/ }).waitFor();
   await said("load");
   await context.close();
 });

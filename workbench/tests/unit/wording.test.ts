@@ -13,10 +13,10 @@ test("the assumption about rigid rings, as the engine words it, names a table of
   const rigid = /const RIGID: &str = "((?:[^"\\]|\\[\s\S])*)";/.exec(source)![1]!.replace(/\\\n\s*/g, "").replace(/\\"/g, '"');
   expect(rigid).toMatch(/^Rings are rigid/);
   const said = plainly(rigid);
-  expect(said).toContain("“Joints that give”, in the table of methods under Load");
+  expect(said).toContain("“Deformable joints”, in the table of methods under Load");
   expect(said).not.toMatch(/docs\/|\[analysis\]|method =/);
   // The row of the table that it names.
-  expect(readFileSync(join(__dirname, "../../src/parts/LoadPanel.tsx"), "utf8")).toContain('title: "Joints that give"');
+  expect(readFileSync(join(__dirname, "../../src/parts/LoadPanel.tsx"), "utf8")).toContain('title: "Deformable joints"');
 });
 
 test("a page of the documentation is left out with the words that lead to it", () => {

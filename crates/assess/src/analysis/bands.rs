@@ -1,6 +1,6 @@
 //! Layers of the cover and backing as areas of the elevation, with their depths in words.
 
-use super::places::point;
+use super::geometry::point;
 use bridge::{BackingBody, Bridge, Void};
 use mechanics::plane::Vec2;
 use outcome::picture::{Band, Point};

@@ -4,8 +4,8 @@ mod beside;
 pub(super) mod moved;
 
 use super::by_limit::{cancelled, draw, settings};
-use super::places::point;
-use super::{AnalysisError, blank, notes, picture, pieces};
+use super::geometry::point;
+use super::{AnalysisError, notes, parallel, picture, template};
 use beside::Beside;
 use bridge::{Bridge, ContinuumPlan};
 use mechanics::blocks::Held;
@@ -14,7 +14,7 @@ use mechanics::limit::continuum::{
 };
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Vec2, vec2};
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use outcome::collapse::{By, Collapse, FlowRule, LimitReport, Status};
 use outcome::picture::{Motion, Picture};
 use outcome::soil::{ContinuumReport, Plate, SoilPicture, SoilPressure};
@@ -39,16 +39,16 @@ fn found(bridge: &Bridge, others: bool, watch: &mut dyn Watch) -> Result<Collaps
         return Err(AnalysisError::NoLoad);
     }
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
-    pieces::alone("bounds of the load", true, watch, |pace| whole(bridge, &d, &earth, others, pace))
+    parallel::alone("bounds of the load", true, watch, |token| whole(bridge, &d, &earth, others, token))
 }
 
 /// Both bounds and nothing beside them, with the load at a factor of one [N/m].
-pub fn bounds_alone(bridge: &Bridge, pace: &Pace) -> Result<(Bounds, f64), AnalysisError> {
+pub fn bounds_alone(bridge: &Bridge, token: &CancelToken) -> Result<(Bounds, f64), AnalysisError> {
     let d = discretise(bridge)?;
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
     let loaded = earth.loaded(&d, Strength::of(&earth.plan), &loads(bridge))?;
     let (model, settings, wanted) = (&loaded.model, associated(bridge), wanted(&earth.plan));
-    Ok((collapse_bounds(model, &loaded.loading, &settings, &loaded.continuum, &wanted, pace)?, d.reference_load))
+    Ok((collapse_bounds(model, &loaded.loading, &settings, &loaded.continuum, &wanted, token)?, d.reference_load))
 }
 
 /// A bridge whose loads move: its blocks and its soil, which stay.
@@ -77,18 +77,23 @@ impl<'a> Moving<'a> {
 
     /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
     /// them stands on the fill, nothing can fail.
-    pub fn bracket(&self, strips: &[Strip], ratio: f64, pace: &Pace) -> Result<Bracket, AnalysisError> {
+    pub fn bracket(&self, strips: &[Strip], ratio: f64, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let wanted = Wanted { ratio, ..self.wanted() };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(Bracket::of(collapse_bounds(model, loading, &self.settings, continuum, &wanted, pace)?))
+        Ok(Bracket::of(collapse_bounds(model, loading, &self.settings, continuum, &wanted, token)?))
     }
 
     /// A lower bound alone, on one mesh as fine as those of others, each so far to the left of the strips [m].
-    pub fn beside(&self, strips: &[Strip], others: &[(&Bracket, f64)], pace: &Pace) -> Result<Bracket, AnalysisError> {
+    pub fn beside(
+        &self,
+        strips: &[Strip],
+        others: &[(&Bracket, f64)],
+        token: &CancelToken,
+    ) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        let found = lower_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), pace)?;
+        let found = lower_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), token)?;
         Ok(Bracket::of(found))
     }
 
@@ -97,19 +102,19 @@ impl<'a> Moving<'a> {
         &self,
         strips: &[Strip],
         others: &[(&Bracket, f64)],
-        pace: &Pace,
+        token: &CancelToken,
     ) -> Result<Option<f64>, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(None) };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(upper_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), pace)?)
+        Ok(upper_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), token)?)
     }
 
     /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
-    pub fn closer(&self, strips: &[Strip], bracket: &Bracket, pace: &Pace) -> Result<Bracket, AnalysisError> {
+    pub fn closer(&self, strips: &[Strip], bracket: &Bracket, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
         let wanted = Wanted { rounds: 1, ..self.wanted() };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(Bracket::of(closer_bounds(model, loading, &self.settings, continuum, &wanted, bounds, pace)?))
+        Ok(Bracket::of(closer_bounds(model, loading, &self.settings, continuum, &wanted, bounds, token)?))
     }
 
     /// An upper bound of strips from the motion of others.
@@ -178,21 +183,21 @@ pub(super) fn whole(
     d: &Discretised,
     earth: &Earth,
     others: bool,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Collapse, AnalysisError> {
     let plan = &earth.plan;
     let (settings, wanted) = (associated(bridge), wanted(plan));
     let strips = loads(bridge);
     let loaded = earth.loaded(d, Strength::of(plan), &strips)?;
     let bounds =
-        collapse_bounds(&loaded.model, &loaded.loading, &settings, &loaded.continuum, &wanted, &pace.part(0, 2))?;
+        collapse_bounds(&loaded.model, &loaded.loading, &settings, &loaded.continuum, &wanted, &token.part(0, 2))?;
     let report = ContinuumReport { left_out: loaded.left_out, ..described(d, plan, &bounds) };
     let report = match others && bounds.status == BoundsStatus::Bounded {
-        true => Beside { d, earth, settings, strips: &strips, bounds: &bounds, pace }.reported(report)?,
+        true => Beside { d, earth, settings, strips: &strips, bounds: &bounds, token }.reported(report)?,
         false => report,
     };
     let found = reported(bridge, d, &loaded, &bounds, report);
-    Ok(if pace.goes_on() { found } else { cancelled(bridge, d) })
+    Ok(if !token.is_cancelled() { found } else { cancelled(bridge, d) })
 }
 
 fn described(d: &Discretised, plan: &ContinuumPlan, bounds: &Bounds) -> ContinuumReport {
@@ -236,7 +241,7 @@ fn reported(
         draw(d, &bounds.blocks, &mut drawn);
         moved(d, loaded, bounds, &mut drawn);
     }
-    let mut c = blank::of_bridge(bridge, d, By::Limit(LimitReport::default()), drawn);
+    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), drawn);
     c.status = status(bounds);
     // Of a bridge that does not stand the stresses carry a share of its weight, and no load.
     let stands = c.status != Status::UnstableUnderSelfWeight;

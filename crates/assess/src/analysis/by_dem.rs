@@ -1,7 +1,7 @@
 //! Collapse by discrete elements.
 
-use super::blank;
-use super::places::{lines, moving, point, scaled};
+use super::geometry::{lines, moving, point, scaled};
+use super::template;
 use super::{AnalysisError, by_limit, notes, picture, policy};
 use bridge::{Bridge, ContactLength, Damping, JointContact, Plan, Strip};
 use mechanics::blocks::interfaces;
@@ -234,7 +234,7 @@ pub fn report(
     draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     let report = numbers(&bridge.plan, outcome, broken.map(|(body, step)| (d.body_name(body), step)));
-    let mut c = blank::of_bridge(bridge, d, By::Dem(Some(report)), picture);
+    let mut c = template::of_bridge(bridge, d, By::Dem(Some(report)), picture);
     c.status = status;
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     c.contacts = at_rest.map_or(0, |f| f.contacts.len());

@@ -1,14 +1,14 @@
 //! Collapse load by limit analysis.
 
-use super::blank;
 use super::by_bounds::collapse_by_bounds;
-use super::places::{between_rings, edge_at, lines, point, scaled};
-use super::{AnalysisError, notes, picture, pieces, policy};
+use super::geometry::{between_rings, edge_at, lines, point, scaled};
+use super::template;
+use super::{AnalysisError, notes, parallel, picture, policy};
 use bridge::{Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use outcome::collapse::{By, FlowRule};
 use outcome::collapse::{Collapse, LimitReport, Status};
 use outcome::collapse::{FiniteReport, PathReport};
@@ -82,10 +82,10 @@ pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Col
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
-    pieces::alone("limit analysis", true, watch, |pace| whole(bridge, &d, pace))
+    parallel::alone("limit analysis", true, watch, |token| whole(bridge, &d, token))
 }
 
-/// What is told of a bridge whose analysis was stopped before it found anything.
+/// Result of an analysis that was cancelled before any load was found.
 pub(super) fn cancelled(bridge: &Bridge, d: &Discretised) -> Collapse {
     let by = match bridge.plan.method {
         Method::Limit => By::Limit(LimitReport::default()),
@@ -93,19 +93,20 @@ pub(super) fn cancelled(bridge: &Bridge, d: &Discretised) -> Collapse {
         Method::Path => By::Path(PathReport::default()),
         Method::Fe => By::Fe(FiniteReport::default()),
     };
-    Collapse { status: Status::Cancelled, ..blank::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }
+    Collapse { status: Status::Cancelled, ..template::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }
 }
 
 /// The load factor and those that stand beside it.
-fn whole(bridge: &Bridge, d: &Discretised, pace: &Pace) -> Result<Collapse, AnalysisError> {
+fn whole(bridge: &Bridge, d: &Discretised, token: &CancelToken) -> Result<Collapse, AnalysisError> {
     let settings = settings(bridge);
     let walls = d.road.is_some() && settings.friction == limit::Friction::Associated;
     let pressed = !d.loading.restraints.is_empty();
     // The loads that are found, one after the other.
     let count = 1 + usize::from(settings.crushing) + usize::from(pressed) + usize::from(walls);
-    let mut parts = (0..count).map(|k| pace.part(k, count));
-    let mut solve =
-        |d: &Discretised, settings: &limit::Settings| solve(d, settings, &parts.next().unwrap_or_else(|| pace.clone()));
+    let mut parts = (0..count).map(|k| token.part(k, count));
+    let mut solve = |d: &Discretised, settings: &limit::Settings| {
+        solve(d, settings, &parts.next().unwrap_or_else(|| token.clone()))
+    };
     let outcome = solve(d, &settings)?;
     let unlimited = match settings.crushing {
         true => solve(d, &limit::Settings { crushing: false, ..settings })?.factor,
@@ -127,7 +128,7 @@ fn whole(bridge: &Bridge, d: &Discretised, pace: &Pace) -> Result<Collapse, Anal
         let corrected = solve(d, &settings)?.factor.map(|f| d.load(f));
         notes::corrected(&mut c, corrected);
     }
-    Ok(if pace.goes_on() { c } else { cancelled(bridge, d) })
+    Ok(if !token.is_cancelled() { c } else { cancelled(bridge, d) })
 }
 
 /// The same as [`solve`], watched.
@@ -136,12 +137,16 @@ pub fn watched(
     settings: &limit::Settings,
     watch: &mut dyn Watch,
 ) -> Result<limit::Outcome, AnalysisError> {
-    pieces::alone("limit load", false, watch, |pace| solve(d, settings, pace))
+    parallel::alone("limit load", false, watch, |token| solve(d, settings, token))
 }
 
 /// The limit load of the model.
-pub fn solve(d: &Discretised, settings: &limit::Settings, pace: &Pace) -> Result<limit::Outcome, AnalysisError> {
-    Ok(limit::collapse_load_while(&d.model, &d.loading, settings, pace)?)
+pub fn solve(
+    d: &Discretised,
+    settings: &limit::Settings,
+    token: &CancelToken,
+) -> Result<limit::Outcome, AnalysisError> {
+    Ok(limit::collapse_load_while(&d.model, &d.loading, settings, token)?)
 }
 
 /// The flow rule that numbers belong to.
@@ -166,7 +171,7 @@ pub fn status(status: limit::Status) -> Status {
 fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
-    let mut c = blank::of_bridge(bridge, d, By::Limit(LimitReport::default()), picture);
+    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), picture);
     c.status = status(outcome.status);
     loads(d, outcome, unlimited, &mut c);
     notes::limit(bridge, d, &mut c);

@@ -1,8 +1,8 @@
-//! Collapse along the path of equilibrium: joints that give, up to the largest load and past it.
+//! Collapse along the equilibrium path: deformable joints, up to the largest load and past it.
 
 use super::by_dem::{contact_length, require_stiffness, uncrushed};
-use super::places::{lines, moving, point, scaled};
-use super::{AnalysisError, blank, by_limit, notes, picture, policy, service, softened, stiffened};
+use super::geometry::{lines, moving, point, scaled};
+use super::{AnalysisError, by_limit, default_stiffness, notes, picture, policy, service, stiffness_study, template};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::Interface;
 use mechanics::contact::ContactLength;
@@ -40,8 +40,8 @@ pub(super) fn as_described(
     resume: Option<&[u64]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
-    let taken = stiffened::note(bridge);
-    let bridge = &stiffened::stiffened(bridge);
+    let taken = default_stiffness::note(bridge);
+    let bridge = &default_stiffness::stiffened(bridge);
     if bridge.particles.is_some() && structure::discretise::fill::wanted(bridge).is_some() {
         return Err(AnalysisError::NotByPath("particles"));
     }
@@ -74,7 +74,7 @@ pub(super) fn as_described(
     }
     if let (Some(own), Some(rigid)) = (outcome.collapse_factor, rigid.factor) {
         let own = (own, outcome.iterations);
-        c.picture.over_stiffness = softened::over_stiffness(&d, (&settings, &program), own, rigid)?;
+        c.picture.over_stiffness = stiffness_study::over_stiffness(&d, (&settings, &program), own, rigid)?;
     }
     let distributed = settings.contact_length == ContactLength::Distributed;
     notes::path(bridge, &d, distributed, &mut c);
@@ -84,7 +84,7 @@ pub(super) fn as_described(
     // Both are answers: a stiffer joint may let the blocks stand.
     if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
         c.assumptions.push(
-            "Rigid blocks carry their own weight. On joints that give these do not: let go, they move until they fall."
+            "Rigid blocks carry their own weight. On deformable joints these do not: let go, they move until they fall."
                 .into(),
         );
     }
@@ -142,10 +142,10 @@ fn report(
         iterations_total: outcome.iterations,
         fill_pressure: None,
     };
-    let mut picture = picture::built(bridge, d, "path of equilibrium");
+    let mut picture = picture::built(bridge, d, "equilibrium path");
     draw(d, outcome, &mut picture);
     let at_peak = outcome.peak.and_then(|k| outcome.frames.get(k));
-    let mut c = blank::of_bridge(bridge, d, By::Path(report), picture);
+    let mut c = template::of_bridge(bridge, d, By::Path(report), picture);
     c.status = status(outcome.status);
     c.collapse_load = load(outcome.collapse_factor);
     c.last_stable_load = load(outcome.last_stable_factor);

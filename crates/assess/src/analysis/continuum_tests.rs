@@ -207,9 +207,9 @@ fn a_run_that_is_stopped_while_it_looks_for_the_range_is_no_collapse() {
     let b = of(&coarse());
     let d = structure::discretise::discretise(&b).unwrap();
     let earth = structure::discretise::continuum::earth(&b, &d).unwrap().unwrap();
-    let whole = mechanics::watch::Pace::default();
+    let whole = mechanics::watch::CancelToken::default();
     assert_eq!(by_bounds::whole(&b, &d, &earth, true, &whole).unwrap().status, Status::Collapsed);
-    let shorter = mechanics::watch::Pace::of(whole.beats() - 5);
+    let shorter = mechanics::watch::CancelToken::limited_to(whole.iterations() - 5);
     assert_eq!(by_bounds::whole(&b, &d, &earth, true, &shorter).unwrap().status, Status::Cancelled);
 }
 

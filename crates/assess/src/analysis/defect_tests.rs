@@ -184,7 +184,7 @@ fn defects_have_no_side() {
     }
 }
 
-/// Discrete elements and the path of equilibrium feel them too.
+/// Discrete elements and the equilibrium path feel them too.
 #[test]
 fn every_method_of_blocks_feels_a_defect() {
     let mut b = samples::bridgemill();

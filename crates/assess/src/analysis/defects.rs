@@ -1,6 +1,6 @@
 //! Defects of rings in words and as lines of the drawing.
 
-use super::places::point;
+use super::geometry::point;
 use bridge::defect::{Defect, DefectKind, Face};
 use bridge::{Bridge, Span};
 use outcome::picture::DefectMark;

@@ -1,4 +1,4 @@
-//! What moving loads come to where joints give: each is followed along its path of equilibrium from self-weight to its peak.
+//! What moving loads come to where joints give: each is followed along its equilibrium path from self-weight to its peak.
 //!
 //! Rigid blocks bound that factor from above, so that the smaller of the two counts.
 
@@ -9,7 +9,7 @@ use bridge::{Bridge, JointContact};
 use mechanics::blocks::PointForce;
 use mechanics::path::{Ground, Program, Settings, Status, Sweeper};
 use mechanics::plane::Vec2;
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use structure::discretise::Discretised;
 
 /// First step of a path, as a share of the factor that bounds it.
@@ -43,7 +43,7 @@ impl Bound {
     }
 }
 
-/// A bridge under its own weight, on joints that give.
+/// A bridge under its own weight, on deformable joints.
 pub(super) struct Deforming {
     ground: Ground,
 }
@@ -107,7 +107,7 @@ impl Deforming {
         sweeper: &mut Sweeper<'_>,
         forces: &[PointForce],
         asked: Asked<'_>,
-        pace: &Pace,
+        token: &CancelToken,
     ) -> Option<Followed> {
         let Asked { bound, service } = asked;
         let below = service.as_ref().map_or([0.0; SOUGHT], |service| *service.known.factors());
@@ -125,7 +125,7 @@ impl Deforming {
         } else {
             return None;
         };
-        let found = sweeper.carried(forces, (&to(limit), &below), &mut pace.clone());
+        let found = sweeper.carried(forces, (&to(limit), &below), &mut token.clone());
         if found.status == Status::Cancelled {
             return None;
         }

@@ -1,7 +1,7 @@
 //! Collapse of rings under fill that is particles: packed, let go, loaded.
 
-use super::blank;
 use super::by_dem::{loads, report, require_stiffness, settings};
+use super::template;
 use super::{AnalysisError, by_limit, notes, policy};
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
@@ -9,7 +9,7 @@ use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begi
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
 use mechanics::plane::{Polygon, Vec2, vec2};
-use mechanics::watch::{Pace, Progress, Watch, Wish};
+use mechanics::watch::{CancelToken, Progress, Watch, Wish};
 use outcome::collapse::{By, Status};
 use outcome::collapse::{Collapse, PackingReport};
 use structure::discretise::fill::FillRegion;
@@ -119,7 +119,7 @@ fn crushing_takes(bridge: &Bridge) -> Option<f64> {
     rigid.loads.iter_mut().for_each(|load| load.block = None);
     let d = by_limit::prepared(&rigid).ok()?;
     let crushing = by_limit::single(&rigid, &d);
-    let load = |settings: &limit::Settings| by_limit::solve(&d, settings, &Pace::default()).ok()?.factor;
+    let load = |settings: &limit::Settings| by_limit::solve(&d, settings, &CancelToken::default()).ok()?.factor;
     let [with, without] = [load(&crushing)?, load(&limit::Settings { crushing: false, ..crushing })?];
     Some(1.0 - with / without)
 }
@@ -417,7 +417,7 @@ fn settlement(d: &Discretised, frame: &Frame) -> f64 {
 /// The result of a run that was stopped while particles grew.
 fn stopped(bridge: &Bridge, d: &Discretised) -> Collapse {
     let picture = super::picture::built(bridge, d, "discrete elements");
-    let mut c = blank::of_bridge(bridge, d, By::Dem(None), picture);
+    let mut c = template::of_bridge(bridge, d, By::Dem(None), picture);
     c.status = Status::Cancelled;
     c
 }

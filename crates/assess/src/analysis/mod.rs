@@ -1,8 +1,6 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
-mod asked;
 mod bands;
-mod blank;
 pub mod by_bounds;
 pub mod by_dem;
 pub mod by_fe;
@@ -10,43 +8,45 @@ pub mod by_limit;
 pub mod by_path;
 pub mod calibrate;
 mod caveats;
+mod default_stiffness;
 mod defects;
 mod deforming;
 mod dimensions;
 mod filled;
+mod geometry;
 mod ground;
+mod loads_acting;
 mod movement;
 mod notes;
 mod of_blocks;
+pub(crate) mod parallel;
 pub mod passage;
 mod picture;
-pub(crate) mod pieces;
-mod places;
 pub mod placing;
-mod planned;
 mod policy;
+mod preflight;
 mod service;
-mod softened;
 mod statics;
-mod stiffened;
-mod strips;
+mod stiffness_study;
 mod sweep;
+mod template;
 mod thickness;
 pub mod update;
 pub mod vehicles;
+mod wall_and_fill;
 mod weight_alone;
 
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_fe::collapse_by_fe;
 pub use by_limit::collapse_by_limit;
 pub use by_path::collapse_by_path;
+pub use default_stiffness::stiffened;
 pub use ground::ground_plan;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
-pub use planned::planned;
 pub use policy::bare;
+pub use preflight::planned;
 pub use statics::statics;
-pub use stiffened::stiffened;
 pub use sweep::{Places, sweep};
 pub use thickness::thickness;
 pub use vehicles::vehicle_sweep;
@@ -72,7 +72,7 @@ pub enum AnalysisError {
     #[error(transparent)]
     Model(#[from] ModelError),
     #[error(
-        "discrete elements need the normal and the shear stiffness of the {joint}, and so do paths of equilibrium where [masonry] has no elastic_modulus: give them in the file"
+        "discrete elements need the normal and the shear stiffness of the {joint}, and so do equilibrium paths where [masonry] has no elastic_modulus: give them in the file"
     )]
     NoStiffness { joint: &'static str },
     #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]
@@ -134,7 +134,7 @@ pub enum AnalysisError {
     #[error("finite elements increase loads and nothing else: write method = \"dem\" or \"limit\" for {0}")]
     NotByFiniteElements(&'static str),
     #[error(
-        "the path of equilibrium follows loads on rings, piers and walls: write method = \"dem\" or \"limit\" for {0}"
+        "the equilibrium path follows loads on rings, piers and walls: write method = \"dem\" or \"limit\" for {0}"
     )]
     NotByPath(&'static str),
     #[error("the mesh of the ring cannot be analysed: {0}")]
@@ -180,7 +180,7 @@ pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
 /// [`Watch::keep`] was offered by a run of the same bridge.
 pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
-        return strips::both(bridge, resume, watch);
+        return wall_and_fill::both(bridge, resume, watch);
     }
     policy::collapse(bridge, resume, watch, &as_described)
 }

@@ -1,8 +1,8 @@
 //! Collapse by the movement of a support.
 
-use super::blank;
-use super::places::point;
-use super::{AnalysisError, by_dem, by_limit, notes, picture, pieces};
+use super::geometry::point;
+use super::template;
+use super::{AnalysisError, by_dem, by_limit, notes, parallel, picture};
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::ids::{BlockId, Table};
@@ -77,8 +77,8 @@ fn by_limit(
 ) -> Result<Collapse, AnalysisError> {
     let settings = by_limit::settings(bridge);
     let increments = limit::Increments { largest, step, resolution: FINE * step };
-    let outcome = pieces::alone("support movement", true, watch, |pace| {
-        limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings, pace)
+    let outcome = parallel::alone("support movement", true, watch, |token| {
+        limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings, token)
     })?;
     let mut picture = picture::built(bridge, d, "support movement");
     let built = d.model.poses();
@@ -104,9 +104,9 @@ fn by_limit(
         ..Snapshot::default()
     }];
     picture.last_stable = Some(0);
-    picture.mechanism = super::places::scaled(picture.snapshots[0].motions.clone());
+    picture.mechanism = super::geometry::scaled(picture.snapshots[0].motions.clone());
     let report = LimitReport { iterations: outcome.path.len() as u32, ..LimitReport::default() };
-    let mut c = blank::of_bridge(bridge, d, By::Limit(report), picture);
+    let mut c = template::of_bridge(bridge, d, By::Limit(report), picture);
     c.tolerance = FINE * step;
     c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
     c.status = match outcome.status {

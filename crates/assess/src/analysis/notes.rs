@@ -281,20 +281,20 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, sliding: Option<Sli
     }
 }
 
-/// Notes on the path of equilibrium.
+/// Notes on the equilibrium path.
 pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
     common(bridge, d, c);
     moved_against(bridge, c);
     c.assumptions.push(match distributed {
         true => format!(
-            "Rigid blocks on joints that give: the pressure grows with the overlap over the compressed part of a joint, {}; \
+            "Rigid blocks on deformable joints: the pressure grows with the overlap over the compressed part of a joint, {}; \
              displacements are large.",
             match strongest(bridge) > 0.0 {
                 true => "and so does the tension up to the strength of the bond, which breaks there for good",
                 false => "without tension",
             }
         ),
-        false => "Rigid blocks on joints that give at two points, without tension; displacements are large.".to_owned(),
+        false => "Rigid blocks on deformable joints at two points, without tension; displacements are large.".to_owned(),
     });
     c.assumptions.push(
         "The blocks that touch as built are those that press: a contact that only forms during the motion is left out."

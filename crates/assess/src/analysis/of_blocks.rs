@@ -1,6 +1,6 @@
 //! Collapse of a block model that a file lists or a drawing holds.
 
-use super::{AnalysisError, by_dem, by_limit, pieces, policy};
+use super::{AnalysisError, by_dem, by_limit, parallel, policy};
 use bridge::{Method, Plan};
 use mechanics::dem::Body;
 use mechanics::ids::{GroupId, Id};
@@ -138,8 +138,8 @@ fn limit(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collap
     let crushing = crushes(scene);
     let settings = by_limit::settings_of(&scene.plan, crushing);
     let mut solve = |settings: &limit::Settings| {
-        pieces::alone("limit analysis", false, watch, |pace| {
-            limit::collapse_load_while(&d.model, &d.loading, settings, pace)
+        parallel::alone("limit analysis", false, watch, |token| {
+            limit::collapse_load_while(&d.model, &d.loading, settings, token)
         })
     };
     let outcome = solve(&settings)?;
@@ -195,7 +195,7 @@ fn notes(scene: &Scene, c: &mut Collapse) {
 /// A result with nothing found yet.
 fn blank(scene: &Scene, d: &Discretised, by: By, status: Status, picture: Picture) -> Collapse {
     let name = scene.name.clone();
-    Collapse { bridge: name, width: scene.width, status, ..super::blank::of_blocks(&scene.plan, d, by, picture) }
+    Collapse { bridge: name, width: scene.width, status, ..super::template::of_blocks(&scene.plan, d, by, picture) }
 }
 
 fn built(scene: &Scene, title: &str) -> Picture {

@@ -1,4 +1,4 @@
-//! The path of equilibrium of a bridge: its loads, what leads its result, and what it refuses.
+//! The equilibrium path of a bridge: its loads, what leads its result, and what it refuses.
 
 use super::*;
 use crate::samples;
@@ -31,7 +31,7 @@ fn the_ring_on_distributed_joints_carries_what_another_program_found() {
     }
 }
 
-/// The load that leads is that of joints that give, and states that come before it are told with their loads, in their order.
+/// The load that leads is that of deformable joints, and states that come before it are told with their loads, in their order.
 #[test]
 fn the_smaller_load_leads_and_service_loads_stand_beside_it() {
     let found = by_path(samples::bridgemill(), None);

@@ -3,7 +3,7 @@
 use super::bands::bands;
 use super::defects;
 use super::dimensions::dimensions;
-use super::places::point;
+use super::geometry::point;
 use bridge::Bridge;
 use mechanics::blocks::{Particle, PointForce};
 use mechanics::ids::BlockId;

@@ -1,4 +1,4 @@
-//! Loads under somebody's hand: the bridge is prepared once, and answers wherever its loads or a vehicle are put.
+//! Interactive load placement: the bridge is prepared once, then solved for any position of its loads or of a vehicle.
 //!
 //! Limit analysis of rigid rings, as in a sweep and by itself: the least of the loads with and without dilation. The mechanisms that one
 //! place has taught are kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off, for what is carried without
@@ -8,7 +8,7 @@
 mod state;
 
 use super::vehicles::{Asked, Driven};
-use super::{AnalysisError, by_limit, places, policy};
+use super::{AnalysisError, by_limit, geometry, policy};
 use bridge::Bridge;
 use mechanics::limit::{self, Friction, Outcome};
 use outcome::collapse::{FlowRule, Status};
@@ -242,7 +242,7 @@ impl Placing {
             by_limit::draw_mechanism(d, &outcome.interfaces, mechanism, &mut picture);
         }
         picture.thrust_lines = by_limit::thrust_lines(d, &outcome.interfaces, &outcome.resultants);
-        let arrow = |at, force| LoadArrow { at: places::point(at), force: places::point(force) };
+        let arrow = |at, force| LoadArrow { at: geometry::point(at), force: geometry::point(force) };
         picture.loads = put.forces.iter().map(|force| arrow(force.at, force.force)).collect();
         let strips = put.strips.iter();
         Placed {
@@ -274,10 +274,10 @@ impl Placing {
         let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(&self.states[k].bridge) };
         let zone = limit::thrust_zone(&d.model, &loading, factor / self.capacity, &settings)?;
         let reach = zone.interfaces.iter().zip(&zone.reach).filter_map(|(joint, reach)| {
-            let ends = reach.as_ref()?.map(places::point);
+            let ends = reach.as_ref()?.map(geometry::point);
             Some((joint.first, joint.second, ends))
         });
-        Ok(places::lines(d, reach))
+        Ok(geometry::lines(d, reach))
     }
 }
 

@@ -3,15 +3,15 @@
 //! Every position is answered with dilatant friction first. Cases up to twice the least factor, and those that lock, are answered again
 //! without dilation, from the end point of the one beside them; where nothing slides and the forces keep to what compressions allow there,
 //! both factors are the same. The least counts, as for loads that are analysed by themselves. The worst position is then sought between
-//! the positions and answered from every start. With the path of equilibrium as the plan's method, `deformable` puts the factors of joints that give
+//! the positions and answered from every start. With the equilibrium path as the plan's method, `deformable` puts the factors of deformable joints
 //! beside them.
 
 mod continuum;
 mod deformable;
 
-use super::pieces::{self, Pace, Stage};
+use super::parallel::{self, CancelToken, Stage};
 use super::vehicles::{DILATANCY, FAR_ABOVE, REFINEMENTS};
-use super::{AnalysisError, by_limit, policy, stiffened};
+use super::{AnalysisError, by_limit, default_stiffness, policy};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Least, Level, Starts, Sweeper};
@@ -70,7 +70,7 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
         return Err(AnalysisError::MovedBlock);
     }
     let list = places.list(bridge, first);
-    let own = stiffened::for_paths(bridge);
+    let own = default_stiffness::for_paths(bridge);
     let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
     let mut d = by_limit::prepared(bridge)?;
     d.loading.variable.clear();
@@ -111,8 +111,8 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
 }
 
 /// What a sweep of rigid blocks alone says of them.
-pub(super) const RIGID: &str = "Rings are rigid: joints that give carry less, flat rings under long loads by more than half \
-                                (docs/verification/joints-that-give.md); method = \"path\" in [analysis] follows them too.";
+pub(super) const RIGID: &str = "Rings are rigid: deformable joints carry less, flat rings under long loads by more than half \
+                                (docs/verification/deformable-joints.md); method = \"path\" in [analysis] follows them too.";
 
 fn notes(found: &mut Sweep, rows: &[Row]) {
     if !found.is_deformable() {
@@ -263,21 +263,21 @@ impl Scene<'_> {
     }
 
     /// Answers a row with dilatant friction; none where the work does not go on.
-    fn answered(&self, sweeper: &mut Sweeper<'_>, position: f64, pace: &Pace) -> Option<Row> {
+    fn answered(&self, sweeper: &mut Sweeper<'_>, position: f64, token: &CancelToken) -> Option<Row> {
         let mut row = self.row(position);
         for case in &mut row.cases {
-            if !pace.goes_on() {
+            if token.is_cancelled() {
                 return None;
             }
             let effect = sweeper.effect(&case.forces);
             let found = sweeper.factor(&effect);
-            if !pace.goes_on() {
+            if token.is_cancelled() {
                 return None;
             }
             (case.status, case.factor, case.slides) = (by_limit::status(found.status), found.lower, found.slides);
             case.unknown = found.status == limit::Status::NotConverged;
         }
-        pace.step();
+        token.step();
         Some(row)
     }
 
@@ -285,9 +285,9 @@ impl Scene<'_> {
     fn dilatant(&self, list: &[f64], watch: &mut dyn Watch) -> Vec<Row> {
         let chunks: Vec<&[f64]> = list.chunks(CHUNK).collect();
         let stage = Stage { name: "positions of the loads", steps: list.len() as u64, shares: [0.0, 0.4] };
-        let (found, _) = pieces::each(&chunks, &stage, watch, |places, pace| {
-            let mut sweeper = self.ground.sweeper().paced(pace);
-            places.iter().map_while(|&place| self.answered(&mut sweeper, place, pace)).collect::<Vec<Row>>()
+        let (found, _) = parallel::each(&chunks, &stage, watch, |places, token| {
+            let mut sweeper = self.ground.sweeper().paced(token);
+            places.iter().map_while(|&place| self.answered(&mut sweeper, place, token)).collect::<Vec<Row>>()
         });
         found.into_iter().flatten().flatten().collect()
     }
@@ -323,8 +323,8 @@ impl Scene<'_> {
         }
         let lowest = lowest(rows, &jobs);
         let stage = Stage { name: "the worst cases without dilation", steps: lowest.len() as u64, shares: [0.4, 0.42] };
-        let (found, done) = pieces::each(&lowest, &stage, watch, |&(r, c), pace| {
-            self.as_planned(&rows[r].cases[c], Starts::Every, None, pace)
+        let (found, done) = parallel::each(&lowest, &stage, watch, |&(r, c), token| {
+            self.as_planned(&rows[r].cases[c], Starts::Every, None, token)
         });
         if !done {
             open(rows, jobs);
@@ -356,8 +356,8 @@ impl Scene<'_> {
             return;
         }
         let stage = Stage { name: "cases without an answer", steps: jobs.len() as u64, shares: [1.0, 1.0] };
-        let (found, _) = pieces::each(&jobs, &stage, watch, |&(r, c), pace| {
-            let mut sweeper = self.ground.sweeper().paced(pace);
+        let (found, _) = parallel::each(&jobs, &stage, watch, |&(r, c), token| {
+            let mut sweeper = self.ground.sweeper().paced(token);
             let effect = sweeper.effect(&rows[r].cases[c].forces);
             sweeper.proven_up_to(&effect, DILATANCY * least)
         });
@@ -381,7 +381,7 @@ impl Scene<'_> {
         let groups: Vec<_> = jobs.chunk_by(|a, b| axles(a) == axles(b)).flat_map(|run| run.chunks(CHUNK)).collect();
         let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.42, 0.9] };
         let (found, done) =
-            pieces::each(&groups, &stage, watch, |group, pace| self.beside_one_another(rows, group, near, pace));
+            parallel::each(&groups, &stage, watch, |group, token| self.beside_one_another(rows, group, near, token));
         let mut unanswered = Vec::new();
         let mut answers = Vec::new();
         for (group, found) in groups.iter().zip(found) {
@@ -403,9 +403,9 @@ impl Scene<'_> {
         rows: &[Row],
         group: &[(usize, usize)],
         worst: Option<&Level>,
-        pace: &Pace,
+        token: &CancelToken,
     ) -> Vec<Answer> {
-        let mut sweeper = self.ground.sweeper().paced(pace);
+        let mut sweeper = self.ground.sweeper().paced(token);
         let mut near: Option<Level> = None;
         let answered = group.iter().map_while(|&(r, c)| {
             let case = &rows[r].cases[c];
@@ -414,17 +414,17 @@ impl Scene<'_> {
             let beside = near.as_ref().or(worst.filter(|_| still));
             let answer = Answer::of(sweeper.least(&effect, self.settings.friction, Starts::Nearby, beside));
             near = answer.level.clone().or(near.take());
-            pace.step().then_some(answer)
+            token.step().then_some(answer)
         });
         answered.collect()
     }
 
     /// One case as the plan's friction says, without dilation from the end point of a case nearby; none where the work does not go on.
-    fn as_planned(&self, case: &Case, starts: Starts, near: Option<&Level>, pace: &Pace) -> Option<Answer> {
-        let mut sweeper = self.ground.sweeper().paced(pace);
+    fn as_planned(&self, case: &Case, starts: Starts, near: Option<&Level>, token: &CancelToken) -> Option<Answer> {
+        let mut sweeper = self.ground.sweeper().paced(token);
         let effect = sweeper.effect(&case.forces);
         let answer = Answer::of(sweeper.least(&effect, self.settings.friction, starts, near));
-        pace.step().then_some(answer)
+        token.step().then_some(answer)
     }
 
     /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Without dilation
@@ -438,9 +438,9 @@ impl Scene<'_> {
         let (started, axles) = (rows[r].position, rows[r].cases[c].axles);
         let mut ask = |list: &[f64], starts: Starts, near: Option<&Level>, shares| {
             let stage = Stage { name: "places beside the worst one", steps: list.len() as u64, shares };
-            let (found, done) = pieces::each(list, &stage, watch, |&place, pace| {
+            let (found, done) = parallel::each(list, &stage, watch, |&place, token| {
                 let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
-                case.and_then(|case| self.as_planned(&case, starts, near, pace))
+                case.and_then(|case| self.as_planned(&case, starts, near, token))
             });
             let found = list.iter().zip(found).filter_map(|(place, answer)| Some((*place, answer.flatten()?)));
             done.then(|| found.collect::<Vec<_>>())
@@ -497,8 +497,9 @@ impl Scene<'_> {
         let mut row = self.row(position);
         let steps = row.cases.len() as u64;
         let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
-        let (found, done) =
-            pieces::each(&row.cases, &stage, watch, |case, pace| self.as_planned(case, Starts::Doubtful, near, pace));
+        let (found, done) = parallel::each(&row.cases, &stage, watch, |case, token| {
+            self.as_planned(case, Starts::Doubtful, near, token)
+        });
         for (case, found) in row.cases.iter_mut().zip(found) {
             match found.flatten() {
                 Some(answer) => answer.put(case),

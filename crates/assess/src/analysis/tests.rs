@@ -332,7 +332,7 @@ fn in_both_strips_the_bricks_of_the_wall_are_loaded_themselves() {
     b.loads.iter_mut().for_each(|load| load.block = Some(bridge::LoadingBlock { weight: 1e3 }));
     assert!(answer(&b).collapse_load.unwrap() > 1.05 * wall);
     // The strip between the walls has nothing there that a block could stand on, so the wall's is asked for by itself.
-    let alone = strips::strip(&b, Strip::Wall, None, &mut mechanics::watch::Unwatched).unwrap();
+    let alone = wall_and_fill::strip(&b, Strip::Wall, None, &mut mechanics::watch::Unwatched).unwrap();
     assert_eq!(alone.collapse_load, Some(wall));
 }
 

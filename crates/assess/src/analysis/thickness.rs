@@ -1,11 +1,11 @@
 //! The least ring thickness that stands.
 
-use super::blank;
-use super::{AnalysisError, by_dem, by_limit, notes, picture, pieces};
+use super::template;
+use super::{AnalysisError, by_dem, by_limit, notes, parallel, picture};
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::limit;
-use mechanics::watch::{Pace, Progress, Watch, Wish};
+use mechanics::watch::{CancelToken, Progress, Watch, Wish};
 use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, ThicknessReport};
 use std::cell::RefCell;
@@ -78,7 +78,7 @@ fn intrados_radius(bridge: &Bridge) -> Option<f64> {
 fn by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let settings = by_limit::settings(bridge);
     let given = thickened(bridge, 1.0)?;
-    let search = |pace: &Pace| {
+    let search = |token: &CancelToken| {
         let failed = RefCell::new(None);
         let make = |factor: f64| match thickened(bridge, factor) {
             Ok(d) => (d.model, d.loading),
@@ -87,10 +87,10 @@ fn by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Analysis
                 (given.model.clone(), given.loading.clone())
             }
         };
-        let found = limit::minimum_thickness(range(bridge), EXACT, 1.0, &settings, pace, make)?;
+        let found = limit::minimum_thickness(range(bridge), EXACT, 1.0, &settings, token, make)?;
         failed.into_inner().map_or(Ok(found), Err)
     };
-    let found = pieces::alone("least thickness", true, watch, search)?;
+    let found = parallel::alone("least thickness", true, watch, search)?;
     let shown = thickened(bridge, found.stands.or(found.falls).unwrap_or(1.0))?;
     let (joints, line) = limit::least_thrust(&shown.model, &shown.loading, 0.0, &settings)?;
     let mut picture = picture::built(bridge, &shown, "least thickness");
@@ -101,7 +101,7 @@ fn by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Analysis
         picture.thrust_lines = by_limit::thrust_lines(&shown, &joints, line);
     }
     let by = By::Limit(LimitReport { iterations: found.trials, ..LimitReport::default() });
-    let mut c = blank::of_bridge(bridge, &shown, by, picture);
+    let mut c = template::of_bridge(bridge, &shown, by, picture);
     c.tolerance = EXACT;
     c.contacts = joints.iter().map(|i| i.points.len()).sum();
     c.status = match found.status {

@@ -4,14 +4,14 @@
 use super::service::Scope;
 use super::{at_position, service, window};
 use crate::analysis::by_weight_alone;
-use crate::analysis::pieces;
+use crate::analysis::parallel;
 use crate::analysis::vehicles::vehicle_sweep;
 use crate::checks::{CHECKS, Check, Probe};
 use crate::evidence::Evidence;
 use bridge::Bridge;
 use bridge::edit::Document;
 use bridge::vary::{Spread, Varied, find, known, settle};
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use outcome::assessment::Stage;
 use outcome::checked::{Checked, Comparison, governing};
 use outcome::facts::{ChangeFacts, SensitivityFacts};
@@ -92,8 +92,8 @@ pub fn sensitivity(
     let mut plain = document.clone();
     bridge::UPDATE_SECTIONS.iter().chain(&["vary", "expected"]).for_each(|section| plain.remove(section));
     let document = &plain;
-    let stage = pieces::Stage { name: "the governing check by itself", steps: 1, shares: [0.0, 0.0] };
-    let (base, done) = pieces::each(&[()], &stage, watch, |(), pace| probe.utilisation(&own.bridge, pace));
+    let stage = parallel::Stage { name: "the governing check by itself", steps: 1, shares: [0.0, 0.0] };
+    let (base, done) = parallel::each(&[()], &stage, watch, |(), token| probe.utilisation(&own.bridge, token));
     if !done {
         return Ok(None);
     }
@@ -108,10 +108,10 @@ pub fn sensitivity(
         })
         .take(MOST)
         .collect();
-    let stage = pieces::Stage { name: "sensitivities", steps: list.len() as u64, shares: [0.0, 1.0] };
-    let (found, done) = pieces::each(&list, &stage, watch, |varied, pace| {
-        let change = probe.change(document, varied, pace);
-        pace.step();
+    let stage = parallel::Stage { name: "sensitivities", steps: list.len() as u64, shares: [0.0, 1.0] };
+    let (found, done) = parallel::each(&list, &stage, watch, |varied, token| {
+        let change = probe.change(document, varied, token);
+        token.step();
         change
     });
     if !done {
@@ -145,13 +145,13 @@ struct Changed<'a> {
 }
 
 impl Changed<'_> {
-    fn change(&self, document: &Document, varied: &Varied, pace: &Pace) -> ChangeFacts {
+    fn change(&self, document: &Document, varied: &Varied, token: &CancelToken) -> ChangeFacts {
         let value = |k: usize| {
             let mut edited = document.clone();
             edited.set(&varied.path, &varied.values.get(k)?.literal).ok()?;
             let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
             bridge.take_over(&self.own.bridge);
-            self.utilisation(&bridge, pace)
+            self.utilisation(&bridge, token)
         };
         ChangeFacts {
             path: varied.path.to_string(),
@@ -162,8 +162,8 @@ impl Changed<'_> {
     }
 
     /// Largest utilisation of the check by the shortened analysis; none where that gives nothing.
-    fn utilisation(&self, bridge: &Bridge, pace: &Pace) -> Option<f64> {
-        let watch = &mut pace.clone();
+    fn utilisation(&self, bridge: &Bridge, token: &CancelToken) -> Option<f64> {
+        let watch = &mut token.clone();
         let by = self.check.probe();
         let mut a = self.own.clone();
         a.bridge = bridge.clone();

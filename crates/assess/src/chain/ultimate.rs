@@ -26,7 +26,7 @@ const POSITIONS_IN_A_SPAN: f64 = 60.0;
 /// The same where each position takes seconds: fill that yields as a continuum.
 const BOUNDS_IN_A_SPAN: f64 = 12.0;
 
-/// The bridge for limit analysis, and on joints that give where its plan asks for them: between its walls, fill as weight, loads
+/// The bridge for limit analysis, and on deformable joints where its plan asks for them: between its walls, fill as weight, loads
 /// through the cover.
 fn of_blocks(bridge: &Bridge) -> Bridge {
     let mut own = bridge.clone();
@@ -40,7 +40,7 @@ fn of_blocks(bridge: &Bridge) -> Bridge {
     own
 }
 
-/// Whether joints that give are followed beside rigid blocks.
+/// Whether deformable joints are followed beside rigid blocks.
 fn gives(bridge: &Bridge) -> bool {
     bridge.plan.method == Method::Path
 }
@@ -107,7 +107,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
         method: if gives(bridge) {
-            "the smaller load of limit analysis (rigid blocks as built) and of the path of equilibrium (joints that give)"
+            "the smaller load of limit analysis (rigid blocks as built) and of the equilibrium path (deformable joints)"
         } else if own.continuum.is_some() {
             "limit analysis, lower bound of rigid blocks as built beside soil that yields as a continuum"
         } else {

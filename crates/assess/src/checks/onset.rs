@@ -18,7 +18,7 @@ impl Check for Onset {
             text: "The least factor on nominal loads (of a vehicle with impact, without the rule's factor on live loads; of \
                    the file as they are) at which a joint is open over half of its depth, is stressed to half of its \
                    strength, or the stone that moves most does so twice as far as at first for a little more load. It is found along \
-                   the path of equilibrium on joints that give, at every position, and is compared with onset_factor of \
+                   the equilibrium path on deformable joints, at every position, and is compared with onset_factor of \
                    [assess]. It says from which load damage begins, and nothing about collapse. The thrust leaves the middle third \
                    of a joint earlier: that factor stands in the result and is not compared.",
             source: "the permissible limit state of masonry arches: Melbourne, Wang and Tomor, Proc. ICE Bridge Engineering 160 (2007) \

@@ -544,7 +544,7 @@ fn a_movement_is_compared_with_what_stood_over_its_factor() {
     assert_eq!((found[0].value, found[0].limit, found[0].utilisation), (20.0, 25.0, 0.8));
 }
 
-/// Nominal vehicles are compared, and the thrust that leaves a middle third is not; without joints that give there is nothing
+/// Nominal vehicles are compared, and the thrust that leaves a middle third is not; without deformable joints there is nothing
 /// to compare.
 #[test]
 fn states_in_service_are_compared_for_nominal_loads() {

@@ -99,8 +99,8 @@ fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
     )
 }
 
-/// The method of joints that give, in words.
-const GIVES: &str = "path of equilibrium on joints that give";
+/// The method of deformable joints, in words.
+const GIVES: &str = "equilibrium path on deformable joints";
 
 fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, needed: Needed) -> Comparison {
     // Joints that deform carry less; the smaller number counts where both were found.

@@ -50,7 +50,7 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
     )
     .positive()
     .optional(
-        "given by `mortar_normal_stiffness`; without both, paths of equilibrium take a tenth of `elastic_modulus` over the longest \
+        "given by `mortar_normal_stiffness`; without both, equilibrium paths take a tenth of `elastic_modulus` over the longest \
          voussoir, and the discrete element method refuses",
     ),
     Field::new(

@@ -334,7 +334,7 @@ pub(crate) fn check(
         if let Some(masonry) = masonry {
             series(file, section, joint, masonry, findings);
         }
-        // Paths of equilibrium take a stiffness from the modulus of the units where the file gives none.
+        // Equilibrium paths take a stiffness from the modulus of the units where the file gives none.
         let is_taken = plan.method == Method::Path && masonry.is_some_and(|m| m.elastic_modulus.is_some());
         if plan.method != Method::Limit && !is_taken {
             stiffness(file, section, joint, findings);

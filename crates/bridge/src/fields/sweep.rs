@@ -175,7 +175,7 @@ pub(super) static CARRIAGEWAY: Section = Section {
 
 pub(super) static FILL_PRESSURE: Section = Section {
     path: "fill_pressure",
-    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis and along the path of equilibrium: between the \
+    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis and along the equilibrium path: between the \
           pressure at rest and a share of Rankine's passive pressure. In limit analysis all of that share is there where a back \
           moves against the fill; along the path it grows with the movement. docs/theory/fill-pressure.md gives the sources of \
           the shares. The discrete element method does not use this table: particles exert pressure themselves.",

@@ -1,4 +1,4 @@
-//! What the data leave open: a Bayesian posterior with a model-error term.
+//! Posterior distribution of the parameters (Bayes), with a model-error term.
 //!
 //! Particles go from the prior to the posterior by degrees (`tempering.rs`), which gives the evidence; from there walkers go
 //! on (`ensemble.rs`) until the effective sample size is reached ([`diagnostics`]).

@@ -77,8 +77,8 @@ pub struct Outcome {
     pub found: Option<Found>,
 }
 
-/// Share of the square of the norm by which a step has to lower it, and of the point by which it has to move it: a search that gains less is at
-/// its end, for a twin is asked for to half a per cent and records are never better.
+/// Stopping tolerances: relative reduction of the squared norm by a step, and relative size of the step. Synthetic records are asked for to half a
+/// per cent; measured ones do not justify less.
 const ENOUGH: [f64; 2] = [1e-7, 1e-6];
 
 /// The same where full passages go on from the end.

@@ -56,7 +56,7 @@ pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Failur
     let other = arguments.choice.method.filter(|method| !extrados::sweeps(*method));
     if let (true, Some(method)) = (arguments.sweep, other) {
         let message = format!("--sweep is limit analysis: --method {} cannot do it", method.word());
-        let way_out = "leave --method out, say --method limit, or --method path for joints that give too";
+        let way_out = "leave --method out, say --method limit, or --method path for deformable joints too";
         return Err(Failure::input("F107", message, way_out));
     }
     arguments.choice.of(width)

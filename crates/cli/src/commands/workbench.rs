@@ -1,4 +1,4 @@
-//! `extrados workbench`: the page where the load is dragged and the bridge answers, from files inside the program.
+//! `extrados workbench`: the interactive page, from files inside the program.
 
 use super::Desk;
 use crate::args::Workbench;

@@ -21,7 +21,7 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
     if let (Some((factor, method)), Some(k)) = (found.headline(), found.governing) {
         let method = match method {
             Method::Dem => "discrete elements",
-            Method::Path => "the path of equilibrium",
+            Method::Path => "the equilibrium path",
             _ => "limit analysis",
         };
         let _ =
@@ -92,7 +92,7 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
     Page { body: page, assumptions: found.assumptions.clone(), place: format!("Results are in {out}") }
 }
 
-/// The factors of rigid blocks and of joints that give.
+/// The factors of rigid blocks and of deformable joints.
 fn both(rigid: Option<f64>, gives: Option<f64>) -> String {
     let told = |factor: Option<f64>| factor.map_or("-".to_owned(), |factor| format!("{factor:.3}"));
     format!("  {:>8}  {:>8}", told(rigid), told(gives))

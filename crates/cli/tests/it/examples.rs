@@ -18,7 +18,7 @@ const KEYS: &[(&str, &str, &str, &str, f64, f64)] = &[
     ("bridgemill", "hb-45.toml", "collapsed", "collapse_load_kn_per_m", 341.2, 1e-3),
     // The same ring, drawn with another program's library: the same load step.
     ("drawing", "bridge.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
-    // Along the path of equilibrium, below both limit loads of the same blocks (164.9 and, with joints that crush, 143.0).
+    // Along the equilibrium path, below both limit loads of the same blocks (164.9 and, with joints that crush, 143.0).
     ("viaduct", "bridge.toml", "collapsed", "last_stable_load_kn_per_m", 125.1, 1e-3),
     // Milankovitch's continuous ring; 200 straight voussoirs are within 0.2 %.
     ("semicircle", "ring.toml", "completed", "minimum_thickness_over_mean_radius", 0.1075, 2e-3),

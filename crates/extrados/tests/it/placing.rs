@@ -1,4 +1,4 @@
-//! Loads and vehicles under somebody's hand: the same numbers as analyses that begin anew.
+//! Interactive load placement: the same numbers as analyses that begin anew.
 
 use extrados::results::collapse::Status;
 use extrados::{

@@ -221,7 +221,7 @@ impl Solver {
         inverse(&self.symbolic, &self.values, self.kind, right, stack);
     }
 
-    /// Solutions for right-hand sides given by their entries, as many as [`WIDTHS`] has at most; what `block` was before is lost.
+    /// Solves for sparse right-hand sides, each a list of equation and value, at most the largest of [`WIDTHS`] at once; overwrites `block`.
     ///
     /// Where only some equations are `asked` for, the block holds their solutions and nothing that could be read elsewhere.
     pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], asked: Option<&Asked>, block: &mut Block) {

@@ -7,7 +7,7 @@
 
 use super::rows::Rows;
 use super::simplex::{Corner, Ended, Member, Start, greatest};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// The last unknowns of a program: `-x <= b` and `x <= b` stand one after the other for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,22 +37,22 @@ pub(super) fn greatest_between(
     bounded: Bounded,
     last: &[f64],
     start: Option<&Start>,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Ended {
     if bounded.count == 0 {
-        return greatest(rows, last, start, pace);
+        return greatest(rows, last, start, token);
     }
-    let held = Held { rows, bounded, last, pace };
+    let held = Held { rows, bounded, last, token };
     let starts =
         start.map(|start| start.members.clone()).into_iter().chain([held.blank(At::Least), held.blank(At::Most)]);
-    starts.map(|start| held.from(&start)).find_map(|ended| ended).unwrap_or_else(|| greatest(rows, last, None, pace))
+    starts.map(|start| held.from(&start)).find_map(|ended| ended).unwrap_or_else(|| greatest(rows, last, None, token))
 }
 
 struct Held<'a> {
     rows: &'a Rows,
     bounded: Bounded,
     last: &'a [f64],
-    pace: &'a Pace,
+    token: &'a CancelToken,
 }
 
 /// A program of fewer unknowns, with the place of each of its rows in the whole one.
@@ -98,7 +98,7 @@ impl Held<'_> {
         for _ in 0..ROUNDS {
             let few = self.few(&at);
             let own = few.own(&members, self)?;
-            let corner = match greatest(&few.rows, &few.last, Some(&Start::of(own)), self.pace) {
+            let corner = match greatest(&few.rows, &few.last, Some(&Start::of(own)), self.token) {
                 Ended::Best(corner) => corner,
                 Ended::Unbounded => return Some(Ended::Unbounded),
                 Ended::Lost => return None,
@@ -259,8 +259,8 @@ mod tests {
             let mut last: Vec<f64> = (0..many).map(|_| random()).collect();
             last.resize(many + 2 * count, 0.0);
             let (Ended::Best(exact), Ended::Best(held)) = (
-                greatest(&rows, &last, None, &Pace::default()),
-                greatest_between(&rows, bounded, &last, start.as_ref(), &Pace::default()),
+                greatest(&rows, &last, None, &CancelToken::default()),
+                greatest_between(&rows, bounded, &last, start.as_ref(), &CancelToken::default()),
             ) else {
                 continue;
             };

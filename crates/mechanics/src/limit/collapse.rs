@@ -7,14 +7,14 @@ use super::joints::{Joint, Strength, joints};
 use super::level::{Governs, Level, WithoutDilation, without_dilation};
 use super::mechanism::mechanism;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
-use super::program::{Ending, Program, Role, Solution};
+use super::program::{Ending, Interpretation, Program, Solution};
 use super::proven::{Roomy, proven, roomy};
 use super::rest::{Rest, share};
 use super::settings::{Friction, Settings};
 use super::smooth::smooth;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 use std::sync::OnceLock;
 
 /// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
@@ -22,27 +22,27 @@ pub(super) const TOLERANCE: f64 = 1e-9;
 
 /// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
 pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
-    collapse_load_while(model, loading, settings, &Pace::default())
+    collapse_load_while(model, loading, settings, &CancelToken::default())
 }
 
-/// The same while `pace` goes on; [`Status::Cancelled`] where it ends on the way.
+/// The same while `token` goes on; [`Status::Cancelled`] where it ends on the way.
 pub fn collapse_load_while(
     model: &BlockModel,
     loading: &Loading,
     settings: &Settings,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Outcome, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
         return Err(ModelError::NothingFree);
     }
     let (interfaces, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium { pace: pace.clone(), ..Equilibrium::new(model, loading, &joints) };
+    let equilibrium = Equilibrium { token: token.clone(), ..Equilibrium::new(model, loading, &joints) };
     let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
     let found = largest_factor(&equilibrium, &joints, &strengths);
     let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
     let parts = (model, &equilibrium, &joints[..], &strengths[..]);
     by_friction(settings.friction, parts, &found, &Rest::default(), &mut outcome);
-    if !pace.goes_on() {
+    if token.is_cancelled() {
         let Outcome { interfaces, iterations, friction, .. } = outcome;
         return Ok(Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations));
     }
@@ -208,19 +208,19 @@ pub(super) fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
         .collect();
     let equilibrium = &equilibrium.unrestrained();
     let rest = vec![0.0; equilibrium.rows];
-    let drive = &equilibrium.variable;
+    let scaled_loads = &equilibrium.variable;
     let crushes = endless.iter().any(|s| s.crushing == 0.0);
     let cap = if crushes { Some(0.0) } else { Some(1.0) };
     Program {
         equilibrium,
         joints,
         strengths: &endless,
-        drive,
-        rest: &rest,
+        scaled_loads,
+        constant_loads: &rest,
         cap,
-        reward: Vec::new(),
-        price: 0.0,
-        role: Role::Factor,
+        objective: Vec::new(),
+        quadratic_weight: 0.0,
+        interpretation: Interpretation::Factor,
     }
     .solve(1e-8)
 }

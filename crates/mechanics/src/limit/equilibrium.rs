@@ -4,7 +4,7 @@ use super::joints::Joint;
 use crate::blocks::{BlockModel, Loading, PointForce};
 use crate::ids::{BlockId, Table};
 use crate::plane::{Vec2, vec2};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// One entry of a column: equation and coefficient.
 pub(super) type Entry = (usize, f64);
@@ -34,7 +34,7 @@ pub(super) struct Equilibrium {
     /// The scaled factor is the factor divided by this.
     pub factor_scale: f64,
     /// Asked by the methods that solve them whether to go on.
-    pub pace: Pace,
+    pub token: CancelToken,
 }
 
 /// A force that answers movement: between zero and `most`.
@@ -76,7 +76,7 @@ impl Equilibrium {
         let length = unit_of_length(model, joints);
         let mut this = Equilibrium {
             rows,
-            pace: Pace::default(),
+            token: CancelToken::default(),
             row,
             columns: Vec::with_capacity(3 * joints.len()),
             first_column: Vec::with_capacity(joints.len()),

@@ -1,6 +1,6 @@
 //! Clarabel's interior-point method as every program here uses it: one thread, no presolve, watched.
 
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolution, DefaultSolver, IPSolver, SupportedConeT};
 
@@ -23,7 +23,7 @@ pub(super) fn minimise(
     (a, b): (&CscMatrix<f64>, &[f64]),
     cones: &[SupportedConeT<f64>],
     accuracy: Accuracy,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Option<DefaultSolution<f64>> {
     let Accuracy { tolerance, nearly, iterations, refinements } = accuracy;
     if a.nzval.iter().chain(b).chain(q).any(|v| !v.is_finite()) {
@@ -46,8 +46,8 @@ pub(super) fn minimise(
         ..DefaultSettings::default()
     };
     let mut solver = DefaultSolver::new(p, q, a, b, cones, settings).ok()?;
-    let pace = pace.clone();
-    solver.set_termination_callback(move |_| !pace.beat());
+    let token = token.clone();
+    solver.set_termination_callback(move |_| !token.iterate());
     solver.solve();
     let found = solver.solution;
     found.x.iter().chain(&found.z).all(|v| v.is_finite()).then_some(found)

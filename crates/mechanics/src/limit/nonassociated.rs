@@ -8,7 +8,7 @@
 //! true one by `1 / REACH`, for otherwise an open joint could carry shear.
 //!
 //! A statically indeterminate wall has many such end points: the load depends on its self-stress. Every round can be
-//! made to have one answer by a small price on the squares of the compressions, which picks the state of least
+//! made to have one answer by a small weight on the squares of the compressions, which picks the state of least
 //! self-stress and makes the end point nearly independent of the start (measured from four starts on three walls of
 //! Ferris and Tin-Loi: equal to 1e-4). Without it the loads lie up to 17 % higher. Where rings slide on backing that is blocks, ends
 //! still depend on the start. The lowest is reported, with the spread over all starts.
@@ -16,9 +16,9 @@
 use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::program::{Ending, NEARLY, Program, Role, Solution};
+use super::program::{Ending, Interpretation, NEARLY, Program, Solution};
 use super::proven;
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// Share of a joint's compression down to which the fictitious surface is level.
 pub(super) const REACH: f64 = 0.3;
@@ -38,10 +38,10 @@ struct Rounds {
 const FROM_AFAR: Rounds = Rounds { calmed: 20, most: 60 };
 /// From the end of a load nearby.
 const NEARBY: Rounds = Rounds { calmed: 10, most: 30 };
-/// Price that picks the state of least self-stress. From 1e-2 down to 1e-5 the loads of three walls of Ferris and
-/// Tin-Loi change by less than 1e-3; compressed joints give way in the mechanism by about a tenth of the price, and at
+/// Weight on the squares of compressions that picks the state of least self-stress. From 1e-2 down to 1e-5 the loads of three walls of Ferris and
+/// Tin-Loi change by less than 1e-3; compressed joints give way in the mechanism by about a tenth of the weight, and at
 /// 1e-5 that is below what counts as motion.
-pub(super) const PRICE: f64 = 1e-5;
+pub(super) const QUADRATIC_WEIGHT: f64 = 1e-5;
 /// End of the rounds: largest change of the load factor, relative. Tighter than the 1e-4 to which starts agree.
 const SETTLED: f64 = 1e-6;
 /// Largest relative difference between the load factor with the fictitious surfaces and with forces that keep to the
@@ -80,17 +80,23 @@ pub(super) fn settle(
 ) -> Option<Settled> {
     // As compressed as the whole weight: the strongest start; the associated state: the published one.
     let everywhere = vec![1.0; joints.len()];
-    let mut starts: Vec<(Vec<f64>, f64)> = vec![(everywhere, PRICE)];
+    let mut starts: Vec<(Vec<f64>, f64)> = vec![(everywhere, QUADRATIC_WEIGHT)];
     if let Some(forces) = associated {
-        starts.push((compressions(equilibrium, joints, forces), PRICE));
+        starts.push((compressions(equilibrium, joints, forces), QUADRATIC_WEIGHT));
         starts.push((compressions(equilibrium, joints, forces), 0.0));
     }
     let mut best: Option<Settled> = None;
     let mut iterations = 0;
     let count = starts.len();
-    for (k, (start, price)) in starts.into_iter().enumerate() {
-        let (found, used) =
-            from(equilibrium, joints, strengths, (start, price), FROM_AFAR, &equilibrium.pace.part(k, count));
+    for (k, (start, quadratic_weight)) in starts.into_iter().enumerate() {
+        let (found, used) = from(
+            equilibrium,
+            joints,
+            strengths,
+            (start, quadratic_weight),
+            FROM_AFAR,
+            &equilibrium.token.part(k, count),
+        );
         iterations += used;
         let Some(end) = found else { continue };
         let range = end.range();
@@ -115,8 +121,8 @@ pub(super) fn settle_near(
     strengths: &[Strength],
     near: &[f64],
 ) -> Option<Settled> {
-    let start = (near.to_vec(), PRICE);
-    let (found, iterations) = from(equilibrium, joints, strengths, start, NEARBY, &equilibrium.pace);
+    let start = (near.to_vec(), QUADRATIC_WEIGHT);
+    let (found, iterations) = from(equilibrium, joints, strengths, start, NEARBY, &equilibrium.token);
     let end = found?;
     let range = end.range();
     Some(Settled { iterations, ..end.settled(range) })
@@ -147,9 +153,9 @@ fn from(
     equilibrium: &Equilibrium,
     joints: &[Joint],
     strengths: &[Strength],
-    (start, price): (Vec<f64>, f64),
+    (start, quadratic_weight): (Vec<f64>, f64),
     rounds: Rounds,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> (Option<End>, u32) {
     let (mut compression, mut previous, mut iterations) = (start, f64::INFINITY, 0);
     let mut solve = |reach: f64, cap: Option<f64>, nearly: f64, compression: &mut dyn Iterator<Item = f64>| {
@@ -159,12 +165,12 @@ fn from(
             equilibrium,
             joints,
             strengths: &fictitious,
-            drive: &equilibrium.variable,
-            rest: &equilibrium.permanent,
+            scaled_loads: &equilibrium.variable,
+            constant_loads: &equilibrium.permanent,
             cap,
-            reward: Vec::new(),
-            price,
-            role: Role::Factor,
+            objective: Vec::new(),
+            quadratic_weight,
+            interpretation: Interpretation::Factor,
         }
         .solve_or(TOLERANCE, nearly);
         iterations += solution.iterations;
@@ -172,11 +178,11 @@ fn from(
     };
     let (mut end, mut solved, mut retreats): (Option<(Solution, f64)>, Option<Vec<f64>>, usize) = (None, None, 0);
     for round in 0..rounds.most {
-        pace.reach(round as f64 / rounds.most as f64);
+        token.reach(round as f64 / rounds.most as f64);
         // A round that comes to rest early is no reason to give up the start: the end is looked at by itself.
         let solution = solve(REACH, None, ROUGHLY, &mut compression.iter().copied());
         if solution.ending == Ending::Unknown {
-            let Some(solved) = solved.as_ref().filter(|_| retreats < RETREATS && pace.goes_on()) else { break };
+            let Some(solved) = solved.as_ref().filter(|_| retreats < RETREATS && !token.is_cancelled()) else { break };
             compression.iter_mut().zip(solved).for_each(|(now, before)| *now = 0.5 * (*now + before));
             retreats += 1;
             continue;

@@ -6,7 +6,7 @@ use super::joints::{Joint, Strength};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
 
-/// Maximises a number `t`, or what `reward` says of the joint forces `f`, subject to `B f + t drive + rest = 0`,
+/// Maximises a number `t`, or the `objective` of the joint forces `f`, subject to `B f + t scaled_loads + constant_loads = 0`,
 /// `t <= cap` and the strength of the joints.
 pub(super) struct Program<'a> {
     /// Geometry and units.
@@ -15,23 +15,23 @@ pub(super) struct Program<'a> {
     pub joints: &'a [Joint],
     /// Strengths in place of the joints' own.
     pub strengths: &'a [Strength],
-    /// What grows with `t`, scaled.
-    pub drive: &'a [f64],
-    /// What is there anyway, scaled.
-    pub rest: &'a [f64],
+    /// Loads that `t` multiplies, scaled.
+    pub scaled_loads: &'a [f64],
+    /// Loads that it does not, scaled.
+    pub constant_loads: &'a [f64],
     /// Largest `t`.
     pub cap: Option<f64>,
-    /// What is wanted of the forces: column and weight. Empty to make `t` largest.
-    pub reward: Vec<Entry>,
-    /// Price of the squares of all compressions: picks one of many states of self-stress. Zero for a linear program.
-    pub price: f64,
-    /// What else `t` stands for.
-    pub role: Role,
+    /// Weights of the forces in the objective: column and weight. Empty to make `t` largest.
+    pub objective: Vec<Entry>,
+    /// Weight of the squares of all compressions in the objective: picks one of many states of self-stress. Zero for a linear program.
+    pub quadratic_weight: f64,
+    /// What `t` means beside that.
+    pub interpretation: Interpretation,
 }
 
-/// What `t` stands for besides the multiplier of `drive`.
+/// What `t` stands for besides the multiplier of `scaled_loads`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
+pub(super) enum Interpretation {
     /// Nothing.
     Factor,
     /// A margin, scaled force, that every limit of every joint must keep; negative where a limit is exceeded.
@@ -77,12 +77,12 @@ impl<'a> Program<'a> {
             equilibrium,
             joints,
             strengths,
-            drive: &equilibrium.variable,
-            rest: &equilibrium.permanent,
+            scaled_loads: &equilibrium.variable,
+            constant_loads: &equilibrium.permanent,
             cap: None,
-            reward: Vec::new(),
-            price: 0.0,
-            role: Role::Factor,
+            objective: Vec::new(),
+            quadratic_weight: 0.0,
+            interpretation: Interpretation::Factor,
         }
     }
 
@@ -96,13 +96,13 @@ impl<'a> Program<'a> {
         let forces = self.equilibrium.columns.len();
         let (a, b, cones) = self.constraints();
         let mut q = vec![0.0; forces + 1];
-        if self.reward.is_empty() {
+        if self.objective.is_empty() {
             q[forces] = -1.0;
         }
-        for &(i, v) in &self.reward {
+        for &(i, v) in &self.objective {
             q[i] -= v;
         }
-        let p = self.prices(forces + 1);
+        let p = self.quadratic(forces + 1);
         let unknown = || Solution {
             ending: Ending::Unknown,
             forces: vec![0.0; forces],
@@ -110,9 +110,9 @@ impl<'a> Program<'a> {
             velocities: vec![0.0; self.equilibrium.rows],
             iterations: 0,
         };
-        let pace = &self.equilibrium.pace;
+        let token = &self.equilibrium.token;
         let accuracy = Accuracy { tolerance, nearly, iterations: 100, refinements: 10 };
-        let found = pace.goes_on().then(|| minimise((&p, &q), (&a, &b), &cones, accuracy, pace)).flatten();
+        let found = (!token.is_cancelled()).then(|| minimise((&p, &q), (&a, &b), &cones, accuracy, token)).flatten();
         let Some(found) = found else { return unknown() };
         Solution {
             ending: match found.status {
@@ -127,14 +127,14 @@ impl<'a> Program<'a> {
         }
     }
 
-    fn prices(&self, size: usize) -> CscMatrix<f64> {
-        if self.price == 0.0 {
+    fn quadratic(&self, size: usize) -> CscMatrix<f64> {
+        if self.quadratic_weight == 0.0 {
             return CscMatrix::zeros((size, size));
         }
         let mut columns = vec![Vec::new(); size];
         for (joint, &c) in self.joints.iter().zip(&self.equilibrium.first_column) {
             for (k, column) in columns[c..c + joint.points.len()].iter_mut().enumerate() {
-                column.push((c + k, self.price));
+                column.push((c + k, self.quadratic_weight));
             }
         }
         compressed(size, &columns)
@@ -144,12 +144,12 @@ impl<'a> Program<'a> {
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>, Vec<SupportedConeT<f64>>) {
         let equations = self.equilibrium.rows;
         let mut columns: Vec<Vec<Entry>> = self.equilibrium.columns.clone();
-        columns.push(self.drive.iter().copied().enumerate().filter(|&(_, v)| v != 0.0).collect());
-        let mut b: Vec<f64> = self.rest.iter().map(|r| -r).collect();
+        columns.push(self.scaled_loads.iter().copied().enumerate().filter(|&(_, v)| v != 0.0).collect());
+        let mut b: Vec<f64> = self.constant_loads.iter().map(|r| -r).collect();
         let last = columns.len() - 1;
         let unit = self.equilibrium.force;
         let mut equations = equations;
-        if let Role::UnitCompression(joint) = self.role {
+        if let Interpretation::UnitCompression(joint) = self.interpretation {
             let c = self.equilibrium.first_column[joint];
             for column in &mut columns[c..c + self.joints[joint].points.len()] {
                 column.push((equations, 1.0));
@@ -157,19 +157,19 @@ impl<'a> Program<'a> {
             b.push(1.0);
             equations += 1;
         }
-        let role = self.role;
+        let interpretation = self.interpretation;
         let mut limit = |columns: &mut Vec<Vec<Entry>>, at_least_zero: &[Entry], constant: f64, margin: bool| {
             for &(column, v) in at_least_zero {
                 columns[column].push((b.len(), -v));
             }
-            match role {
-                Role::Margin if margin => columns[last].push((b.len(), 1.0)),
-                Role::UnitCompression(_) if constant != 0.0 => columns[last].push((b.len(), -constant)),
+            match interpretation {
+                Interpretation::Margin if margin => columns[last].push((b.len(), 1.0)),
+                Interpretation::UnitCompression(_) if constant != 0.0 => columns[last].push((b.len(), -constant)),
                 _ => {}
             }
-            b.push(if matches!(role, Role::UnitCompression(_)) { 0.0 } else { constant });
+            b.push(if matches!(interpretation, Interpretation::UnitCompression(_)) { 0.0 } else { constant });
         };
-        if matches!(role, Role::UnitCompression(_)) {
+        if matches!(interpretation, Interpretation::UnitCompression(_)) {
             limit(&mut columns, &[(last, 1.0)], 0.0, false);
         }
         if let Some(cap) = self.cap {

@@ -8,7 +8,7 @@ use super::bounds;
 use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::program::{Ending, Program, Role, Solution};
+use super::program::{Ending, Interpretation, Program, Solution};
 use super::reduced::{Elastic, alike};
 
 /// Widest gap of both bounds, relative, with which a load counts as found.
@@ -27,13 +27,13 @@ pub(super) fn roomy(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
         equilibrium,
         joints,
         strengths,
-        drive: &nothing,
-        rest: &equilibrium.permanent,
+        scaled_loads: &nothing,
+        constant_loads: &equilibrium.permanent,
         // A room of the whole weight at every contact keeps the program bounded.
         cap: Some(1.0),
-        reward: Vec::new(),
-        price: 0.0,
-        role: Role::Margin,
+        objective: Vec::new(),
+        quadratic_weight: 0.0,
+        interpretation: Interpretation::Margin,
     };
     let found = program.solve(TOLERANCE);
     let forces = balanced(equilibrium, joints, found.forces, 0.0)?;

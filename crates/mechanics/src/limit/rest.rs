@@ -8,8 +8,8 @@
 use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::nonassociated::{DAMPING, PRICE, REACH, compressions, level};
-use super::program::{Ending, Program, Role, Solution};
+use super::nonassociated::{DAMPING, QUADRATIC_WEIGHT, REACH, compressions, level};
+use super::program::{Ending, Interpretation, Program, Solution};
 use std::sync::OnceLock;
 
 /// Part of the friction with which blocks that may lock must rest. Of 2,000 drawn boxes of one to four blocks (`limit_jammed`) discrete
@@ -70,7 +70,7 @@ fn followed(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength],
         let pressed = strengths.iter().zip(&compression);
         let fictitious: Vec<Strength> =
             pressed.map(|(s, c): (_, &f64)| level(s, REACH, c.max(0.0) * equilibrium.force)).collect();
-        let found = share(equilibrium, joints, &fictitious, PRICE, TOLERANCE);
+        let found = share(equilibrium, joints, &fictitious, QUADRATIC_WEIGHT, TOLERANCE);
         if found.ending == Ending::Unknown {
             return Compressions::Wander;
         }
@@ -97,19 +97,19 @@ pub(super) fn share(
     equilibrium: &Equilibrium,
     joints: &[Joint],
     strengths: &[Strength],
-    price: f64,
+    quadratic_weight: f64,
     tolerance: f64,
 ) -> Solution {
     Program {
         equilibrium,
         joints,
         strengths,
-        drive: &equilibrium.permanent,
-        rest: &vec![0.0; equilibrium.rows],
+        scaled_loads: &equilibrium.permanent,
+        constant_loads: &vec![0.0; equilibrium.rows],
         cap: Some(1.0),
-        reward: Vec::new(),
-        price,
-        role: Role::Factor,
+        objective: Vec::new(),
+        quadratic_weight,
+        interpretation: Interpretation::Factor,
     }
     .solve(tolerance)
 }

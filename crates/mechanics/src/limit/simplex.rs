@@ -7,7 +7,7 @@
 
 use super::inverse::{Inverse, dot};
 use super::rows::Rows;
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// The best corner.
 #[derive(Debug, Clone)]
@@ -101,9 +101,9 @@ const TURNS: f64 = 1e-3;
 const REFRESH: usize = 40;
 
 /// Finds the best corner. `last` is the last column; `start` a basis to begin with, where there is one.
-pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&Start>, pace: &Pace) -> Ended {
+pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&Start>, token: &CancelToken) -> Ended {
     if let Some(start) = start
-        && let Some(search) = Search::new(rows, last, start.clone(), pace)
+        && let Some(search) = Search::new(rows, last, start.clone(), token)
         && may_begin(&search.members, &search.inverse)
     {
         match search.run() {
@@ -112,7 +112,7 @@ pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&Start>, pace: &
         }
     }
     let fixed = (0..rows.width()).map(Member::Fixed).chain([Member::Far]).collect();
-    Search::new(rows, last, Start::of(fixed), pace).map_or(Ended::Lost, Search::run)
+    Search::new(rows, last, Start::of(fixed), token).map_or(Ended::Lost, Search::run)
 }
 
 struct Search<'a> {
@@ -127,11 +127,11 @@ struct Search<'a> {
     /// The corner of the basis.
     z: Vec<f64>,
     pivots: usize,
-    pace: &'a Pace,
+    token: &'a CancelToken,
 }
 
 impl<'a> Search<'a> {
-    fn new(rows: &'a Rows, last: &'a [f64], start: Start, pace: &'a Pace) -> Option<Self> {
+    fn new(rows: &'a Rows, last: &'a [f64], start: Start, token: &'a CancelToken) -> Option<Self> {
         let size = rows.width() + 1;
         let Start { members, inverse } = start;
         let known = inverse.is_some();
@@ -145,7 +145,7 @@ impl<'a> Search<'a> {
             z: vec![0.0; size],
             members,
             pivots: 0,
-            pace,
+            token,
         };
         for (k, to) in this.matrix.chunks_exact_mut(size).enumerate() {
             this.right[k] = coefficients(rows, last, this.members[k], to);
@@ -177,7 +177,7 @@ impl<'a> Search<'a> {
                 continue;
             };
             self.pivots += 1;
-            if self.pivots > most || !self.pace.beat() || !self.exchange(entering) {
+            if self.pivots > most || !self.token.iterate() || !self.exchange(entering) {
                 return Ended::Lost;
             }
             if self.inverse.changes >= REFRESH && self.refresh().is_none() {
@@ -308,7 +308,7 @@ mod tests {
         let (rows, last) = rows(&[([1.0, 1.0], 2.0), ([-1.0, 1.0], 1.0), ([0.0, 1.0], 10.0)]);
         let [a, b, c] = [0, 1, 2].map(Member::Row);
         for start in [None, Some(Start::of(vec![a, b])), Some(Start::of(vec![a, c]))] {
-            let Ended::Best(corner) = greatest(&rows, &last, start.as_ref(), &Pace::default()) else {
+            let Ended::Best(corner) = greatest(&rows, &last, start.as_ref(), &CancelToken::default()) else {
                 panic!("{start:?}")
             };
             assert!((corner.z[0] - 0.5).abs() < 1e-14 && (corner.z[1] - 1.5).abs() < 1e-14);
@@ -319,6 +319,6 @@ mod tests {
     #[test]
     fn what_nothing_bounds_is_unbounded() {
         let (rows, last) = rows(&[([1.0, 0.0], 2.0), ([-1.0, 0.0], 1.0)]);
-        assert!(matches!(greatest(&rows, &last, None, &Pace::default()), Ended::Unbounded));
+        assert!(matches!(greatest(&rows, &last, None, &CancelToken::default()), Ended::Unbounded));
     }
 }

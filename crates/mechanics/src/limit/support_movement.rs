@@ -17,12 +17,12 @@ use super::collapse::{TOLERANCE, joint_forces, resultant};
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength, joints};
 use super::outcome::Resultant;
-use super::program::{Ending, Program, Role, Solution};
+use super::program::{Ending, Interpretation, Program, Solution};
 use super::settings::Settings;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use crate::ids::{BlockId, Id, Table};
 use crate::plane::{Pose, Rotation, Vec2};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// The increments of a movement, as factors of [`Loading::movements`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +90,7 @@ pub fn support_movement(
     load_factor: f64,
     increments: Increments,
     settings: &Settings,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<MovementOutcome, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
         return Err(ModelError::NothingFree);
@@ -104,7 +104,7 @@ pub fn support_movement(
         angles: model.blocks.iter().map(|_| 0.0).collect(),
         slipped: vec![0.0; joints.len()],
     };
-    let chain = Chain { model, loading, loads: &loads, joints: &joints, pace };
+    let chain = Chain { model, loading, loads: &loads, joints: &joints, token };
     let mut outcome = MovementOutcome {
         status: MovementStatus::NoEquilibrium,
         stands: 0.0,
@@ -124,8 +124,8 @@ pub fn support_movement(
         match followed.and_then(|f| chain.follow(&f.state, 0.0, advance)).filter(|f| f.motion <= small) {
             Some(followed) => {
                 factor += advance;
-                pace.step();
-                pace.reach(factor / increments.largest);
+                token.step();
+                token.reach(factor / increments.largest);
                 outcome.status = MovementStatus::StandsThroughout;
                 outcome.stands = factor;
                 outcome.path.push(MovementStep { factor, reaction: followed.reaction });
@@ -133,7 +133,7 @@ pub fn support_movement(
                 state = followed.state;
                 step = (2.0 * step).min(increments.step);
             }
-            None if !pace.goes_on() => {
+            None if token.is_cancelled() => {
                 outcome.status = MovementStatus::Cancelled;
                 break;
             }
@@ -178,7 +178,7 @@ struct Chain<'a> {
     loading: &'a Loading,
     loads: &'a [PointForce],
     joints: &'a [Joint],
-    pace: &'a Pace,
+    token: &'a CancelToken,
 }
 
 /// One increment.
@@ -232,7 +232,7 @@ impl Chain<'_> {
         let permanent = self.loads.iter().map(|f| PointForce { at: state.place(f.block, f.at), ..*f }).collect();
         let loading = Loading { permanent, ..Loading::default() };
         let equilibrium = Equilibrium::placed(self.model, &state.centroids, &loading, &joints);
-        let equilibrium = Equilibrium { pace: self.pace.clone(), ..equilibrium };
+        let equilibrium = Equilibrium { token: self.token.clone(), ..equilibrium };
         let imposed = self.imposed(advance);
         // Motions are in units of the largest imposed one, so that the program has numbers of the order of one.
         let unit = self.reference(&self.imposed(scale));
@@ -256,13 +256,13 @@ impl Chain<'_> {
             equilibrium: &equilibrium,
             joints: &joints,
             strengths: &strengths,
-            drive: &nothing,
-            rest: &equilibrium.permanent,
+            scaled_loads: &nothing,
+            constant_loads: &equilibrium.permanent,
             // `t` has no part in this program.
             cap: Some(0.0),
-            reward: offsets.iter().map(|o| -o / unit).enumerate().collect(),
-            price: 0.0,
-            role: Role::Factor,
+            objective: offsets.iter().map(|o| -o / unit).enumerate().collect(),
+            quadratic_weight: 0.0,
+            interpretation: Interpretation::Factor,
         }
         .solve(TOLERANCE);
         if solution.ending != Ending::Solved {

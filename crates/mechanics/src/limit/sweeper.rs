@@ -15,7 +15,7 @@ use super::reduced::{Elastic, tangents};
 use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member, Start};
 use crate::blocks::PointForce;
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// Bounds that differ by more than this, relative, are left to the interior-point method: far above the round-off of a
 /// refined corner, far below the 1e-6 to which both bounds must agree.
@@ -89,7 +89,7 @@ impl Ground<'_> {
         let elastic = Elastic::new(&self.equilibrium, &self.joints, &self.resistances);
         let Experience { reduced, kept, next, given, moved, oldest } = learnt;
         let reduced = reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
-        Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, pace: Pace::default() }
+        Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, token: CancelToken::default() }
     }
 }
 
@@ -174,14 +174,14 @@ pub struct Sweeper<'a> {
     /// Motions of loads that the interior-point method answered.
     moved: Vec<Moved>,
     oldest: usize,
-    pace: Pace,
+    token: CancelToken,
 }
 
 impl Sweeper<'_> {
     /// Asks whether to go on; factors and forces that it finds after the end are none.
     #[must_use]
-    pub fn paced(mut self, pace: &Pace) -> Self {
-        self.pace = pace.clone();
+    pub fn paced(mut self, token: &CancelToken) -> Self {
+        self.token = token.clone();
         self
     }
 
@@ -229,7 +229,7 @@ impl Sweeper<'_> {
     /// What the fast method found.
     fn quickly(&self, reached: &Reached) -> Factor {
         match reached {
-            _ if !self.pace.goes_on() => Factor::without_numbers(Status::Cancelled),
+            _ if self.token.is_cancelled() => Factor::without_numbers(Status::Cancelled),
             Reached::Corner(corner, scale) => Factor {
                 status: Status::Solved,
                 lower: corner.z.last().map(|z| z.max(0.0) * scale),
@@ -245,7 +245,7 @@ impl Sweeper<'_> {
     /// The same by the interior-point method.
     fn slowly(&mut self, effect: &Effect) -> (Factor, Equilibrium, Found) {
         let (equilibrium, found) = self.by_interior_point(effect);
-        if !self.pace.goes_on() {
+        if self.token.is_cancelled() {
             return (Factor::without_numbers(Status::Cancelled), equilibrium, found);
         }
         let ground = self.ground;
@@ -302,7 +302,7 @@ impl Sweeper<'_> {
         let found = if near.is_none() && by_corner { self.by_itself(&equilibrium, found) } else { found };
         let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
         let level = without_dilation(&equilibrium, joints, strengths, &found, near, &self.ground.stands.at_rest);
-        if !self.pace.goes_on() {
+        if self.token.is_cancelled() {
             let dilatant = Factor::without_numbers(Status::Cancelled);
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
         }
@@ -416,7 +416,7 @@ impl Sweeper<'_> {
             if friction != Friction::Associated && solved { self.by_itself(&equilibrium, found) } else { found };
         let parts = (&*ground.model, &equilibrium, &joints[..], &strengths[..]);
         let level = by_friction(friction, parts, &found, &ground.stands.at_rest, &mut outcome);
-        if !self.pace.goes_on() {
+        if self.token.is_cancelled() {
             let Outcome { interfaces, iterations, friction, .. } = outcome;
             return (Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations), None);
         }
@@ -451,7 +451,7 @@ impl Sweeper<'_> {
         for round in 0..ROUNDS {
             let reduced = self.reduced.as_ref()?;
             let bounded = Bounded { first: reduced.standing - 2 * count, count };
-            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_ref(), &self.pace) {
+            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_ref(), &self.token) {
                 Ended::Best(corner) => corner,
                 // Tangents of joints that crush may still be missing.
                 Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
@@ -552,7 +552,7 @@ impl Sweeper<'_> {
     fn loaded(&self, effect: &Effect) -> Equilibrium {
         let mut equilibrium = self.ground.equilibrium.clone();
         let size = sum_of_sizes(&effect.load);
-        equilibrium.pace = self.pace.clone();
+        equilibrium.token = self.token.clone();
         equilibrium.factor_scale = if size > 0.0 { 1.0 / size } else { 1.0 };
         equilibrium.variable = effect.load.iter().map(|p| p * equilibrium.factor_scale).collect();
         equilibrium

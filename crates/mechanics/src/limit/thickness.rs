@@ -5,10 +5,10 @@ use super::equilibrium::Equilibrium;
 use super::joints::joints;
 use super::mechanism::mechanism;
 use super::outcome::Mechanism;
-use super::program::{Ending, Program, Role};
+use super::program::{Ending, Interpretation, Program};
 use super::settings::Settings;
 use crate::blocks::{BlockModel, Loading, ModelError};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// How the search for a thickness ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +49,7 @@ struct Trial {
 
 /// Searches `between` two thicknesses [m], down to a bracket of `tolerance` [m], for the least one at which gravity,
 /// permanent loads and `factor` times the variable loads are carried. `make` builds the model of a thickness; thicknesses are tried
-/// while `pace` goes on.
+/// while `token` goes on.
 ///
 /// The search runs on a margin, not on a yes or no: the force by which every contact point can be kept compressed and
 /// every joint from sliding. It changes sign at the least thickness and is continuous there. Equilibrium alone is
@@ -59,19 +59,19 @@ pub fn minimum_thickness(
     tolerance: f64,
     factor: f64,
     settings: &Settings,
-    pace: &Pace,
+    token: &CancelToken,
     make: impl Fn(f64) -> (BlockModel, Loading),
 ) -> Result<LeastThickness, ModelError> {
     let mut trials = 0;
     let mut attempt = |thickness: f64| {
         trials += 1;
-        pace.step();
+        token.step();
         let (model, loading) = make(thickness);
-        margin(&model, &loading, factor, settings, pace)
+        margin(&model, &loading, factor, settings, token)
             .map(|found| found.map(|(margin, mechanism)| Trial { thickness, margin, mechanism }))
     };
     let nothing = |status| LeastThickness { status, stands: None, falls: None, mechanism: None, trials: 0 };
-    let not_converged = || match pace.goes_on() {
+    let not_converged = || match !token.is_cancelled() {
         true => nothing(ThicknessStatus::NotConverged),
         false => nothing(ThicknessStatus::Cancelled),
     };
@@ -96,7 +96,7 @@ pub fn minimum_thickness(
     let (mut last, whole) = (0, thick.thickness - thin.thickness);
     while thick.thickness - thin.thickness > tolerance {
         let width = thick.thickness - thin.thickness;
-        pace.reach((width / whole).ln() / (tolerance / whole).ln());
+        token.reach((width / whole).ln() / (tolerance / whole).ln());
         let secant = thin.thickness - low * width / (high - low);
         let inset = (0.4 * tolerance).max(0.01 * width).min(0.5 * width);
         let next = secant.clamp(thin.thickness + inset, thick.thickness - inset);
@@ -129,13 +129,13 @@ fn margin(
     loading: &Loading,
     factor: f64,
     settings: &Settings,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Option<(f64, Option<Mechanism>)>, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
         return Err(ModelError::NothingFree);
     }
     let (_, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium { pace: pace.clone(), ..Equilibrium::new(model, loading, &joints) };
+    let equilibrium = Equilibrium { token: token.clone(), ..Equilibrium::new(model, loading, &joints) };
     let strengths: Vec<_> = joints.iter().map(|j| j.strength).collect();
     let factor = factor / equilibrium.factor_scale;
     let rest: Vec<f64> = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
@@ -144,15 +144,15 @@ fn margin(
         equilibrium: &equilibrium,
         joints: &joints,
         strengths: &strengths,
-        drive: &nothing,
-        rest: &rest,
+        scaled_loads: &nothing,
+        constant_loads: &rest,
         // A margin of the whole weight at every contact is more than anyone asks for, and keeps the program bounded.
         cap: Some(1.0),
-        reward: Vec::new(),
-        price: 0.0,
-        role: Role::Margin,
+        objective: Vec::new(),
+        quadratic_weight: 0.0,
+        interpretation: Interpretation::Margin,
     };
     let solution = program.solve(TOLERANCE);
-    Ok((solution.ending == Ending::Solved && pace.goes_on())
+    Ok((solution.ending == Ending::Solved && !token.is_cancelled())
         .then(|| (solution.factor, mechanism(model, &equilibrium, &joints, &solution.velocities))))
 }

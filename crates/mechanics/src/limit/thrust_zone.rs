@@ -4,7 +4,7 @@ use super::collapse::{TOLERANCE, joint_forces, resultant};
 use super::equilibrium::{Entry, Equilibrium};
 use super::joints::{Joint, Strength, joints};
 use super::outcome::Resultant;
-use super::program::{Ending, Program, Role};
+use super::program::{Ending, Interpretation, Program};
 use super::settings::Settings;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
@@ -85,12 +85,12 @@ impl Zone {
             equilibrium: &self.equilibrium,
             joints: &self.joints,
             strengths: &self.strengths,
-            drive: &self.loads,
-            rest: &nothing,
+            scaled_loads: &self.loads,
+            constant_loads: &nothing,
             cap: None,
-            reward: vec![(c, -side), (c + 1, side)],
-            price: 0.0,
-            role: Role::UnitCompression(j),
+            objective: vec![(c, -side), (c + 1, side)],
+            quadratic_weight: 0.0,
+            interpretation: Interpretation::UnitCompression(j),
         }
         .solve(TOLERANCE);
         let share = solution.forces[c + 1];
@@ -100,21 +100,21 @@ impl Zone {
     /// The line of thrust with the greatest sum of compressions (`sign` 1) or the least (-1).
     fn line(&self, sign: f64) -> Option<Vec<Option<Resultant>>> {
         let nothing = vec![0.0; self.equilibrium.rows];
-        let mut reward: Vec<Entry> = Vec::new();
+        let mut objective: Vec<Entry> = Vec::new();
         for (joint, &c) in self.joints.iter().zip(&self.equilibrium.first_column) {
-            reward.extend((c..c + joint.points.len()).map(|column| (column, sign)));
+            objective.extend((c..c + joint.points.len()).map(|column| (column, sign)));
         }
         let solution = Program {
             equilibrium: &self.equilibrium,
             joints: &self.joints,
             strengths: &self.strengths,
-            drive: &nothing,
-            rest: &self.loads,
+            scaled_loads: &nothing,
+            constant_loads: &self.loads,
             // `t` has no part in this program.
             cap: Some(0.0),
-            reward,
-            price: 0.0,
-            role: Role::Factor,
+            objective,
+            quadratic_weight: 0.0,
+            interpretation: Interpretation::Factor,
         }
         .solve(TOLERANCE);
         let forces = joint_forces(&self.equilibrium, &self.joints, &solution.forces);

@@ -1,4 +1,4 @@
-//! Where balance is lost: blocks let fall under a little more load, until they rest again or fall for good, and the path past its peak.
+//! Past a limit point: a small overload is applied and the damped motion followed to rest or to collapse; then the descending branch is traced.
 
 use super::correct::Constraint;
 use super::relax::{BRIEF, Fall, Falling, PATIENT, dashpots};

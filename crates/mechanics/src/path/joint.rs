@@ -258,9 +258,9 @@ impl Joint {
         if self.bonds(contact_length) { self.resistance.pulled_share(overlap, bond) } else { 0.0 }
     }
 
-    /// Stiffness that an open joint is lent in tangents, and there alone, so that a block that nothing touches does not make
-    /// them singular: normal and shear [Pa], and about the middle [N].
-    pub fn lent(&self) -> [f64; 3] {
+    /// Artificial stiffness of open joints, in the tangent only: it keeps the tangent non-singular where a block is unsupported. Normal and
+    /// shear [Pa], and about the middle [N].
+    pub fn artificial(&self) -> [f64; 3] {
         const SHARE: f64 = 1e-9;
         let length = self.built_length().max(self.resistance.least_length);
         let (normal, shear) = (self.resistance.normal * length, self.resistance.shear * length);

@@ -1,4 +1,4 @@
-//! The path of equilibrium: rigid blocks whose joints give, from their own weight to the largest load and past it.
+//! The equilibrium path: rigid blocks whose joints give, from their own weight to the largest load and past it.
 //!
 //! Each joint answers the overlap of its two sides (`contact`), the blocks move by any amount, and Newton's method with exact
 //! tangents finds the states in which all forces balance. The length of the path, and not the load, is what is prescribed

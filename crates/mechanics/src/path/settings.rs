@@ -5,7 +5,7 @@ use crate::contact::ContactLength;
 use crate::ids::BlockId;
 use crate::plane::Vec2;
 
-/// How the path of equilibrium is followed.
+/// How the equilibrium path is followed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// Where joints carry what presses them.

@@ -216,10 +216,10 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     work.cracks |= response.cracking;
     let [along, across, turn] = response.force;
     let (f, mut slope) = ([along.value, across.value, turn.value], [along.slope, across.slope, turn.slope]);
-    let [lent_normal, lent_shear, lent_turn] = joint.lent();
-    slope[0][0] -= lent_shear;
-    slope[1][1] -= lent_normal;
-    slope[2][2] -= lent_turn;
+    let [artificial_normal, artificial_shear, artificial_turn] = joint.artificial();
+    slope[0][0] -= artificial_shear;
+    slope[1][1] -= artificial_normal;
+    slope[2][2] -= artificial_turn;
     let apart = joint.apart(pose.0);
     // Where the joint lies after the turn of its first block.
     let [sine, cosine] = whole(turns[0]);

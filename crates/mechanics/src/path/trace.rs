@@ -14,7 +14,7 @@ use super::words;
 use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::watch::{Progress, Watch, Wish};
 
-/// The load at which equilibrium ends, with joints that give: the path of balanced states from the blocks' own weight through
+/// The load at which equilibrium ends, with deformable joints: the path of balanced states from the blocks' own weight through
 /// the largest load. `resume` takes up a run that [`Watch::keep`] was offered, for the same blocks, loads, settings and program;
 /// the numbers are those of an undisturbed run.
 ///

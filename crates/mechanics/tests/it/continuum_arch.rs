@@ -9,7 +9,7 @@ use mechanics::limit::continuum::{
 };
 use mechanics::limit::{Friction, Settings, collapse_load};
 use mechanics::plane::{Polygon, Vec2, vec2};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 const WEIGHT: f64 = 18_000.0;
 
@@ -53,7 +53,7 @@ fn pushed(ring: &Ring) -> Loading {
 fn bounds(model: &BlockModel, loading: &Loading, earth: &Continuum, ratio: f64, elements: usize) -> Bounds {
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };
     let wanted = Wanted { ratio, elements, first: 400, ..Wanted::default() };
-    collapse_bounds(model, loading, &settings, earth, &wanted, &Pace::default()).unwrap()
+    collapse_bounds(model, loading, &settings, earth, &wanted, &CancelToken::default()).unwrap()
 }
 
 #[test]
@@ -139,10 +139,12 @@ fn layers_of_one_soil_are_one_layer_and_a_stronger_one_carries_no_less() {
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };
     let (mut last, mesh) = ([c, d], &cut.mesh);
     for top in [soil(0.0, 35.0, WEIGHT), soil(5e3, 35.0, WEIGHT), soil(50e3, 35.0, WEIGHT)] {
-        let lower =
-            bound_on(Which::Lower, &model, &loading, &settings, &two(top), mesh, &Pace::default()).unwrap().unwrap();
-        let upper =
-            bound_on(Which::Upper, &model, &loading, &settings, &two(top), mesh, &Pace::default()).unwrap().unwrap();
+        let lower = bound_on(Which::Lower, &model, &loading, &settings, &two(top), mesh, &CancelToken::default())
+            .unwrap()
+            .unwrap();
+        let upper = bound_on(Which::Upper, &model, &loading, &settings, &two(top), mesh, &CancelToken::default())
+            .unwrap()
+            .unwrap();
         assert!(lower > last[0] && upper > last[1] && lower <= upper, "{lower} {upper} after {last:?}");
         last = [lower, upper];
     }

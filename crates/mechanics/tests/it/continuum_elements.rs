@@ -17,7 +17,7 @@ use mechanics::limit::continuum::{
 };
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Polygon, Vec2, vec2};
-use mechanics::watch::{Pace, Unwatched};
+use mechanics::watch::{CancelToken, Unwatched};
 
 /// A ring under soil between plumb, smooth walls at its springings, pressed by a rigid plate that sinks and neither slides nor turns.
 struct FilledArch {
@@ -79,7 +79,7 @@ impl FilledArch {
 
     fn bounds(&self, wanted: &Wanted) -> Bounds {
         let (model, loading) = self.blocks();
-        collapse_bounds(&model, &loading, &associated(), &self.earth(), wanted, &Pace::default()).unwrap()
+        collapse_bounds(&model, &loading, &associated(), &self.earth(), wanted, &CancelToken::default()).unwrap()
     }
 
     /// The model of finite elements with `fine` elements along each voussoir and twice as many through the soil.
@@ -245,7 +245,7 @@ fn friction_that_does_not_dilate_carries_between_a_smooth_ring_and_one_that_dila
     let [lower, upper] = ends(&bounds);
     let (model, loading) = arch.blocks();
     let earth = FilledArch::slender(0.0).earth();
-    let smooth = bound_on(Which::Lower, &model, &loading, &associated(), &earth, &bounds.mesh, &Pace::default())
+    let smooth = bound_on(Which::Lower, &model, &loading, &associated(), &earth, &bounds.mesh, &CancelToken::default())
         .unwrap()
         .unwrap();
     let [coarse, fine] = [3, 6].map(|fine| arch.carried(fine));

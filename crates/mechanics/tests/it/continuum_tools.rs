@@ -8,7 +8,7 @@ use mechanics::limit::continuum::{
     Bears, Bounds, BoundsStatus, Contact, Continuum, Region, Side, Soil, Wanted, collapse_bounds,
 };
 use mechanics::plane::{Polygon, Vec2, vec2};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 /// A wall or a block that soil slides along and does not leave.
 pub const SMOOTH: Contact = Contact { friction: 0.0, cohesion: 0.0, tension: f64::INFINITY };
@@ -64,7 +64,7 @@ impl Case {
         Case { model, loading: Loading { variable, ..Loading::default() }, soil }
     }
     pub fn bounds(&self, wanted: Wanted) -> Bounds {
-        collapse_bounds(&self.model, &self.loading, &Settings::default(), &self.soil, &wanted, &Pace::default())
+        collapse_bounds(&self.model, &self.loading, &Settings::default(), &self.soil, &wanted, &CancelToken::default())
             .unwrap()
     }
     /// Both bounds, which are wanted within a ratio and hold an exact value between them on every mesh.

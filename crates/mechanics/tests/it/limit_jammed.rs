@@ -63,7 +63,7 @@ fn a_key_that_is_wider_above_locks_whatever_its_angle_and_friction() {
             let (model, loading) = keystone(lean, friction, 1e3);
             let found = carried(&model, &loading);
             assert_eq!((found.status, found.factor), (Status::Locks, None), "{lean} {friction}");
-            // Joints that give let a slender wedge sink far.
+            // Deformable joints let a slender wedge sink far.
             if lean >= 0.2 {
                 assert_eq!(stands(&model, &loading, 10.0), Some([true, true]), "{lean} {friction}");
             }

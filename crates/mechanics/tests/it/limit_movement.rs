@@ -5,7 +5,7 @@ use mechanics::blocks::{Held, Loading, Movement};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{Increments, MovementStatus, Settings, support_movement, thrust_zone};
 use mechanics::plane::{Polygon, Vec2, vec2};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 #[test]
 fn a_block_on_a_tilting_base_falls_at_its_slenderness() {
@@ -15,7 +15,8 @@ fn a_block_on_a_tilting_base_falls_at_its_slenderness() {
     let tilt = Movement { block: BlockId::new(0), translation: Vec2::ZERO, rotation: 1.0 };
     let loading = Loading { movements: vec![tilt], ..Loading::default() };
     let increments = Increments { largest: 1.0, step: 2e-3, resolution: 1e-6 };
-    let found = support_movement(&model, &loading, 0.0, increments, &Settings::default(), &Pace::default()).unwrap();
+    let found =
+        support_movement(&model, &loading, 0.0, increments, &Settings::default(), &CancelToken::default()).unwrap();
     assert_eq!(found.status, MovementStatus::Collapsed);
     // The bracket, and the tolerance of the solver on where the thrust leaves the base.
     assert!(found.stands - 1e-6 < 0.25f64.atan() && 0.25f64.atan() < found.falls.unwrap() + 1e-6);
@@ -27,7 +28,7 @@ fn spread(step: f64, voussoirs: usize) -> mechanics::limit::MovementOutcome {
     let apart = Movement { block: last, translation: vec2(1.0, 0.0), rotation: 0.0 };
     let loading = Loading { movements: vec![apart], ..Loading::default() };
     let increments = Increments { largest: 1.0, step, resolution: 1e-5 };
-    support_movement(&ring.model(), &loading, 0.0, increments, &Settings::default(), &Pace::default()).unwrap()
+    support_movement(&ring.model(), &loading, 0.0, increments, &Settings::default(), &CancelToken::default()).unwrap()
 }
 
 #[test]

@@ -8,20 +8,20 @@ use mechanics::limit::{
     collapse_load_while, minimum_thickness, support_movement,
 };
 use mechanics::plane::vec2;
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 /// Runs `work` to its end, then stopped at several shares of its iterations; each time at most one iteration more may follow.
-fn stops<T: std::fmt::Debug>(work: impl Fn(&Pace) -> T, is_stopped: impl Fn(&T) -> bool) {
-    let whole = Pace::default();
+fn stops<T: std::fmt::Debug>(work: impl Fn(&CancelToken) -> T, is_stopped: impl Fn(&T) -> bool) {
+    let whole = CancelToken::default();
     let found = work(&whole);
     assert!(!is_stopped(&found), "{found:?}");
-    let all = whole.beats();
+    let all = whole.iterations();
     assert!(all > 3, "{all}");
     for at in [1, all / 3, 2 * all / 3, all - 1] {
-        let pace = Pace::of(at.max(1));
-        let found = work(&pace);
+        let token = CancelToken::limited_to(at.max(1));
+        let found = work(&token);
         assert!(is_stopped(&found), "stopped at {at} of {all}: {found:?}");
-        assert!(pace.beats() <= at.max(1) + 1, "{} iterations, stopped at {at} of {all}", pace.beats());
+        assert!(token.iterations() <= at.max(1) + 1, "{} iterations, stopped at {at} of {all}", token.iterations());
     }
 }
 
@@ -32,11 +32,11 @@ fn a_wall_without_dilatancy_is_left_within_an_iteration() {
     let (model, loading) = wall(&[A, B, A, B, A, B], 0.4, 0.175, 0.65);
     let settings = Settings::default();
     stops(
-        |pace| collapse_load_while(&model, &loading, &settings, pace).unwrap(),
+        |token| collapse_load_while(&model, &loading, &settings, token).unwrap(),
         |found| found.status == Status::Cancelled && found.factor.is_none() && found.lower_bound.is_none(),
     );
     // Asking changes no bit.
-    let watched = collapse_load_while(&model, &loading, &settings, &Pace::default()).unwrap();
+    let watched = collapse_load_while(&model, &loading, &settings, &CancelToken::default()).unwrap();
     assert_eq!(watched, collapse_load(&model, &loading, &settings).unwrap());
 }
 
@@ -48,7 +48,7 @@ fn a_place_of_a_sweep_is_left_within_an_exchange() {
     for friction in [Friction::Associated, Friction::NonAssociated] {
         let ground = Ground::new(&model, &loading, &Settings { friction, ..Settings::default() }).unwrap();
         assert!(ground.is_fast());
-        let place = |pace: &Pace| ground.sweeper().paced(pace).place(&load, friction);
+        let place = |token: &CancelToken| ground.sweeper().paced(token).place(&load, friction);
         stops(place, |found| found.status == Status::Cancelled && found.factor.is_none());
     }
 }
@@ -59,7 +59,7 @@ fn a_search_for_the_thickness_is_left_within_an_iteration() {
         (Ring::semicircle(20, thickness, 2.0).model(), Loading::default())
     };
     stops(
-        |pace| minimum_thickness([0.05, 0.3], 1e-4, 0.0, &Settings::default(), pace, make).unwrap(),
+        |token| minimum_thickness([0.05, 0.3], 1e-4, 0.0, &Settings::default(), token, make).unwrap(),
         |found| found.status == ThicknessStatus::Cancelled && found.stands.is_none() && found.falls.is_none(),
     );
 }
@@ -71,7 +71,7 @@ fn a_support_that_moves_stops_where_the_blocks_last_stood() {
     let loading = Loading { movements: vec![apart], ..Loading::default() };
     let increments = Increments { largest: 1.0, step: 1e-2, resolution: 1e-3 };
     stops(
-        |pace| support_movement(&ring.model(), &loading, 0.0, increments, &Settings::default(), pace).unwrap(),
+        |token| support_movement(&ring.model(), &loading, 0.0, increments, &Settings::default(), token).unwrap(),
         |found| found.status == MovementStatus::Cancelled && found.falls.is_none(),
     );
 }

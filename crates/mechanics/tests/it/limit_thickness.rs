@@ -4,7 +4,7 @@ use crate::limit_models::Ring;
 use mechanics::blocks::{BlockModel, Loading};
 use mechanics::limit::{LeastThickness, Settings, ThicknessStatus, minimum_thickness};
 use mechanics::plane::Vec2;
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 /// Friction at which nothing slides.
 const ROUGH: f64 = 2.0;
@@ -19,7 +19,7 @@ fn sectors(voussoirs: usize, friction: f64) -> impl Fn(f64) -> (BlockModel, Load
 }
 
 fn least(make: impl Fn(f64) -> (BlockModel, Loading)) -> LeastThickness {
-    minimum_thickness([0.05, 0.3], 1e-7, 0.0, &Settings::default(), &Pace::default(), make).unwrap()
+    minimum_thickness([0.05, 0.3], 1e-7, 0.0, &Settings::default(), &CancelToken::default(), make).unwrap()
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The path of equilibrium of the Bridgemill arch beside the block engine and the exact load of rigid blocks.
+//! The equilibrium path of the Bridgemill arch beside the block engine and the exact load of rigid blocks.
 
 use super::dem_bridgemill::{bridgemill, paper, program as blocks_program, run as by_blocks};
 use mechanics::blocks::{BlockModel, Loading, PointForce};

@@ -1,4 +1,4 @@
-//! Joints whose bond carries tension until it breaks: closed forms of a block that is turned on its bed, by the path of equilibrium and
+//! Joints whose bond carries tension until it breaks: closed forms of a block that is turned on its bed, by the equilibrium path and
 //! by the block engine, which share the law.
 
 use super::dem_bridgemill::{bridgemill, paper, program as blocks_program};

@@ -1,4 +1,4 @@
-//! The path of equilibrium beside exact solutions and published curves, each computed here: a truss that snaps through,
+//! The equilibrium path beside exact solutions and published curves, each computed here: a truss that snaps through,
 //! columns without tension, arches in their elastic range, a bed that crushes; and an arch seen from behind.
 
 use super::dem_bridgemill::{bridgemill, program as blocks_program};

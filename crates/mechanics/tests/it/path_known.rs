@@ -1,4 +1,4 @@
-//! The path of equilibrium where it is known in closed form.
+//! The equilibrium path where it is known in closed form.
 
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
 use mechanics::contact::ContactLength;

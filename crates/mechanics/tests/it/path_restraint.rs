@@ -1,4 +1,4 @@
-//! Blocks that move against fill along the path of equilibrium: a closed form, and a ring between its limits.
+//! Blocks that move against fill along the equilibrium path: a closed form, and a ring between its limits.
 
 use super::dem_bridgemill::{bridgemill, program as blocks_program};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Restraint, Stiffness};

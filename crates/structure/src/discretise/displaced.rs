@@ -13,7 +13,7 @@ use mechanics::blocks::{Interface, Loading, PointForce};
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit::{Increments, MovementStatus, Settings, support_movement};
 use mechanics::plane::{Polygon, Pose, Vec2, vec2};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 /// Corners nearer to the plane of a joint than this lie in it [m]: more than what stands free where mortar is lost.
 const IN_PLANE: f64 = 5e-4;
@@ -44,7 +44,7 @@ pub(super) fn displaced(bridge: &Bridge, d: Discretised) -> Result<Discretised, 
         movements: d.loading.movements.clone(),
         ..Loading::default()
     };
-    let found = support_movement(&d.model, &loading, 0.0, increments, &Settings::default(), &Pace::default())
+    let found = support_movement(&d.model, &loading, 0.0, increments, &Settings::default(), &CancelToken::default())
         .map_err(|_| DiscretiseError::MovedShape)?;
     // Sums of increments miss the last one by round-off, and nothing is left of it to follow.
     let arrived = found.stands >= before * (1.0 - ROUND_OFF);

@@ -1,4 +1,4 @@
-//! Fill that presses sideways on backs: what is there anyway, and what movement against it mobilises.
+//! Horizontal earth pressure on the extrados: at-rest or active pressure, and the passive share that movement against it mobilises.
 
 use super::cover::{Column, Resultant};
 use super::extrados::{Extrados, Stretch};

@@ -210,7 +210,7 @@ fn weight_alone(file: &Table) -> Table {
     plain
 }
 
-/// Joints with the stiffness that paths of equilibrium take where a file gives none, from the modulus of the units.
+/// Joints with the stiffness that equilibrium paths take where a file gives none, from the modulus of the units.
 fn stiff(file: &mut Table) -> Result<(), String> {
     let bridge = stiffened(&bridge_of(&weight_alone(file))?);
     let mut put = |section: &str, joint: &Joint| {

@@ -11,7 +11,7 @@ mod random;
 use assess::analysis::by_bounds::bounds_alone;
 use bridge::Severity;
 use mechanics::limit::continuum::{Bounds, BoundsStatus};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -28,7 +28,7 @@ fn ending(text: &str) -> Result<String, String> {
         let errors = read.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         return Ok(format!("refused {}", errors.map(|d| d.code).collect::<Vec<_>>().join(" ")));
     };
-    match bounds_alone(&bridge, &Pace::default()) {
+    match bounds_alone(&bridge, &CancelToken::default()) {
         Err(error) => Ok(format!("not set up: {}", without_digits(&error.to_string()))),
         Ok((bounds, _)) => sound(&bounds).map(|()| word(&bounds).to_owned()),
     }
@@ -113,7 +113,7 @@ fn a_few_random_bridges_have_bounds_in_order_or_a_named_ending() {
 fn told() -> Vec<String> {
     let of = |seed| {
         let read = bridge::read(drawn::draw(seed, 450).as_bytes());
-        let (bounds, _) = bounds_alone(&read.bridge.expect("a valid file"), &Pace::default()).expect("bounds");
+        let (bounds, _) = bounds_alone(&read.bridge.expect("a valid file"), &CancelToken::default()).expect("bounds");
         format!("{bounds:?}")
     };
     [14, 17, 23].map(of).to_vec()

@@ -12,7 +12,7 @@ mod random;
 use bridge::{Bridge, ContactLength as PointLength, Severity};
 use mechanics::contact::ContactLength;
 use mechanics::path::{Cause, Outcome, Program, Settings, Status, collapse};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 use outside::Wrong;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -64,9 +64,9 @@ fn follow(bridge: &Bridge, points: bool) -> Result<Ended, String> {
     };
     let weight = d.model.free_weight() / d.reference_load;
     let program = Program { increment: 0.01 * weight, limit: 20.0 * weight, watched: d.watched };
-    let mut pace = Pace::of(PATIENCE);
+    let mut token = CancelToken::limited_to(PATIENCE);
     let settings = Settings::new(contact);
-    let found = collapse(&d.model, &d.loading, (&settings, &program), None, &mut pace).map_err(|e| e.to_string())?;
+    let found = collapse(&d.model, &d.loading, (&settings, &program), None, &mut token).map_err(|e| e.to_string())?;
     let distributed = contact == ContactLength::Distributed;
     let every = found.frames.len().div_ceil(PRESSURES).max(1);
     let look = |(k, frame)| {
@@ -78,7 +78,7 @@ fn follow(bridge: &Bridge, points: bool) -> Result<Ended, String> {
         return Err(format!("{wrong:?}"));
     }
     consistent(&found)?;
-    Ok(Ended { word: word(&found).to_owned(), wrong, looks: pace.beats() })
+    Ok(Ended { word: word(&found).to_owned(), wrong, looks: token.iterations() })
 }
 
 /// What an outcome says of itself.

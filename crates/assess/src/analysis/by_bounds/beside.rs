@@ -4,7 +4,7 @@
 use crate::analysis::AnalysisError;
 use mechanics::limit::Settings;
 use mechanics::limit::continuum::{Bounds, Panel, Which, bound_on, flow_on};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 use outcome::soil::{ContinuumReport, WallThatGives};
 use structure::discretise::Discretised;
 use structure::discretise::continuum::{Earth, Strength};
@@ -20,7 +20,7 @@ pub(super) struct Beside<'a> {
     pub settings: Settings,
     pub strips: &'a [Strip],
     pub bounds: &'a Bounds,
-    pub pace: &'a Pace,
+    pub token: &'a CancelToken,
 }
 
 /// A dilatancy angle that no soil exceeds [rad]: it dilates by its friction angle.
@@ -50,8 +50,8 @@ impl Beside<'_> {
     /// A bound with another strength [N/m].
     fn bound(&self, which: Which, strength: Strength, part: usize) -> Result<Option<f64>, AnalysisError> {
         let other = self.earth.loaded(self.d, strength, self.strips)?;
-        let (pace, mesh) = (self.pace.part(8 + part, 16), &self.bounds.mesh);
-        let found = bound_on(which, &other.model, &other.loading, &self.settings, &other.continuum, mesh, &pace)?;
+        let (token, mesh) = (self.token.part(8 + part, 16), &self.bounds.mesh);
+        let found = bound_on(which, &other.model, &other.loading, &self.settings, &other.continuum, mesh, &token)?;
         Ok(found.map(|factor| self.d.load(factor)))
     }
 
@@ -60,7 +60,7 @@ impl Beside<'_> {
         let mut other = self.earth.loaded(self.d, strength, self.strips)?;
         other.continuum.confinement = None;
         let (continuum, mesh) = (&other.continuum, &self.bounds.mesh);
-        let found = bound_on(Which::Lower, &other.model, &other.loading, &self.settings, continuum, mesh, self.pace)?;
+        let found = bound_on(Which::Lower, &other.model, &other.loading, &self.settings, continuum, mesh, self.token)?;
         Ok(found.map(|factor| self.d.load(factor)))
     }
 
@@ -72,8 +72,8 @@ impl Beside<'_> {
         }
         let other = self.earth.loaded(self.d, whole, self.strips)?;
         let mesh = self.bounds.coarser.as_ref().unwrap_or(&self.bounds.mesh);
-        let (continuum, pace) = (&other.continuum, self.pace.part(3, 4));
-        let found = flow_on(dilatancy, &other.model, &other.loading, &self.settings, continuum, mesh, &pace)?;
+        let (continuum, token) = (&other.continuum, self.token.part(3, 4));
+        let found = flow_on(dilatancy, &other.model, &other.loading, &self.settings, continuum, mesh, &token)?;
         Ok(found.filter(|flow| flow.settled).map(|flow| self.d.load(flow.factor)))
     }
 

@@ -8,7 +8,7 @@
 
 use super::{Bracket, Moving};
 use crate::analysis::AnalysisError;
-use crate::analysis::pieces::{self, Portion, Stage};
+use crate::analysis::parallel::{self, Portion, Stage};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use structure::discretise::dispersal::Strip;
@@ -79,13 +79,13 @@ pub(in crate::analysis) fn all(
     let mut work = Work { bodies, asked, answers: vec![None; asked.len()] };
     let seeds = seeds(asked);
     let own =
-        |_: &Work<'_>, k: usize, pace: &_| bodies[asked[k].body].bracket(&asked[k].strips, ratio.max(COARSE), pace);
+        |_: &Work<'_>, k: usize, token: &_| bodies[asked[k].body].bracket(&asked[k].strips, ratio.max(COARSE), token);
     let mut done = work.answered("bounds at every eighth place", &seeds, &mut Portion::new(watch, [0.0, 0.3]), own)?;
     done = done && work.refined(ratio, &mut Portion::new(watch, [0.3, 0.4]))?;
     let others: Vec<usize> = (0..asked.len()).filter(|k| !seeds.contains(k)).collect();
     if done {
-        let like = |work: &Work<'_>, k: usize, pace: &_| {
-            bodies[asked[k].body].beside(&asked[k].strips, &work.apart_from(k, &seeds), pace)
+        let like = |work: &Work<'_>, k: usize, token: &_| {
+            bodies[asked[k].body].beside(&asked[k].strips, &work.apart_from(k, &seeds), token)
         };
         done = work.answered("lower bounds between them", &others, &mut Portion::new(watch, [0.4, 0.7]), like)?;
     }
@@ -129,13 +129,13 @@ impl Work<'_> {
         name: &str,
         which: &[usize],
         watch: &mut dyn Watch,
-        of: impl Fn(&Self, usize, &pieces::Pace) -> Result<Bracket, AnalysisError> + Sync,
+        of: impl Fn(&Self, usize, &parallel::CancelToken) -> Result<Bracket, AnalysisError> + Sync,
     ) -> Result<bool, AnalysisError> {
         let stage = Stage { name, steps: which.len() as u64, shares: [0.0, 1.0] };
         let this = &*self;
-        let (found, done) = pieces::each(which, &stage, watch, |&k, pace| {
-            let bracket = of(this, k, pace)?;
-            pace.step();
+        let (found, done) = parallel::each(which, &stage, watch, |&k, token| {
+            let bracket = of(this, k, token)?;
+            token.step();
             Ok::<_, AnalysisError>(bracket)
         });
         for (&k, answer) in which.iter().zip(found) {
@@ -157,11 +157,11 @@ impl Work<'_> {
             if next.is_empty() {
                 return Ok(true);
             }
-            let closer = |this: &Work<'_>, k: usize, pace: &_| {
+            let closer = |this: &Work<'_>, k: usize, token: &_| {
                 let one = &this.asked[k];
                 // Only answered places are refined.
                 let before = this.answers[k].as_ref().map_or(&Bracket::NOTHING, |answer| &answer.found);
-                this.bodies[one.body].closer(&one.strips, before, pace)
+                this.bodies[one.body].closer(&one.strips, before, token)
             };
             if !self.answered("bounds at places that may govern", &next, watch, closer)? {
                 return Ok(false);
@@ -179,7 +179,7 @@ impl Work<'_> {
             (0..self.asked.len()).filter(|&k| self.answers[k].as_ref().is_some_and(Answer::moves)).collect();
         let stage = Stage { name: "upper bounds beside lower ones", steps: which.len() as u64, shares: [0.0, 1.0] };
         let this = &*self;
-        let (found, done) = pieces::each(&which, &stage, watch, |&k, pace| {
+        let (found, done) = parallel::each(&which, &stage, watch, |&k, token| {
             let (one, body) = (&this.asked[k], &this.bodies[this.asked[k].body]);
             let before = this.answers[k].as_ref();
             let mut least = before.and_then(|answer| answer.elsewhere);
@@ -190,10 +190,10 @@ impl Work<'_> {
             }
             let lower = before.and_then(Answer::lower).unwrap_or(0.0);
             if by_program && least.is_none_or(|least| least > COARSE * lower) {
-                let upper = body.above(&one.strips, &others, pace)?;
+                let upper = body.above(&one.strips, &others, token)?;
                 least = [least, upper].into_iter().flatten().min_by(f64::total_cmp);
             }
-            pace.step();
+            token.step();
             Ok::<_, AnalysisError>(least)
         });
         for (&k, upper) in which.iter().zip(found) {
@@ -285,7 +285,7 @@ mod tests {
                 .collect::<Vec<Strip>>()
         };
         let [here, near, there] =
-            [0.0, -0.2, 0.4].map(|offset| moving.bracket(&at(offset), 1.2, &pieces::Pace::default()).unwrap());
+            [0.0, -0.2, 0.4].map(|offset| moving.bracket(&at(offset), 1.2, &parallel::CancelToken::default()).unwrap());
         let (lower, upper) = (there.lower.unwrap(), here.upper.unwrap());
         // The same place: the plate rides as it did.
         let same = moving.upper_from(&at(0.0), &here).unwrap().unwrap();
@@ -302,8 +302,8 @@ mod tests {
         assert!(1.05 * same < left && lower < right, "{same} {left} {lower} {right}");
         // A mesh as fine as that of the neighbour has a lower bound no worse than its own but for a little, and an upper one above it.
         let like = [(&here, 0.4)];
-        let beside = moving.beside(&at(0.4), &like, &pieces::Pace::default()).unwrap();
-        let above = moving.above(&at(0.4), &like, &pieces::Pace::default()).unwrap().unwrap();
+        let beside = moving.beside(&at(0.4), &like, &parallel::CancelToken::default()).unwrap();
+        let above = moving.above(&at(0.4), &like, &parallel::CancelToken::default()).unwrap().unwrap();
         assert!(beside.lower.unwrap() > 0.9 * lower && beside.upper.is_none(), "{:?} {lower}", beside.lower);
         assert!(beside.lower.unwrap() < there.upper.unwrap() && lower < above, "{above}");
     }

@@ -1,6 +1,6 @@
 //! States of the ring as pictures show them: stones as blocks that move, springs as contacts, resultants of the joints.
 
-use super::super::places::{lines, moving, point, scaled};
+use super::super::geometry::{lines, moving, point, scaled};
 use mechanics::blocks::interfaces;
 use mechanics::fem::joint::PairState;
 use mechanics::fem::{Model, State};

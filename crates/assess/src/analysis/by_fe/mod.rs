@@ -8,7 +8,7 @@ mod slides;
 
 use super::by_dem::{program, require_stiffness};
 use super::{AnalysisError, by_limit, notes, picture, policy};
-use crate::analysis::blank;
+use crate::analysis::template;
 use bridge::{Bridge, JointContact};
 use draw::Shown;
 use mechanics::blocks::PointForce;
@@ -239,7 +239,7 @@ impl<'a> Run<'a> {
                 _ => None,
             },
         };
-        let mut c = blank::of_bridge(bridge, self.d, By::Fe(report), picture);
+        let mut c = template::of_bridge(bridge, self.d, By::Fe(report), picture);
         c.status = status;
         c.last_stable_load = self.carried.map(load);
         c.collapse_load = self.failed.filter(|_| status == Status::Collapsed).map(load);

@@ -1,6 +1,6 @@
 //! Many pieces of work side by side, one onlooker. Results come in the order of the work, whoever did it.
 
-use crate::analysis::pieces;
+use crate::analysis::parallel;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
@@ -62,7 +62,7 @@ impl<'a> Crowd<'a> {
                 stop.store(true, Ordering::Relaxed);
             }
         };
-        pieces::told(items, &mut hear, |k, item, tell| {
+        parallel::told(items, &mut hear, |k, item, tell| {
             if !stop.load(Ordering::Relaxed) {
                 let result = work(item, &mut Member { tell, stop: &stop, told: 0 });
                 // Nobody listens only where the crowd itself is gone.

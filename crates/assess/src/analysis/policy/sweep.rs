@@ -4,7 +4,7 @@
 //! adds: it is asked for at the governing position alone, and at every other state as well, so that what helps is told there.
 
 use super::super::AnalysisError;
-use super::super::pieces::Portion;
+use super::super::parallel::Portion;
 use super::super::sweep::Places;
 use super::{Standing, State, hurts, leading, not_counted, states_of_moving, warned};
 use bridge::Bridge;

@@ -11,7 +11,7 @@ use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 use outcome::collapse::{Collapse, Status};
 use outcome::warning;
 
-/// A short ring under fill, of stone that crushes, on joints that give.
+/// A short ring under fill, of stone that crushes, on deformable joints.
 const RING: &str = r#"
 [bridge]
 name = "short"
@@ -238,7 +238,7 @@ fn no_position_counts_what_may_come_and_go() {
     }
 }
 
-/// Vehicles under a rule, and the same vehicle under somebody's hand.
+/// Vehicles under a rule, and the same vehicle placed by hand.
 #[test]
 fn no_vehicle_counts_what_may_come_and_go() {
     let driven = RING.to_owned()
@@ -264,7 +264,7 @@ fn no_vehicle_counts_what_may_come_and_go() {
     }
 }
 
-/// A load under somebody's hand carries what it does alone at that place.
+/// A load that is placed by hand carries what it does alone at that place.
 #[test]
 fn a_load_that_is_dragged_counts_no_help() {
     for help in [Help::Water, Help::FillPressure, Help::Tension, Help::Cohesion] {

@@ -3,7 +3,7 @@
 //! States that count no strength which may be lost are moved over whole; what strength adds is asked for in the governing case alone.
 
 use super::super::AnalysisError;
-use super::super::pieces::Portion;
+use super::super::parallel::Portion;
 use super::super::vehicles::{case_by_itself, worst_of};
 use super::{Standing, State, hurts, leading, not_counted, states_of_moving, warned};
 use bridge::Bridge;

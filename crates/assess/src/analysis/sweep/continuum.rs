@@ -7,7 +7,7 @@ use super::{Case, Row, Scene};
 use crate::analysis::AnalysisError;
 use crate::analysis::by_bounds::Moving;
 use crate::analysis::by_bounds::moved::{self, Answer, Asked};
-use crate::analysis::pieces::Portion;
+use crate::analysis::parallel::Portion;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};

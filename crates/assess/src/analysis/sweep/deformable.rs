@@ -1,15 +1,15 @@
-//! The loads of the file at every position on joints that give: beside the factor of rigid blocks, and the smaller one counts.
+//! The loads of the file at every position on deformable joints: beside the factor of rigid blocks, and the smaller one counts.
 //!
 //! At every position up to three cases are followed: the run of axles that governs for rigid blocks, all axles, and the run that
 //! governed at the position before. At the worst position all runs are, once it has been sought between the positions.
 
 use super::super::deforming::{Asked, Bound, Deforming, Followed};
-use super::super::pieces::{self, Stage};
+use super::super::parallel::{self, Stage};
 use super::super::vehicles::REFINEMENTS;
 use super::super::{AnalysisError, by_dem};
 use super::{CHUNK, Case, Row, Scene};
 use mechanics::path::Sweeper;
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
@@ -31,7 +31,7 @@ struct Least {
     broken_off: bool,
 }
 
-/// Puts the factors of joints that give beside those of rigid blocks. Tells whether all of it was done.
+/// Puts the factors of deformable joints beside those of rigid blocks. Tells whether all of it was done.
 pub(super) fn beside(
     scene: &Scene<'_>,
     (rows, step): (&mut Vec<Row>, f64),
@@ -56,11 +56,11 @@ pub(super) fn beside(
     Ok(whole)
 }
 
-const NOT_FOUND: &str = "the state under self-weight was not found with joints that give: what the bridge carries is at most what rigid \
+const NOT_FOUND: &str = "the state under self-weight was not found with deformable joints: what the bridge carries is at most what rigid \
                          blocks carry, and not known";
 
 const FALLS: &str =
-    "the bridge does not stand under its own weight on joints that give: rigid blocks alone carry loads";
+    "the bridge does not stand under its own weight on deformable joints: rigid blocks alone carry loads";
 
 fn unknown(point: &mut SweepPoint, falls: bool) {
     (point.rigid_factor, point.load_factor_at_most) = (point.load_factor, point.bound().filter(|_| !falls));
@@ -77,16 +77,16 @@ impl Along<'_> {
     /// The least factor of every row, in their order.
     fn everywhere(&self, rows: &[Row], watch: &mut dyn Watch) -> (Vec<Least>, bool) {
         let jobs: Vec<(usize, &[Row])> = rows.chunks(CHUNK).enumerate().map(|(k, rows)| (k * CHUNK, rows)).collect();
-        let stage = Stage { name: "positions on joints that give", steps: rows.len() as u64, shares: [0.0, 0.9] };
+        let stage = Stage { name: "positions on deformable joints", steps: rows.len() as u64, shares: [0.0, 0.9] };
         let lowest = rows.iter().filter_map(rigid).min_by(f64::total_cmp);
-        let (found, done) = pieces::each(&jobs, &stage, watch, |(first, rows), pace| {
+        let (found, done) = parallel::each(&jobs, &stage, watch, |(first, rows), token| {
             let mut sweeper = self.deforming.sweeper();
             let mut before = None;
             let each = rows.iter().enumerate().map(|(k, row)| {
                 let bound = Bound::of(rigid(row), lowest).or_else(|| self.asked(row))?;
-                let least = self.least(&mut sweeper, first + k, &likely(row, before), bound, pace);
+                let least = self.least(&mut sweeper, first + k, &likely(row, before), bound, token);
                 before = least.map(|least| least.axles);
-                pace.step();
+                token.step();
                 least
             });
             each.collect::<Vec<_>>()
@@ -109,12 +109,12 @@ impl Along<'_> {
         row: usize,
         cases: &[&Case],
         mut bound: Bound,
-        pace: &Pace,
+        token: &CancelToken,
     ) -> Option<Least> {
         let mut least = None;
         for case in cases {
             let asked = Asked { bound, service: None };
-            let Some(found) = self.deforming.follow(sweeper, &case.forces, asked, pace) else { continue };
+            let Some(found) = self.deforming.follow(sweeper, &case.forces, asked, token) else { continue };
             let Followed { factor, broken_off } = found;
             least = Some(Least { row, axles: case.axles, force: case.force, factor, broken_off });
             bound = Bound::below(factor * (1.0 - SAME));
@@ -132,12 +132,12 @@ impl Along<'_> {
         for round in 0..REFINEMENTS {
             let places: Vec<f64> = (-10..=10).map(|k| position + 0.1 * width * f64::from(k)).collect();
             let share = |round: usize| 0.9 + 0.1 * round as f64 / REFINEMENTS as f64;
-            let name = "places beside the worst one, on joints that give";
+            let name = "places beside the worst one, on deformable joints";
             let stage = Stage { name, steps: places.len() as u64, shares: [share(round), share(round + 1)] };
-            let (found, done) = pieces::each(&places, &stage, watch, |&place, pace| {
+            let (found, done) = parallel::each(&places, &stage, watch, |&place, token| {
                 let row = self.scene.row(place);
                 let case = row.cases.iter().find(|case| case.axles == best.axles)?;
-                self.least(&mut self.deforming.sweeper(), 0, &[case], Bound::below(best.factor * (1.0 - SAME)), pace)
+                self.least(&mut self.deforming.sweeper(), 0, &[case], Bound::below(best.factor * (1.0 - SAME)), token)
             });
             if !done {
                 return false;
@@ -162,12 +162,18 @@ impl Along<'_> {
         }
         let row = &rows[best.row];
         let stage = Stage {
-            name: "runs of axles at the worst place, on joints that give",
+            name: "runs of axles at the worst place, on deformable joints",
             steps: row.cases.len() as u64,
             shares: [1.0, 1.0],
         };
-        let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| {
-            self.least(&mut self.deforming.sweeper(), best.row, &[case], Bound::below(best.factor * (1.0 - SAME)), pace)
+        let (found, done) = parallel::each(&row.cases, &stage, watch, |case, token| {
+            self.least(
+                &mut self.deforming.sweeper(),
+                best.row,
+                &[case],
+                Bound::below(best.factor * (1.0 - SAME)),
+                token,
+            )
         });
         least.extend(found.into_iter().flatten().flatten());
         done
@@ -212,14 +218,14 @@ fn put(scene: &Scene<'_>, rows: &[Row], least: &[Least], found: &mut Sweep) {
     let open = least.iter().filter(|least| least.broken_off).count();
     if open > 0 {
         let message = format!(
-            "at {open} of {} positions the path of joints that give broke off: the last state in balance counts there, and more may be \
+            "at {open} of {} positions the path of deformable joints broke off: the last state in balance counts there, and more may be \
              carried",
             rows.len()
         );
         found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, message));
     }
     found.assumptions.push(
-        "On joints that give the axles that govern for rigid blocks are followed at every position; of all axles, and of those that governed \
+        "On deformable joints the axles that govern for rigid blocks are followed at every position; of all axles, and of those that governed \
          at the position before, it is asked there whether they carry as much, from the states of similar loads; at the worst position every \
          run of axles is followed. The smaller factor of both methods counts. Fill acts by its weight alone there."
             .to_owned(),

@@ -2,13 +2,13 @@
 //! and what stands on it is made once, where no parameter moves it.
 
 use crate::analysis::passage::{PassageError, Setup, WantedSlices, records, setup, slices};
-use crate::analysis::{AnalysisError, pieces};
+use crate::analysis::{AnalysisError, parallel};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
 use bridge::update::Parameter;
 use bridge::{Bridge, Severity};
 use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 use outcome::passage::{Measurand, PassageStatus};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -28,7 +28,7 @@ pub struct Model<'a> {
     /// What the answers of some models let expect of all others, by the positions that were asked for; `None` for all of them.
     usual: Mutex<BTreeMap<(Asked, Seen), Expected>>,
     /// Whether evaluations go on.
-    pace: Pace,
+    token: CancelToken,
 }
 
 /// Positions of slices, or `None` for a whole passage.
@@ -62,8 +62,15 @@ impl<'a> Model<'a> {
     /// The model of a file: `document` is its text without the sections of updating.
     pub fn new(own: &'a Bridge, document: &'a Document, parameters: &'a [Parameter]) -> Result<Self, AnalysisError> {
         let setup = setup(own)?;
-        let mut model =
-            Self { own, document, parameters, setup, moves: false, usual: Mutex::default(), pace: Pace::default() };
+        let mut model = Self {
+            own,
+            document,
+            parameters,
+            setup,
+            moves: false,
+            usual: Mutex::default(),
+            token: CancelToken::default(),
+        };
         for k in 0..parameters.len() {
             let mut point: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
             point[k] = if point[k] == parameters[k].lower { parameters[k].upper } else { parameters[k].lower };
@@ -112,7 +119,7 @@ impl<'a> Model<'a> {
         neighbours: &[(Bridge, f64)],
     ) -> Result<Answers, Failure> {
         if self.moves {
-            return answers(bridge, setup, &asked, &[], &[], &self.pace);
+            return answers(bridge, setup, &asked, &[], &[], &self.token);
         }
         let seen = if asked.is_some() && neighbours.is_empty() { Seen::Ends } else { Seen::Start };
         let usual = {
@@ -121,19 +128,19 @@ impl<'a> Model<'a> {
         };
         let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
         if asked.is_none() && point == start {
-            let found = whole(bridge, setup, &[], &self.pace)?;
+            let found = whole(bridge, setup, &[], &self.token)?;
             usual.get_or_init(|| found.taking_part.clone());
             return Ok(found);
         }
         let usual = usual
             .get_or_init(|| if has_stress(setup) { Vec::new() } else { self.expected(&start, setup, &asked, seen) });
-        answers(bridge, setup, &asked, usual, neighbours, &self.pace)
+        answers(bridge, setup, &asked, usual, neighbours, &self.token)
     }
 
     /// Parts that take part in the answers of some models; one without answers tells nothing.
     fn expected(&self, start: &[f64], setup: &Setup, asked: &Asked, seen: Seen) -> Vec<usize> {
         let of = |point: &[f64], expected: &[usize]| -> Result<Vec<usize>, Failure> {
-            Ok(answers(&self.bridge_at(point)?, setup, asked, expected, &[], &self.pace)?.taking_part)
+            Ok(answers(&self.bridge_at(point)?, setup, asked, expected, &[], &self.token)?.taking_part)
         };
         let first = of(start, &[]).unwrap_or_default();
         if seen == Seen::Start {
@@ -201,17 +208,17 @@ fn at_places(
     places: &[usize],
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Answers, Failure> {
     let positions = positions(setup, places);
     if has_stress(setup) {
         let times = places.iter().map(|k| setup.times[*k]).collect();
         let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
         let some = Setup { times, positions, plan, ..setup.clone() };
-        return whole(bridge, &some, &[], pace);
+        return whole(bridge, &some, &[], token);
     }
     let wanted = WantedSlices { positions: &positions, expected, neighbours };
-    let found = slices(bridge, setup, wanted, &mut pace.clone()).map_err(not_set_up)?;
+    let found = slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?;
     let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
     completed(found.status, found.reason, answers)
 }
@@ -225,8 +232,8 @@ fn has_stress(setup: &Setup) -> bool {
 }
 
 /// Answers at every position of the passage.
-fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], pace: &Pace) -> Result<Answers, Failure> {
-    let found = records(bridge, setup, expected, &mut pace.clone()).map_err(not_set_up)?;
+fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Answers, Failure> {
+    let found = records(bridge, setup, expected, &mut token.clone()).map_err(not_set_up)?;
     let answers = Answers { values: found.values, derivatives: Vec::new(), taking_part: found.taking_part };
     completed(found.status, found.reason, answers)
 }
@@ -237,11 +244,11 @@ fn answers(
     asked: &Asked,
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Answers, Failure> {
     match asked {
-        None => whole(bridge, setup, expected, pace),
-        Some(places) => at_places(bridge, setup, places, expected, neighbours, pace),
+        None => whole(bridge, setup, expected, token),
+        Some(places) => at_places(bridge, setup, places, expected, neighbours, token),
     }
 }
 
@@ -285,7 +292,7 @@ impl Forward for Model<'_> {
     }
 
     fn stop(&self) {
-        self.pace.stop();
+        self.token.cancel();
     }
 
     fn length(&self, _channel: usize) -> usize {
@@ -310,7 +317,7 @@ impl Map for Threads {
             Some((k, answer)) => found[k] = answer,
             None => look(),
         };
-        pieces::told(points, &mut hear, |k, point, tell| {
+        parallel::told(points, &mut hear, |k, point, tell| {
             // Nobody listens only where this function itself is gone.
             let _ = tell.send((k, work(point)));
         });

@@ -8,7 +8,7 @@
 use super::across::room;
 use super::search;
 use crate::analysis::AnalysisError;
-use crate::analysis::pieces::Portion;
+use crate::analysis::parallel::Portion;
 use crate::vehicles::{BesideLane, Chosen, named_beside};
 use bridge::{Bridge, SweepPlan};
 use mechanics::watch::Watch;

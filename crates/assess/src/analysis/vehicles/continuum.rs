@@ -6,7 +6,7 @@
 use super::super::by_bounds::Moving as Body;
 use super::super::by_bounds::moved::{self, Asked};
 use super::super::by_limit;
-use super::super::pieces::Portion;
+use super::super::parallel::Portion;
 use super::twins::twins;
 use super::{AnalysisError, factored};
 use crate::vehicles::Chosen;

@@ -1,12 +1,12 @@
-//! Vehicles on joints that give: beside the adequacy factor of rigid blocks, and the smaller one counts.
+//! Vehicles on deformable joints: beside the adequacy factor of rigid blocks, and the smaller one counts.
 //!
-//! At every position two cases are followed along their paths of equilibrium: what governs for rigid blocks there, and all
+//! At every position two cases are followed along their equilibrium paths: what governs for rigid blocks there, and all
 //! that may stand there; then what was found to govern beside it, from position to position there and back. The worst
 //! position is sought between the positions, and what stands there is varied: runs of axles, runs of half spans with uniform
 //! loads, factors on weights, the critical axle.
 
 use super::super::deforming::{Asked, Bound, Deforming, Followed, InService};
-use super::super::pieces::{self, Stage};
+use super::super::parallel::{self, Stage};
 use super::super::service::Service;
 use super::super::{by_dem, by_limit};
 use super::AnalysisError;
@@ -18,7 +18,7 @@ use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use mechanics::blocks::PointForce;
 use mechanics::path::Sweeper;
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use outcome::vehicles::{Case, Deformable, Direction, EnvelopePoint, PermissibleFactor, Swept, Weights};
 use rules::{Pattern, Rule};
 use structure::discretise::Discretised;
@@ -36,21 +36,21 @@ const ROUNDS: usize = 3;
 /// Shares of the work at which all positions are answered, and at which what governs beside them is known.
 const SHARES: [f64; 2] = [0.7, 0.8];
 
-/// A vehicle's case on joints that give.
+/// A vehicle's case on deformable joints.
 #[derive(Debug, Clone)]
 struct Answer {
     case: Case,
     found: Followed,
 }
 
-/// What is known of a vehicle on joints that give.
+/// What is known of a vehicle on deformable joints.
 struct Found {
     /// The least answer at every point of its envelope, and at its worst position behind them; none where nothing was found.
     answers: Vec<Option<Answer>>,
     service: Service,
 }
 
-/// Puts the factors of joints that give beside those of rigid blocks, and the smaller one in front. Tells whether all of it
+/// Puts the factors of deformable joints beside those of rigid blocks, and the smaller one in front. Tells whether all of it
 /// was done.
 pub(super) fn beside(
     bridge: &Bridge,
@@ -139,7 +139,7 @@ impl<'a> Moving<'a> {
         let worst = worst.min_by(|a, b| a.adequacy.partial_cmp(&b.adequacy).expect("numbers"));
         if let Some((worst, bound)) = worst.and_then(|worst| Some((worst, self.bound(worst, one.factor())?))) {
             let cases = self.likely(vehicle, worst);
-            self.least(vehicle, &mut self.sweepers(), &cases, (bound, &mut service, true), &Pace::default());
+            self.least(vehicle, &mut self.sweepers(), &cases, (bound, &mut service, true), &CancelToken::default());
         }
         Found { answers: Vec::new(), service }
     }
@@ -149,21 +149,21 @@ impl<'a> Moving<'a> {
         let chunks = |&k: &usize| swept[k].envelope.chunks(CHUNK).map(move |points| (k, points));
         let jobs: Vec<(usize, &[EnvelopePoint])> = own.iter().flat_map(chunks).collect();
         let steps = own.iter().map(|&k| swept[k].envelope.len() as u64).sum();
-        let stage = Stage { name: "positions of vehicles on joints that give", steps, shares: [0.0, SHARES[0]] };
-        let (parts, done) = pieces::each(&jobs, &stage, watch, |(k, points), pace| {
+        let stage = Stage { name: "positions of vehicles on deformable joints", steps, shares: [0.0, SHARES[0]] };
+        let (parts, done) = parallel::each(&jobs, &stage, watch, |(k, points), token| {
             let mut sweepers = self.sweepers();
             let mut service = found[*k].service.clone();
             let lowest = swept[*k].factor();
             let each = points.iter().map(|point| {
                 let bound = self.bound(point, lowest)?;
                 let asked = (bound, &mut service, true);
-                let least = self.least(*k, &mut sweepers, &self.likely(*k, point), asked, pace);
-                pace.step();
+                let least = self.least(*k, &mut sweepers, &self.likely(*k, point), asked, token);
+                token.step();
                 least
             });
             let answers: Vec<Option<Answer>> = each.collect();
             let mut part = Found { answers, service };
-            self.beside(*k, &mut sweepers, (points, lowest), &mut part, pace);
+            self.beside(*k, &mut sweepers, (points, lowest), &mut part, token);
             part
         });
         for ((k, points), part) in jobs.iter().zip(parts) {
@@ -185,14 +185,14 @@ impl<'a> Moving<'a> {
             (CHUNK / 2..count).step_by(CHUNK).map(move |from| (k, from..(from + CHUNK).min(count)))
         };
         let jobs: Vec<(usize, std::ops::Range<usize>)> = own.iter().flat_map(middles).collect();
-        let name = "cases beside others on joints that give";
+        let name = "cases beside others on deformable joints";
         let stage = Stage { name, steps: jobs.len() as u64, shares: SHARES };
-        let (parts, done) = pieces::each(&jobs, &stage, watch, |(k, range), pace| {
+        let (parts, done) = parallel::each(&jobs, &stage, watch, |(k, range), token| {
             let (answers, service) = (found[*k].answers[range.clone()].to_vec(), found[*k].service.clone());
             let mut part = Found { answers, service };
             let given = (&swept[*k].envelope[range.clone()], swept[*k].factor());
-            self.beside(*k, &mut self.sweepers(), given, &mut part, pace);
-            pace.step();
+            self.beside(*k, &mut self.sweepers(), given, &mut part, token);
+            token.step();
             part
         });
         for ((k, range), part) in jobs.into_iter().zip(parts) {
@@ -211,7 +211,7 @@ impl<'a> Moving<'a> {
         sweepers: &mut [Sweeper<'_>],
         (points, lowest): (&[EnvelopePoint], Option<f64>),
         found: &mut Found,
-        pace: &Pace,
+        token: &CancelToken,
     ) {
         let Found { answers, service } = found;
         let count = points.len();
@@ -230,7 +230,7 @@ impl<'a> Moving<'a> {
                     None => continue,
                 },
             };
-            if let Some(smaller) = self.least(vehicle, sweepers, &[case], (bound, service, false), pace) {
+            if let Some(smaller) = self.least(vehicle, sweepers, &[case], (bound, service, false), token) {
                 answers[to] = Some(smaller);
             }
         }
@@ -291,7 +291,7 @@ impl<'a> Moving<'a> {
         sweepers: &mut [Sweeper<'_>],
         cases: &[Case],
         (mut bound, service, by_themselves): (Bound, &mut Service, bool),
-        pace: &Pace,
+        token: &CancelToken,
     ) -> Option<Answer> {
         let mut least = None;
         for case in cases {
@@ -299,7 +299,7 @@ impl<'a> Moving<'a> {
             let (forces, load) = self.forces(vehicle, weights, case);
             let in_service = InService { known: service, position: case.position, by_themselves };
             let asked = Asked { bound, service: Some(in_service) };
-            if let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, asked, pace) {
+            if let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, asked, token) {
                 bound = Bound::below(found.factor * (1.0 - SAME));
                 least = Some(Answer { case: Case { load, ..case.clone() }, found });
             }
@@ -336,17 +336,17 @@ impl<'a> Moving<'a> {
             };
             let share = |round: usize| from + (to - from) * round as f64 / count as f64;
             let stage = Stage {
-                name: "worst positions of vehicles on joints that give",
+                name: "worst positions of vehicles on deformable joints",
                 steps: cases.len() as u64,
                 shares: [share(round), share(round + 1)],
             };
             let most = best.found.factor * (1.0 - SAME);
             let service = &known.service;
-            let (parts, done) = pieces::each(&cases, &stage, watch, |case, pace| {
+            let (parts, done) = parallel::each(&cases, &stage, watch, |case, token| {
                 let (one, mut service) = (std::slice::from_ref(case), service.clone());
                 let asked = (Bound::below(most), &mut service, true);
-                let found = self.least(vehicle, &mut self.sweepers(), one, asked, pace);
-                pace.step();
+                let found = self.least(vehicle, &mut self.sweepers(), one, asked, token);
+                token.step();
                 (found, service)
             });
             if !done {

@@ -3,7 +3,7 @@
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
 //! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
-//! what joints carry meanwhile, `continuum` asks what governs on fill that yields, `deformable` follows the cases on joints that give, `discrete` makes the governing case by
+//! what joints carry meanwhile, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
 //! discrete elements.
 
 mod across;
@@ -42,8 +42,8 @@ pub use outcome::vehicles::Weights;
 pub use outcome::vehicles::{Extreme, SectionEnvelope};
 pub(super) use search::{DILATANCY, FAR_ABOVE, REFINEMENTS};
 
-use super::pieces::Portion;
-use super::{AnalysisError, by_limit, by_path, policy, stiffened};
+use super::parallel::Portion;
+use super::{AnalysisError, by_limit, by_path, default_stiffness, policy};
 use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::{Bridge, JointContact, Method};
 use mechanics::watch::Watch;
@@ -92,7 +92,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
         why: "it says which vehicles are moved, and by which rule",
     })?;
     let (rule, vehicles) = chosen(bridge, plan)?;
-    let own = stiffened::for_paths(bridge);
+    let own = default_stiffness::for_paths(bridge);
     let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
     let step = cases::places_apart(bridge, plan);
     let weights = weights::combinations(bridge, &rule);
@@ -185,7 +185,7 @@ pub(super) fn case_by_itself(
     let Some(plan) = &bridge.sweep else { return Ok(None) };
     let (rule, vehicles) = chosen(bridge, plan)?;
     let Some(chosen) = vehicles.iter().find(|one| one.vehicle.code == vehicle) else { return Ok(None) };
-    let own = stiffened::for_paths(bridge);
+    let own = default_stiffness::for_paths(bridge);
     let bridge = own.as_ref().map_or(bridge, |own| &own.0);
     let one = factored::with_case(&factored::bridge(bridge, &rule, &case.weights), plan, &rule, chosen, case);
     let run = alone(bridge, &one, bridge.plan.method == Method::Path, watch)?;

@@ -1,7 +1,7 @@
 //! Every case answered: least adequacy factors, and the worst position between the positions.
 
 use super::super::by_limit;
-use super::super::pieces::{self, Pace, Stage};
+use super::super::parallel::{self, CancelToken, Stage};
 use super::AnalysisError;
 use super::cases::{borders, drives, reach};
 use super::factored::{self, Footprint, footprint};
@@ -40,8 +40,8 @@ pub const DILATANCY: f64 = 2.0;
 /// Refinements of the worst position, each to a tenth.
 pub const REFINEMENTS: usize = 2;
 
-/// What came of one case.
-enum Met {
+/// Result of one load case.
+enum CaseResult {
     /// A load factor.
     Factor(Answer),
     /// Every load is carried.
@@ -137,8 +137,8 @@ pub fn all(
     let borders = borders(bridge, range);
     let twins = twins(vehicles, &feet);
     let seeds = match screen && !grounds[0].is_fast() {
-        true => pieces::alone("mechanisms to begin with", false, watch, |pace| {
-            seeds(bridge, d, &grounds[0], &feet[0], pace)
+        true => parallel::alone("mechanisms to begin with", false, watch, |token| {
+            seeds(bridge, d, &grounds[0], &feet[0], token)
         }),
         false => Vec::new(),
     };
@@ -167,7 +167,8 @@ pub fn all(
     let own = all_drives.iter().filter(|drive| twins[drive.vehicle].is_none());
     let steps = own.map(|drive| drive.positions.len() as u64).sum();
     let stage = Stage { name: "positions of vehicles", steps, shares: [0.0, POSITIONS] };
-    let (parts, _) = pieces::each(&jobs, &stage, watch, |(drive, positions), pace| scene.part(*drive, positions, pace));
+    let (parts, _) =
+        parallel::each(&jobs, &stage, watch, |(drive, positions), token| scene.part(*drive, positions, token));
     let mut of_vehicle: Vec<Parts> = vehicles.iter().map(|_| Parts { parts: Vec::new(), whole: true }).collect();
     for (part, (drive, positions)) in parts.into_iter().zip(&jobs) {
         let of = &mut of_vehicle[all_drives[*drive].vehicle];
@@ -178,10 +179,11 @@ pub fn all(
     let own: Vec<&(usize, Parts)> = each.iter().filter(|(k, _)| twins[*k].is_none()).collect();
     let stage = Stage { name: "worst positions of vehicles", steps: own.len() as u64, shares: [POSITIONS, 1.0] };
     let (found, _) =
-        pieces::each(&own, &stage, watch, |(k, parts), pace| scene.gathered(*k, &vehicles[*k], parts, step, pace));
+        parallel::each(&own, &stage, watch, |(k, parts), token| scene.gathered(*k, &vehicles[*k], parts, step, token));
     let mut swept: Vec<Option<Swept>> = vehicles.iter().map(|_| None).collect();
     for (found, (k, parts)) in found.into_iter().zip(own) {
-        swept[*k] = Some(found.unwrap_or_else(|| scene.gathered(*k, &vehicles[*k], parts, step, &Pace::at_its_end())));
+        swept[*k] =
+            Some(found.unwrap_or_else(|| scene.gathered(*k, &vehicles[*k], parts, step, &CancelToken::cancelled())));
     }
     for (k, parts) in &each {
         if let Some(twin) = twins[*k] {
@@ -200,20 +202,20 @@ struct Parts {
 
 impl Scene<'_> {
     /// Positions of one drive, one after the other.
-    fn part(&self, drive: usize, positions: &[f64], pace: &Pace) -> Part {
-        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
+    fn part(&self, drive: usize, positions: &[f64], token: &CancelToken) -> Part {
+        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(token)).collect();
         sweepers.iter_mut().for_each(|sweeper| sweeper.take(self.seeds));
         let mut part = Part::of(drive, self.watched);
         let (mut looseness, mut slow) = (LOOSE, !self.grounds[0].is_fast());
         for &position in positions {
             let before = part.slow;
             let bounds = (self.screen && slow).then_some(looseness);
-            match self.position(&mut sweepers, &mut part, position, bounds, pace) {
+            match self.position(&mut sweepers, &mut part, position, bounds, token) {
                 Some(found) => looseness = found,
                 None => break,
             }
             if self.twins[self.drives[drive].vehicle].is_none() {
-                pace.step();
+                token.step();
             }
             slow = part.slow > before;
         }
@@ -229,14 +231,14 @@ impl Scene<'_> {
         part: &mut Part,
         position: f64,
         looseness: Option<f64>,
-        pace: &Pace,
+        token: &CancelToken,
     ) -> Option<f64> {
         let mut waiting = self.waiting(sweepers, part, position, looseness.is_some());
         let (mut lowest, mut open) = (f64::INFINITY, Vec::new());
         let mut answered: Vec<(usize, Answer)> = Vec::with_capacity(waiting.len());
         let mut bounded: Vec<[f64; 2]> = Vec::new();
         while let Some(next) = next(&waiting) {
-            if !pace.goes_on() {
+            if token.is_cancelled() {
                 return None;
             }
             let Waiting { order, key, effect, at_most } = waiting.remove(next);
@@ -246,17 +248,17 @@ impl Scene<'_> {
             }
             let by_interior_point = part.slow;
             let met = self.answer(&mut sweepers[key.weights], part, key, &effect);
-            if !pace.goes_on() {
+            if token.is_cancelled() {
                 return None;
             }
             match met {
-                Met::Factor(answer) => {
+                CaseResult::Factor(answer) => {
                     bounded.push([at_most, answer.factor]);
                     answered.push((order, answer));
                     lowest = lowest.min(answer.factor);
                 }
-                Met::Locks => {}
-                Met::Open => open.push(key),
+                CaseResult::Locks => {}
+                CaseResult::Open => open.push(key),
             }
             if part.slow > by_interior_point {
                 share_newest(sweepers, key.weights);
@@ -305,12 +307,12 @@ impl Scene<'_> {
     }
 
     /// One case under one combination of weights.
-    fn answer(&self, sweeper: &mut Sweeper, part: &mut Part, key: Key, effect: &Effect) -> Met {
+    fn answer(&self, sweeper: &mut Sweeper, part: &mut Part, key: Key, effect: &Effect) -> CaseResult {
         part.cases += 1;
         let found = sweeper.factor(effect);
         part.slow += usize::from(found.by_interior_point);
         let (Some(factor), Some(upper)) = (found.lower, found.upper) else {
-            return if found.status == limit::Status::Locks { Met::Locks } else { Met::Open };
+            return if found.status == limit::Status::Locks { CaseResult::Locks } else { CaseResult::Open };
         };
         let answer = Answer { key, factor, upper };
         if found.slides {
@@ -318,11 +320,11 @@ impl Scene<'_> {
             part.sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
             part.sliding.truncate(SLIDING);
         }
-        Met::Factor(answer)
+        CaseResult::Factor(answer)
     }
 
     /// All parts of one vehicle. An adequacy factor stands only where every position was answered and the worst one sought.
-    fn gathered(&self, index: usize, chosen: &Chosen, all: &Parts, step: f64, pace: &Pace) -> Swept {
+    fn gathered(&self, index: usize, chosen: &Chosen, all: &Parts, step: f64, token: &CancelToken) -> Swept {
         let foot = &self.feet[index];
         let mut swept = blank(chosen, foot);
         let mut extremes = Extremes::new(self.watched);
@@ -342,9 +344,9 @@ impl Scene<'_> {
             swept.end(all.whole, None);
             return swept;
         };
-        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
-        let (worst, mut unanswered) = self.refined(&mut sweepers, worst, step, pace);
-        let again = self.answered_again(&mut sweepers, &worst, pace);
+        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(token)).collect();
+        let (worst, mut unanswered) = self.refined(&mut sweepers, worst, step, token);
+        let again = self.answered_again(&mut sweepers, &worst, token);
         let worst = least(&[vec![worst], again.governing].concat()).unwrap_or(worst);
         unanswered.extend(again.open);
         open.extend(&unanswered);
@@ -370,13 +372,13 @@ impl Scene<'_> {
         let (mut ends, mut iterated): (Vec<Option<Level>>, usize) = (vec![None; self.grounds.len()], 0);
         let (first, others) = (std::iter::once((worst, true)), sliding.into_iter().map(|answer| (answer, true)));
         for (answer, slides) in first.chain(others).chain(still.into_iter().map(|answer| (answer, false))) {
-            if !pace.goes_on() || (!slides && iterated == SLIDING) {
+            if token.is_cancelled() || (!slides && iterated == SLIDING) {
                 break;
             }
             let Some((key, effect)) = self.again(&mut sweepers, &answer.key, answer.key.position) else { continue };
             let end = ends[key.weights].as_ref();
             let found = sweepers[key.weights].least(&effect, Friction::Automatic, Starts::Doubtful, end);
-            if !pace.goes_on() {
+            if token.is_cancelled() {
                 break;
             }
             iterated += usize::from(!slides && found.level.is_some());
@@ -395,8 +397,8 @@ impl Scene<'_> {
         }
         swept.weights = Some(self.weights[governing.1.weights]);
         swept.case = Some(self.told(&governing.1));
-        swept.end(all.whole && pace.goes_on(), Some(governing.0 * self.capacity));
-        pace.step();
+        swept.end(all.whole && !token.is_cancelled(), Some(governing.0 * self.capacity));
+        token.step();
         swept
     }
 
@@ -449,16 +451,22 @@ impl Scene<'_> {
     }
 
     /// The worst position between the positions with every case: beside the positions another one may govern.
-    fn answered_again(&self, sweepers: &mut [Sweeper], worst: &Answer, pace: &Pace) -> Part {
+    fn answered_again(&self, sweepers: &mut [Sweeper], worst: &Answer, token: &CancelToken) -> Part {
         let mut part = Part::of(worst.key.drive, self.watched);
         let bounds = (self.screen && !self.grounds[0].is_fast()).then_some(LOOSE);
         // A place that is broken off is not told: the vehicle is not finished then.
-        let _ = self.position(sweepers, &mut part, worst.key.position, bounds, pace);
+        let _ = self.position(sweepers, &mut part, worst.key.position, bounds, token);
         part
     }
 
     /// The worst position between the positions, with the same axles and weights, and those that were not answered.
-    fn refined(&self, sweepers: &mut [Sweeper], mut worst: Answer, step: f64, pace: &Pace) -> (Answer, Vec<Open>) {
+    fn refined(
+        &self,
+        sweepers: &mut [Sweeper],
+        mut worst: Answer,
+        step: f64,
+        token: &CancelToken,
+    ) -> (Answer, Vec<Open>) {
         let (mut width, mut open) = (step, Vec::new());
         for _ in 0..REFINEMENTS {
             let mut answers = vec![worst];
@@ -466,7 +474,7 @@ impl Scene<'_> {
                 let position = worst.key.position + 0.1 * width * f64::from(k);
                 let Some((key, effect)) = self.again(sweepers, &worst.key, position) else { continue };
                 let found = sweepers[key.weights].factor(&effect);
-                if !pace.goes_on() {
+                if token.is_cancelled() {
                     break;
                 }
                 match (found.lower, found.upper) {

@@ -3,7 +3,7 @@
 use super::factored::Footprint;
 use bridge::Bridge;
 use mechanics::limit::Ground;
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 use structure::discretise::Discretised;
 use structure::discretise::dispersal::{Strip, spread};
 
@@ -11,8 +11,14 @@ use structure::discretise::dispersal::{Strip, spread};
 const SEEDS: usize = 12;
 
 /// Mechanisms under an axle at many places, to begin with: wherever a vehicle stands, one of them lies near.
-pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint, pace: &Pace) -> Vec<Vec<f64>> {
-    let mut sweeper = ground.sweeper().paced(pace);
+pub fn seeds(
+    bridge: &Bridge,
+    d: &Discretised,
+    ground: &Ground,
+    foot: &Footprint,
+    token: &CancelToken,
+) -> Vec<Vec<f64>> {
+    let mut sweeper = ground.sweeper().paced(token);
     let mut motions = Vec::new();
     let mut left = 0.0;
     for (k, span) in bridge.spans.iter().enumerate() {
@@ -21,7 +27,7 @@ pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint
             let strip =
                 Strip { middle, length: foot.length, force: 1e3, horizontal: foot.horizontal, is_pressure: false };
             let spread = spread(strip, foot.dispersal, &d.surface, &d.extrados);
-            if !spread.forces.is_empty() && pace.goes_on() {
+            if !spread.forces.is_empty() && !token.is_cancelled() {
                 let effect = sweeper.effect(&spread.forces);
                 motions.push(sweeper.motion(&effect));
             }

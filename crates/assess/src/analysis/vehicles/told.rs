@@ -57,19 +57,19 @@ pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
     let told: Vec<String> = all.iter().filter_map(told).collect();
     (!told.is_empty()).then(|| {
         let message = format!(
-            "on joints that give: {}. The last state in balance counts where a path broke off, and more may be carried",
+            "on deformable joints: {}. The last state in balance counts where a path broke off, and more may be carried",
             told.join("; ")
         );
         Warning::new(warning::PATHS_BROKEN_OFF, message)
     })
 }
 
-/// What following joints that give assumes, or that they were not followed.
+/// What following deformable joints assumes, or that they were not followed.
 pub(super) fn assumed(all: &[Swept]) -> String {
     if all.iter().all(|one| one.deformable.is_none()) {
         return crate::analysis::sweep::RIGID.to_owned();
     }
-    "On joints that give what governs for rigid blocks is followed at every position, up to four times the least factor of rigid blocks; \
+    "On deformable joints what governs for rigid blocks is followed at every position, up to four times the least factor of rigid blocks; \
      of all that may stand there, and of what governs beside it, it is asked whether it carries as much, from the states of similar loads. \
      At the worst position axles, uniform loads, factors on weights and critical axle are varied one after the other, and each is followed. \
      The smaller adequacy factor of \

@@ -8,7 +8,7 @@ use crate::status::Status;
 use assess::analysis::by_bounds;
 use bridge::Bridge;
 use mechanics::limit::continuum::Bounds;
-use mechanics::watch::Pace;
+use mechanics::watch::CancelToken;
 
 /// Bounds as close as the file wants them, 5 %, and as close as 2 %, which takes finer meshes than it has by default.
 const CLOSE: (f64, usize) = (1.02, 12_000);
@@ -39,7 +39,7 @@ pub fn run(arguments: &Bench) -> Result<Report, Failure> {
 }
 
 fn measured(arguments: &Bench, bridge: &Bridge) -> Result<Repeated<(Bounds, f64)>, Failure> {
-    repeated(arguments, || by_bounds::bounds_alone(bridge, &Pace::default()))
+    repeated(arguments, || by_bounds::bounds_alone(bridge, &CancelToken::default()))
 }
 
 fn told(arguments: &Bench, Repeated { least, middle, last: (bounds, _) }: &Repeated<(Bounds, f64)>) -> String {

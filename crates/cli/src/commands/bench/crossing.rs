@@ -1,4 +1,4 @@
-//! `extrados bench crossing`: a vehicle of 13 axles at 510 positions over three spans, rigid and on joints that give, without and
+//! `extrados bench crossing`: a vehicle of 13 axles at 510 positions over three spans, rigid and on deformable joints, without and
 //! with crushing.
 
 use super::{Repeated, repeated};

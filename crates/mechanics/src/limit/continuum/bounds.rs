@@ -15,7 +15,7 @@ use crate::ids::{BlockId, Table};
 use crate::limit::outcome::{Outcome, Status};
 use crate::limit::settings::{Friction, Settings};
 use crate::plane::Vec2;
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 use thiserror::Error;
 
 /// How close the bounds are wanted, and at what cost.
@@ -167,12 +167,12 @@ pub fn collapse_bounds(
     settings: &Settings,
     soil: &Continuum,
     wanted: &Wanted,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Bounds, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
     let mesh = triangulate(soil, wanted.first.min(wanted.elements))?;
     let bounds = Bounds::begun(&setting, mesh.clone());
-    Ok(refined(&setting, model, (bounds, mesh), wanted, pace))
+    Ok(refined(&setting, model, (bounds, mesh), wanted, token))
 }
 
 /// Bounds that were found, closer by at most as many meshes as are wanted; as they are where they are close enough, where the mesh has as
@@ -184,11 +184,11 @@ pub fn closer_bounds(
     soil: &Continuum,
     wanted: &Wanted,
     bounds: &Bounds,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Bounds, ContinuumError> {
     if bounds.status == BoundsStatus::LowerAlone {
         let setting = Setting::new(model, loading, settings, soil)?;
-        return match (bounds.lower.clone(), upper(&setting, &bounds.mesh, pace)) {
+        return match (bounds.lower.clone(), upper(&setting, &bounds.mesh, token)) {
             (_, Err(Ending::Cancelled)) => Ok(bounds.clone()),
             (Some(below), Ok(above)) => {
                 let round = Round {
@@ -202,7 +202,7 @@ pub fn closer_bounds(
             }
             // What is carried stays proven where no motion is found.
             _ => {
-                let found = collapse_bounds(model, loading, settings, soil, wanted, pace)?;
+                let found = collapse_bounds(model, loading, settings, soil, wanted, token)?;
                 Ok(if found.status == BoundsStatus::Bounded { found } else { bounds.clone() })
             }
         };
@@ -214,7 +214,7 @@ pub fn closer_bounds(
     }
     let setting = Setting::new(model, loading, settings, soil)?;
     Ok(match finer(&bounds, soil, wanted) {
-        Some(mesh) => refined(&setting, model, (bounds, mesh), wanted, pace),
+        Some(mesh) => refined(&setting, model, (bounds, mesh), wanted, token),
         None => bounds,
     })
 }
@@ -225,14 +225,14 @@ fn refined(
     model: &BlockModel,
     (mut bounds, mut mesh): (Bounds, Mesh),
     wanted: &Wanted,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Bounds {
     let soil = setting.soil;
     let last = bounds.rounds.len().saturating_add(wanted.rounds);
     let mut most = None;
     loop {
-        let below = lower(setting, &mesh, pace);
-        let above = upper(setting, &mesh, pace);
+        let below = lower(setting, &mesh, token);
+        let above = upper(setting, &mesh, token);
         if matches!(below, Err(Ending::Cancelled)) || matches!(above, Err(Ending::Cancelled)) {
             if bounds.status != BoundsStatus::Bounded {
                 bounds.status = BoundsStatus::Cancelled;
@@ -249,14 +249,14 @@ fn refined(
             (Err(Ending::Endless), _) => {
                 // Loads that can grow without end say nothing of those that are always there.
                 bounds.status = BoundsStatus::Locks;
-                return unsolved(setting, mesh, bounds, pace);
+                return unsolved(setting, mesh, bounds, token);
             }
             // An earlier mesh answered.
             _ if bounds.status == BoundsStatus::Bounded => return bounds,
             (below, above) => {
                 let most = *most.get_or_insert(wanted.elements.max(UNCARRIED * mesh.triangles.len()));
                 (bounds.lower, bounds.upper) = (below.ok(), above.ok());
-                bounds = unsolved(setting, mesh, bounds, pace);
+                bounds = unsolved(setting, mesh, bounds, token);
                 if bounds.status != BoundsStatus::NotConverged || bounds.mesh.triangles.len() >= most {
                     return bounds;
                 }
@@ -274,7 +274,7 @@ fn refined(
         let met = below.factor > 0.0 && above.factor <= wanted.ratio * below.factor;
         bounds.take(setting, model, mesh, below, above);
         let count = bounds.mesh.triangles.len();
-        pace.reach((count as f64 / wanted.elements as f64).min(0.99));
+        token.reach((count as f64 / wanted.elements as f64).min(0.99));
         if met || count >= wanted.elements || bounds.rounds.len() >= last {
             return bounds;
         }
@@ -301,12 +301,12 @@ pub fn bound_on(
     settings: &Settings,
     soil: &Continuum,
     mesh: &Mesh,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Option<f64>, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
     Ok(match which {
-        Which::Lower => lower(&setting, mesh, pace).ok().map(|field| field.factor),
-        Which::Upper => upper(&setting, mesh, pace).ok().map(|motion| motion.factor),
+        Which::Lower => lower(&setting, mesh, token).ok().map(|field| field.factor),
+        Which::Upper => upper(&setting, mesh, token).ok().map(|motion| motion.factor),
     })
 }
 
@@ -318,10 +318,10 @@ pub fn flow_on(
     settings: &Settings,
     soil: &Continuum,
     mesh: &Mesh,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Option<Flow>, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
-    Ok(flow(&setting, mesh, dilatancy, pace).ok())
+    Ok(flow(&setting, mesh, dilatancy, token).ok())
 }
 
 /// The joints, and nothing found.
@@ -330,16 +330,16 @@ fn without_numbers(setting: &Setting<'_>) -> Outcome {
 }
 
 /// What is known where one program or both were not solved on a mesh.
-fn unsolved(setting: &Setting<'_>, mesh: Mesh, mut bounds: Bounds, pace: &Pace) -> Bounds {
+fn unsolved(setting: &Setting<'_>, mesh: Mesh, mut bounds: Bounds, token: &CancelToken) -> Bounds {
     if bounds.lower.is_none() {
         (bounds.gaps, bounds.carried) = (Vec::new(), None);
-        match share(setting, &mesh, pace) {
+        match share(setting, &mesh, token) {
             Ok(share) if share < 1.0 - 1e-6 => {
                 bounds.status = BoundsStatus::NoEquilibrium;
                 bounds.share = Some(share);
             }
             Ok(_) => {
-                if let Ok(field) = share_carried(setting, &mesh, pace) {
+                if let Ok(field) = share_carried(setting, &mesh, token) {
                     (bounds.gaps, bounds.carried) = (field.dissipation, Some(field.factor));
                 }
             }

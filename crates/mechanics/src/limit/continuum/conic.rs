@@ -4,7 +4,7 @@
 //! problem: the velocities are then what it seeks, and there are fewer of them than stresses.
 
 use crate::limit::interior_point::{Accuracy, minimise};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
 
@@ -175,10 +175,10 @@ impl Conic {
     }
 
     /// Solves it until what is made of the solution is an answer.
-    pub fn answer<T>(&self, pace: &Pace, of: impl Fn(Solved) -> Result<T, Ending>) -> Result<T, Ending> {
+    pub fn answer<T>(&self, token: &CancelToken, of: impl Fn(Solved) -> Result<T, Ending>) -> Result<T, Ending> {
         let mut found = Err(Ending::Unknown);
         for accuracy in EFFORTS {
-            found = of(self.solve(accuracy, pace));
+            found = of(self.solve(accuracy, token));
             if !matches!(found, Err(Ending::Unknown | Ending::Early)) {
                 break;
             }
@@ -187,7 +187,7 @@ impl Conic {
     }
 
     /// Solves it.
-    fn solve(&self, accuracy: Accuracy, pace: &Pace) -> Solved {
+    fn solve(&self, accuracy: Accuracy, token: &CancelToken) -> Solved {
         let failed = |ending| Solved {
             ending,
             variables: vec![0.0; self.kinds.len()],
@@ -198,11 +198,11 @@ impl Conic {
         let (order, cones) = self.order();
         let (a, b) = self.transposed(&order);
         let q: Vec<f64> = self.right.iter().map(|r| -r).collect();
-        if !pace.goes_on() {
+        if token.is_cancelled() {
             return failed(Ending::Cancelled);
         }
         let p = CscMatrix::zeros((q.len(), q.len()));
-        let Some(found) = minimise((&p, &q), (&a, &b), &cones, accuracy, pace) else {
+        let Some(found) = minimise((&p, &q), (&a, &b), &cones, accuracy, token) else {
             return failed(Ending::Unknown);
         };
         let mut variables = vec![0.0; self.kinds.len()];

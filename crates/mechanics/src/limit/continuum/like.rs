@@ -14,7 +14,7 @@ use super::upper::upper;
 use crate::blocks::{BlockModel, Loading};
 use crate::limit::settings::Settings;
 use crate::plane::{Vec2, vec2};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// A mesh of the same soil for loads that stand elsewhere.
 #[derive(Debug, Clone, Copy)]
@@ -34,16 +34,16 @@ pub fn lower_like(
     soil: &Continuum,
     like: &[Like<'_>],
     wanted: &Wanted,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Bounds, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
     let mesh = graded(soil, like, wanted, COARSER)?;
-    let below = match lower(&setting, &mesh, pace) {
+    let below = match lower(&setting, &mesh, token) {
         Ok(below) => below,
         Err(Ending::Cancelled) => {
             return Ok(Bounds { status: BoundsStatus::Cancelled, ..Bounds::begun(&setting, mesh) });
         }
-        Err(_) => return collapse_bounds(model, loading, settings, soil, wanted, pace),
+        Err(_) => return collapse_bounds(model, loading, settings, soil, wanted, token),
     };
     let round = Round { elements: mesh.triangles.len(), lower: Some(below.factor), upper: None };
     let bounds = Bounds::begun(&setting, mesh);
@@ -58,11 +58,11 @@ pub fn upper_like(
     soil: &Continuum,
     like: &[Like<'_>],
     wanted: &Wanted,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Option<f64>, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
     let mesh = graded(soil, like, wanted, ROUGH)?;
-    Ok(upper(&setting, &mesh, pace).ok().map(|motion| motion.factor))
+    Ok(upper(&setting, &mesh, token).ok().map(|motion| motion.factor))
 }
 
 /// Area of a triangle over that of others there from which on it is divided: for lower bounds, and for upper bounds.

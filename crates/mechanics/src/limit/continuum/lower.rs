@@ -11,7 +11,7 @@ use super::setting::{Base, Question, Setting};
 use super::sideways::{Sideways, Weights, bear, linear};
 use super::strengths::Strengths;
 use crate::plane::{Vec2, vec2};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 use std::ops::Range;
 
 /// A stress field and the factor of the variable loads that it balances.
@@ -53,13 +53,13 @@ fn traction(stress: &[Affine; 3], n: Vec2) -> [Affine; 2] {
 }
 
 /// Finds the best stress field on a mesh.
-pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Stresses, Ending> {
-    within(setting, mesh, &Strengths::of(setting, mesh), pace)
+pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Stresses, Ending> {
+    within(setting, mesh, &Strengths::of(setting, mesh), token)
 }
 
 /// The stress field on a mesh that carries the largest share of the permanent loads, up to all; its factor is that share.
-pub(super) fn share_carried(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Stresses, Ending> {
-    best(setting, mesh, &Strengths::of(setting, mesh), Question::Share, pace)
+pub(super) fn share_carried(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Stresses, Ending> {
+    best(setting, mesh, &Strengths::of(setting, mesh), Question::Share, token)
 }
 
 /// The program of a mesh.
@@ -172,9 +172,9 @@ pub(super) fn within(
     setting: &Setting<'_>,
     mesh: &Mesh,
     strengths: &Strengths,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Stresses, Ending> {
-    best(setting, mesh, strengths, Question::Factor, pace)
+    best(setting, mesh, strengths, Question::Factor, token)
 }
 
 fn best(
@@ -182,11 +182,11 @@ fn best(
     mesh: &Mesh,
     strengths: &Strengths,
     question: Question,
-    pace: &Pace,
+    token: &CancelToken,
 ) -> Result<Stresses, Ending> {
     let Asked { program, base, stresses, own, pressures } = asked(setting, mesh, strengths, question);
     let unit = setting.force;
-    program.answer(pace, |found| {
+    program.answer(token, |found| {
         if !matches!(found.ending, Ending::Solved | Ending::Early) {
             return Err(found.ending);
         }

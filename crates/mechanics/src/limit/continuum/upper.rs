@@ -12,7 +12,7 @@ use super::model::Panel;
 use super::setting::{Question, Setting};
 use super::sideways::{Sideways, Weights, bear, by_corners};
 use crate::plane::{Vec2, vec2};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 
 /// A motion and the factor of the variable loads at which it needs no more work than they do.
 #[derive(Debug, Clone, PartialEq)]
@@ -169,9 +169,9 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> A
 }
 
 /// Finds the best motion on a mesh.
-pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Motion, Ending> {
+pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Motion, Ending> {
     let Asked { program, rows, panels, .. } = asked(setting, mesh, Question::Factor);
-    program.answer(pace, |found| {
+    program.answer(token, |found| {
         if !matches!(found.ending, Ending::Solved | Ending::Early) {
             return Err(found.ending);
         }
@@ -190,9 +190,9 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<M
 }
 
 /// No more than this share of the permanent loads is carried; one where no motion says less.
-pub(super) fn share(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<f64, Ending> {
+pub(super) fn share(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<f64, Ending> {
     let Asked { program, factor: share, .. } = asked(setting, mesh, Question::Share);
-    program.answer(pace, |found| match found.ending {
+    program.answer(token, |found| match found.ending {
         Ending::Solved => Ok((found.variables[share] + WORTH * (found.errors[0] + found.errors[1])).clamp(0.0, 1.0)),
         other => Err(other),
     })

@@ -13,7 +13,7 @@ use crate::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, Poin
 use crate::ids::{BlockId, GroupId, Id, Table};
 use crate::limit::settings::{Friction, Settings};
 use crate::plane::{Polygon, Vec2, vec2};
-use crate::watch::Pace;
+use crate::watch::CancelToken;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Variable};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
@@ -60,7 +60,7 @@ fn summed(row: &[(Variable, f64)]) -> Vec<(Variable, f64)> {
 
 /// Clarabel's factor lies between those of the polygons, which differ by no more than `gap` of it.
 fn lies_between(program: &Conic, edges: usize, gap: f64) {
-    let found = program.solve(EFFORTS[0], &Pace::default());
+    let found = program.solve(EFFORTS[0], &CancelToken::default());
     assert_eq!(found.ending, Ending::Solved);
     // The cost is the factor with the other sign.
     let factor: f64 = -program.cost.iter().zip(&found.variables).map(|(c, z)| c * z).sum::<f64>();

@@ -1,6 +1,6 @@
 //! Pieces of work on all cores under one onlooker: progress out, a wish to stop in, and what is done is kept.
 
-pub use mechanics::watch::Pace;
+pub use mechanics::watch::CancelToken;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::mpsc::{RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::Duration;
@@ -19,26 +19,26 @@ pub struct Stage<'a> {
 }
 
 /// Does `work` on every job; answers come in the order of the jobs. When the onlooker wishes to stop, jobs that are not
-/// begun are left out, and those at work hear it from their [`Pace`]. Tells whether all of it was done.
+/// begun are left out, and those at work hear it from their [`CancelToken`]. Tells whether all of it was done.
 pub fn each<J: Sync, T: Send>(
     jobs: &[J],
     stage: &Stage<'_>,
     watch: &mut dyn Watch,
-    work: impl Fn(&J, &Pace) -> T + Sync,
+    work: impl Fn(&J, &CancelToken) -> T + Sync,
 ) -> (Vec<Option<T>>, bool) {
-    let pace = Pace::default();
+    let token = CancelToken::default();
     let mut found: Vec<Option<T>> = jobs.iter().map(|_| None).collect();
     let mut look = || {
-        if !pace.goes_on() {
+        if token.is_cancelled() {
             return;
         }
-        let done = pace.steps();
+        let done = token.steps();
         let share = (done as f64 / stage.steps.max(1) as f64).clamp(0.0, 1.0);
         let [from, to] = stage.shares;
         let name = format!("{}: {done} of {}", stage.name, stage.steps);
         if watch.look(&Progress { stage: name, fraction: Some(from + share * (to - from)), steps: done }) == Wish::Stop
         {
-            pace.stop();
+            token.cancel();
         }
     };
     look();
@@ -49,34 +49,36 @@ pub fn each<J: Sync, T: Send>(
         look();
     };
     told(jobs, &mut hear, |k, job, tell| {
-        if pace.goes_on() {
+        if !token.is_cancelled() {
             // Nobody listens only where this function itself is gone.
-            let _ = tell.send((k, work(job, &pace)));
+            let _ = tell.send((k, work(job, &token)));
         }
     });
-    let all = pace.goes_on();
+    let all = !token.is_cancelled();
     (found, all)
 }
 
-/// Does one piece of work while the onlooker hears from time to time how many iterations it has taken. The work hears from its [`Pace`]
+/// Does one piece of work while the onlooker hears from time to time how many iterations it has taken. The work hears from its [`CancelToken`]
 /// when to stop; where it is the `whole` of an analysis, its share is told. It gets a thread of its own; where none can be started, as in WebAssembly, it is done here and in one go.
-pub fn alone<T: Send>(name: &str, whole: bool, watch: &mut dyn Watch, work: impl Fn(&Pace) -> T + Sync) -> T {
-    let pace = Pace::default();
+pub fn alone<T: Send>(name: &str, whole: bool, watch: &mut dyn Watch, work: impl Fn(&CancelToken) -> T + Sync) -> T {
+    let token = CancelToken::default();
     let mut look = || {
-        if !pace.goes_on() {
+        if token.is_cancelled() {
             return;
         }
-        let stage = format!("{name}: {} iterations", pace.beats());
-        if watch.look(&Progress { stage, fraction: whole.then(|| pace.share()), steps: pace.beats() }) == Wish::Stop {
-            pace.stop();
+        let stage = format!("{name}: {} iterations", token.iterations());
+        if watch.look(&Progress { stage, fraction: whole.then(|| token.share()), steps: token.iterations() })
+            == Wish::Stop
+        {
+            token.cancel();
         }
     };
     look();
     let found = std::thread::scope(|scope| {
         let (tell, heard) = channel();
-        let (work, pace) = (&work, &pace);
+        let (work, token) = (&work, &token);
         // Nobody listens only where this function itself is gone.
-        let own = move || drop(tell.send(work(pace)));
+        let own = move || drop(tell.send(work(token)));
         let Ok(_) = std::thread::Builder::new().spawn_scoped(scope, own) else { return None };
         loop {
             match heard.recv_timeout(LOOK) {
@@ -86,7 +88,7 @@ pub fn alone<T: Send>(name: &str, whole: bool, watch: &mut dyn Watch, work: impl
             }
         }
     });
-    found.unwrap_or_else(|| work(&pace))
+    found.unwrap_or_else(|| work(&token))
 }
 
 /// Does `work` on every job, on all threads; `hear` gets on this one what the jobs tell, and nothing from time to time. Where
@@ -161,9 +163,9 @@ mod tests {
         let jobs: Vec<u64> = (0..40).collect();
         let stage = Stage { name: "squares", steps: 40, shares: [0.0, 1.0] };
         pool.install(|| {
-            each(&jobs, &stage, &mut After(after), |job, pace| {
+            each(&jobs, &stage, &mut After(after), |job, token| {
                 std::thread::sleep(Duration::from_millis(1));
-                pace.step();
+                token.step();
                 job * job
             })
         })

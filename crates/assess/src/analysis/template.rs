@@ -1,6 +1,6 @@
 //! Results with nothing found yet, for analyses to fill.
 
-use super::asked::asked;
+use super::loads_acting::asked;
 use bridge::{Bridge, Plan};
 use outcome::collapse::{By, Collapse, Sought, Status};
 use outcome::picture::Picture;

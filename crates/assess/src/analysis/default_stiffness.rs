@@ -1,4 +1,4 @@
-//! Stiffness of joints for paths of equilibrium, where the file gives none.
+//! Stiffness of joints for equilibrium paths, where the file gives none.
 //!
 //! Masonry gives more than its units do: its joints are taken to be as stiff as if the masonry between the middles of two
 //! voussoirs had a tenth of the modulus of its units. That is the ratio of Bridgemill's published joints (4.84 GPa/m over
@@ -13,7 +13,7 @@ const SHARE: f64 = 0.1;
 /// Poisson's ratio where the file gives none.
 const POISSON_RATIO: f64 = 0.2;
 
-/// The same where the plan's method is the path of equilibrium, with what is to be said of it.
+/// The same where the plan's method is the equilibrium path, with what is to be said of it.
 pub(super) fn for_paths(bridge: &Bridge) -> Option<(Bridge, Option<Warning>)> {
     (bridge.plan.method == Method::Path).then(|| (stiffened(bridge), note(bridge)))
 }

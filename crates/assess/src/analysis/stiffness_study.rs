@@ -3,7 +3,7 @@
 use super::AnalysisError;
 use mechanics::blocks::{BlockModel, Stiffness};
 use mechanics::path::{Ground, Program, Settings, Status};
-use mechanics::watch::{Pace, Watch};
+use mechanics::watch::{CancelToken, Watch};
 use outcome::picture::OverStiffness;
 use structure::discretise::Discretised;
 
@@ -36,7 +36,7 @@ pub(super) fn over_stiffness(
         let load = if times == 1.0 {
             Some(own)
         } else {
-            scaled(d, (settings, program), rigid, times, &mut Pace::of(MOST_STEPS))?
+            scaled(d, (settings, program), rigid, times, &mut CancelToken::limited_to(MOST_STEPS))?
         };
         points.extend(load.map(|factor| [times, d.load(factor)]));
     }

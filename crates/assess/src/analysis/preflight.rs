@@ -1,7 +1,7 @@
 //! Whether the analysis that a file plans can be set up: everything that it refuses before it computes, and no computing.
 
 use super::by_dem::require_stiffness;
-use super::{AnalysisError, by_limit, filled, stiffened, thickness};
+use super::{AnalysisError, by_limit, default_stiffness, filled, thickness};
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::dem::PackingError;
 use mechanics::watch::{Progress, Watch, Wish};
@@ -46,7 +46,7 @@ fn one(bridge: &Bridge) -> Result<(), AnalysisError> {
 fn load(bridge: &Bridge) -> Result<(), AnalysisError> {
     match bridge.plan.method {
         Method::Limit => {}
-        Method::Path => require_stiffness(&stiffened::stiffened(bridge))?,
+        Method::Path => require_stiffness(&default_stiffness::stiffened(bridge))?,
         Method::Dem | Method::Fe => require_stiffness(bridge)?,
     }
     let d = by_limit::prepared(bridge)?;
