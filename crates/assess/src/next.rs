@@ -48,7 +48,7 @@ fn worst<'a>(list: impl Iterator<Item = (&'a Checked, &'a Comparison)>) -> Optio
 /// A load that strength does not carry leaves the bridge, or stays off it, until the shortfall is gone.
 fn restrict(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &mut Vec<Step>) {
     let Some(found) = worst(compared(checked).filter(|(_, one)| one.strength && !one.met())) else { return };
-    let grades = evidence.facts.vehicles.made().map_or(&[][..], |facts| &facts.grades);
+    let grades = evidence.facts.vehicles.made().map_or(&[][..], |facts| &facts.graded);
     for graded in grades {
         let (of, highest) = (&graded.of, graded.told());
         let what = if graded.highest.is_none() && !graded.not_carried.is_empty() {
@@ -287,7 +287,7 @@ mod tests {
         let short = |e: &Evidence| steps(e, &[check(1.6)], &verdict(Judgement::Inadequate));
         assert!(short(&e)[0].what.contains("off the bridge"), "{:?}", short(&e));
         let grade = |highest: Option<&str>, not_carried: &str| VehicleFacts {
-            grades: vec![Graded {
+            graded: vec![Graded {
                 of: "weight restriction".into(),
                 highest: highest.map(str::to_owned),
                 not_carried: vec![not_carried.into()],

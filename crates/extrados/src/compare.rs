@@ -236,12 +236,12 @@ fn same_value(a: &str, b: &str) -> bool {
 fn numbers([before, after]: &[Collapse; 2]) -> Vec<Answered> {
     let number = |name, of: fn(&Collapse) -> Option<f64>| Answered { name, before: of(before), after: of(after) };
     let all = [
-        number("headline_kn_per_m", |c| c.headline().map(|headline| 1e-3 * headline.load)),
-        number("headline_kn", |c| c.headline().map(|headline| 1e-3 * headline.whole)),
-        number("last_stable_load_kn_per_m", |c| c.last_stable_load.map(|load| 1e-3 * load)),
-        number("collapse_load_kn_per_m", |c| c.collapse_load.map(|load| 1e-3 * load)),
-        number("limit_load_kn_per_m", |c| c.limit_load.map(|load| 1e-3 * load)),
-        number("max_compressive_stress_mpa", |c| c.max_compressive_stress.map(|stress| 1e-6 * stress)),
+        number("headline_kn_per_m", |c| c.headline().map(|headline| headline.load / 1e3)),
+        number("headline_kn", |c| c.headline().map(|headline| headline.whole / 1e3)),
+        number("last_stable_load_kn_per_m", |c| c.last_stable_load.map(|load| load / 1e3)),
+        number("collapse_load_kn_per_m", |c| c.collapse_load.map(|load| load / 1e3)),
+        number("limit_load_kn_per_m", |c| c.limit_load.map(|load| load / 1e3)),
+        number("max_compressive_stress_mpa", |c| c.max_compressive_stress.map(|stress| stress / 1e6)),
         number("hinges", |c| Some(c.hinges.len() as f64)),
         number("sliding_joints", |c| Some(c.sliding_joints.len() as f64)),
         number("width_m", |c| Some(c.width)),

@@ -273,9 +273,12 @@ pub struct VehicleFacts {
     pub safety: SafetyFacts,
     /// One entry a vehicle.
     pub vehicles: Vec<SweptFacts>,
-    /// What the bridge is worth in the grades of the vehicles' load models.
+    /// What the bridge is worth in the grades of the vehicles' load models: what they are of, the highest grade, and the others in words.
     #[serde(default)]
-    pub grades: Vec<Graded>,
+    pub grades: Vec<[String; 3]>,
+    /// The same as data.
+    #[serde(default)]
+    pub graded: Vec<Graded>,
     /// Distance between positions [m].
     pub step_m: f64,
     /// The vehicle with the least adequacy factor.

@@ -250,7 +250,7 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         ]).collect()).unwrap_or_default(),
         collapse: collapse(a),
         vehicles: a.facts.vehicles.made().map(rows::vehicles).unwrap_or_default(),
-        grades: a.facts.vehicles.made().map(|facts| facts.grades.iter().map(|one| [one.of.clone(), one.told(), one.all_told()]).collect()).unwrap_or_default(),
+        grades: a.facts.vehicles.made().map(|facts| facts.grades.clone()).unwrap_or_default(),
         rule: a.facts.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
         factors: a.facts.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
         discrete_elements: a.facts.vehicles.made().and_then(|facts| facts.discrete_elements.clone()).unwrap_or_default(),

@@ -26,7 +26,8 @@ pub fn vehicle_facts(bridge: &Bridge, found: &VehicleSweep) -> VehicleFacts {
     let own = plan.map_or_else(PlanFacts::default, |plan| of_plan(bridge, plan, &found.vehicles));
     let source = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
     VehicleFacts {
-        grades: found.grades(),
+        grades: found.grades().iter().map(|one| [one.of.clone(), one.told(), one.all_told()]).collect(),
+        graded: found.grades(),
         rule: rule_line(&found.rule),
         factors: found
             .rule

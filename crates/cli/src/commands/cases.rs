@@ -66,8 +66,8 @@ fn table(found: &Cases) -> String {
             cell(&one.told),
             one.collapse.status,
             shown(one.factor()),
-            shown(one.collapse.carried().map(|load| 1e-3 * load)),
-            1e-3 * one.collapse.reference_load
+            shown(one.collapse.carried().map(|load| load / 1e3)),
+            one.collapse.reference_load / 1e3
         );
     }
     table
