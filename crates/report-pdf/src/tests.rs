@@ -43,7 +43,7 @@ fn data() -> Value {
     let input = json!({ "section": "span[1]", "key": "intrados_thickness_at_the_springing", "value": "0.5 m", "remark": HOSTILE });
     let mut data = json!({
         "bridge": HOSTILE, "status": "inadequate", "headline": "Not adequate", "whole": "C101 is not met: 104\u{a0}% of its limit.",
-        "missing": [HOSTILE], "qualifications": [HOSTILE, "fill acts by its weight alone (A111)"],
+        "missing": [HOSTILE], "beside": [HOSTILE], "qualifications": [HOSTILE, "fill acts by its weight alone (A111)"],
         "limits_source": "a test", "augment": "augment", "checks": [check(false, true), check(true, false)],
         "every": vec![check(true, false); 60], "open": [{ "code": "C102", "title": "stress", "why": HOSTILE, "failed": true }],
         "columns": [{ "what": "deflection", "cells": ["1", "2", "3", "4", "5"], "limit": "6", "unit": "mm", "place": "crown" }],
