@@ -294,12 +294,21 @@ let ready: Promise<void> | null = null;
 
 scope.onmessage = async (event: MessageEvent<Call | { module: WebAssembly.Module; life: string }>) => {
   if ("module" in event.data) {
-    // Held as long as the worker lives: whoever waits for it learns of any end, also one of which no event tells.
-    void scope.navigator.locks?.request(event.data.life, () => {
-      scope.postMessage({ lives: true });
-      return new Promise(() => undefined);
+    const { module, life } = event.data;
+    // Held as long as the worker lives: whoever waits for it learns of any end, also one of which no event tells. It is held before anything is
+    // computed, for a long first analysis would keep the answer to this request waiting until its own end.
+    const { locks } = scope.navigator;
+    const held = new Promise<void>((resolve) => {
+      if (!locks) return resolve();
+      locks
+        .request(life, () => {
+          scope.postMessage({ lives: true });
+          resolve();
+          return new Promise(() => undefined);
+        })
+        .catch(() => resolve());
     });
-    ready = init({ module_or_path: event.data.module }).then(() => engine.start((message: string) => scope.postMessage({ panic: message })));
+    ready = held.then(() => init({ module_or_path: module })).then(() => engine.start((message: string) => scope.postMessage({ panic: message })));
     return;
   }
   const { id, call, args } = event.data;
