@@ -13,7 +13,7 @@ use super::program::{Ending, Interpretation, Program, Solution};
 use std::sync::OnceLock;
 
 /// Part of the friction with which blocks that may lock must rest. Of 2,000 drawn boxes of one to four blocks (`limit_jammed`) discrete
-/// elements let 96 fall that rest with all of it from the compressions of the whole weight, 16 with two thirds, 4 where compressions that
+/// elements let 96 fall that rest with all of it from the compressions of the whole weight, 16 with two thirds, 1 where compressions that
 /// wander do not count as rest, and none where these have to grow from half of the weight.
 const SURELY: f64 = 2.0 / 3.0;
 /// The part of the whole weight from which compressions must grow.
