@@ -1,10 +1,10 @@
 //! What of a rule the vehicles of a file cover: load cases that apply to the spans, and how they were sought.
 
 use crate::evidence::Evidence;
-use crate::vehicles::{Chosen, LoadModel, Rule, applicable, chosen, of_plan};
+use crate::vehicles::{Chosen, LoadModel, Read, Rule, applicable, chosen, read};
 use bridge::{Bridge, Directions, SweepPlan};
 use outcome::given::Taken;
-use rules::{Confidence, Required, Ways};
+use rules::{Confidence, Required, Ways, based_on};
 
 /// The rule of a file and what its vehicles cover.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,22 +75,34 @@ fn level(vehicles: &[Chosen]) -> Option<String> {
     (grades.len() == vehicles.len()).then(|| heaviest.name.clone())
 }
 
-/// Load cases of the loadings that are asked for; and where none of normal traffic is, those of the rule.
+/// Load cases of the loadings that are asked for; and where none of normal traffic is, those of the rule. An engineer's own rule that names a
+/// standard has to carry what the standard has carried, and an own vehicle is no normal traffic of a standard by what its file calls it.
 fn left_out(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicles: &[Chosen]) -> Vec<String> {
-    let Some(models) = of_plan(bridge, plan) else { return Vec::new() };
+    let Ok(Read { library, own, .. }) = read(bridge, plan) else { return Vec::new() };
+    let models = &library.models;
+    let standard = match plan.rule_file {
+        None => Some(rule),
+        Some(_) => based_on(rule, &library).filter(|base| base.named).map(|base| base.rule),
+    };
+    let made_for = |model: &LoadModel| [Some(rule), standard].iter().flatten().any(|one| one.acting(model).is_some());
+    let published = |model: &LoadModel| models[..own].iter().any(|one| one.code == model.code);
+    let counts = |model: &LoadModel| {
+        let joins = |other: &LoadModel| published(other) && other.loading == model.loading;
+        standard.is_none() || published(model) || !model.loading.is_empty() && models.iter().any(joins)
+    };
     let asked = |model: &LoadModel| vehicles.iter().any(|one| one.model == model.code);
-    let normal = models.iter().filter(|model| asked(model)).any(is_normal);
+    let normal = models.iter().filter(|model| asked(model)).any(|model| is_normal(model) && counts(model));
     let ways: Vec<Ways> = vehicles.iter().map(|one| one.ways).collect();
     let loadings: Vec<&str> = match normal {
         true => models.iter().filter(|model| asked(model)).map(|model| model.loading.as_str()).collect(),
         false => {
-            let own = models.iter().filter(|model| !model.only_by_name && rule.acting(model).is_some());
+            let own = models.iter().filter(|model| !model.only_by_name && made_for(model));
             own.filter(|model| ways.contains(&model.ways)).map(|model| model.loading.as_str()).collect()
         }
     };
     let mut codes = Vec::new();
     for model in models.iter().filter(|model| !model.loading.is_empty() && loadings.contains(&model.loading.as_str())) {
-        if rule.acting(model).is_none() {
+        if !made_for(model) {
             continue;
         }
         if !applicable(bridge, model) {

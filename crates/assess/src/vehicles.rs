@@ -324,11 +324,6 @@ pub fn applicable(bridge: &Bridge, model: &LoadModel) -> bool {
     model.span_limit.as_ref().is_none_or(|limit| longest(bridge) <= limit.longest_m + 1e-9)
 }
 
-/// Every load model that a plan may name: the library's and those of its own files; none where they cannot be read.
-pub fn of_plan(bridge: &Bridge, plan: &SweepPlan) -> Option<Vec<LoadModel>> {
-    read(bridge, plan).ok().map(|read| read.library.models)
-}
-
 pub(crate) fn longest(bridge: &Bridge) -> f64 {
     bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max)
 }

@@ -155,6 +155,36 @@ fn the_factor_that_acts_counts() {
     assert!(!answer["doubtful"].as_array().expect("codes").is_empty(), "{answer}");
 }
 
+/// A lorry of one's own is not the normal traffic of a standard, whatever its file, or an own rule of the standard's name, calls it.
+#[test]
+fn a_vehicle_of_ones_own_stands_for_no_standard() {
+    let source = "source = { text = \"x\", date = \"2020\", confidence = \"read\" }";
+    let lorry = |model: &str, vehicle: &str| {
+        format!(
+            "code = \"light\"\ntitle = \"Normal traffic\"\nways = \"road\"\n{model}\n{source}\n[[vehicle]]\ncode = \"v-light\"\n\
+             title = \"Lorry\"\n{vehicle}\naxle_loads_kn = [12.0]\nspacings_m = []\naxles_may_be_dropped = true\n\
+             wheel_track_m = 1.8\ncontact_length_m = 0.3\n[[under]]\nrule = \"cs-454\"\nlive_load = {{ value = 1.9, {source} }}\n\
+             [under.impact]\nkind = \"critical-axle\"\n[under.impact.factor]\nvalue = 1.8\n{source}\n"
+        )
+    };
+    let rule = include_str!("../../../rules/data/rules/cs-454.toml").replace("models = [\"cs-454\"", "models = [\"light\"");
+    let own = ["vehicles = [\"cs-454\"]", "vehicles = [\"light\"]\nvehicle_files = [\"v.toml\"]"];
+    let under = ["rule = \"cs-454\"", "rule_file = \"r.toml\""];
+    let cases = [
+        ("ladder-own", lorry("", ""), vec![own]),
+        ("ladder-own-loading", lorry("loading = \"normal traffic\"", ""), vec![own]),
+        ("ladder-own-grades", lorry("grades = \"weight\"", "grade = \"44 t\""), vec![own]),
+        ("ladder-own-rule", lorry("loading = \"normal traffic\"", ""), vec![own, under]),
+    ];
+    for (name, text, changes) in cases {
+        let files = [("v.toml", text.as_str()), ("r.toml", rule.as_str())];
+        let (_, answer, ending) = judged(name, &changes, &files, &["--skip", "collapse"]);
+        assert_eq!((ending.code, &answer["status"]), (Some(1), &"undetermined".into()), "{name}: {answer} {}", ending.stderr);
+        assert!(head(&answer).contains("left out"), "{name}: {}", head(&answer));
+        assert!(!answer["load_cases_left_out"].as_array().expect("codes").is_empty(), "{name}");
+    }
+}
+
 /// A value and its limit are written with digits that tell them apart.
 #[test]
 fn a_load_just_below_its_limit_is_told_from_it() {
