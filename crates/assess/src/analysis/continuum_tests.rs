@@ -157,7 +157,7 @@ fn loads_that_move_have_both_bounds_and_are_mirrored() {
 
 #[test]
 fn vehicles_are_asked_on_a_continuum_where_they_govern() {
-    let text = format!("{}\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\nstep = \"0.5 m\"\n", coarse());
+    let text = format!("{}\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\nstep = \"1 m\"\n", coarse());
     let b = of(&text);
     let found = vehicle_sweep(&b, &mut Unwatched).unwrap();
     assert!(

@@ -5,7 +5,7 @@ use crate::stage::{Stage, number};
 #[test]
 fn a_repair_is_named_and_its_effect_told() {
     let stage = Stage::with_example("compare-repair", "defects");
-    let before = stage.read("bridge/bridge.toml").replace("voussoirs = 60", "voussoirs = 30");
+    let before = stage.read("bridge/bridge.toml").replace("voussoirs = 60", "voussoirs = 24");
     stage.write("bridge/bridge.toml", &before);
     // The first defect is mended, and a length is written in another unit.
     let (head, rest) = before.split_once("\n[[defect]]").expect("a defect");
