@@ -66,7 +66,7 @@ impl Planner<'_> {
                 Cell::Number(number, _) => Some(number),
                 _ => None,
             });
-            let (what, help) = unitless(first.unwrap_or(0.0));
+            let (what, help) = first.map_or(UNREAD, unitless);
             self.add(Severity::Error, "R011", Some(index + 1), format!("the clock has no unit{what}"), help);
             return None;
         };
@@ -161,6 +161,12 @@ fn parts(headings: &[Heading], mapping: &Mapping, time: usize) -> Parts {
 }
 
 /// What numbers of a clock without a unit look like, and what to write.
+/// What is said of a clock in which no cell is a number or a stamp that is known.
+const UNREAD: (&str, &str) = (
+    "; its stamps are in no form that is known",
+    "write them as 2026-10-25T02:59:54.005, or head seconds \"time [s]\"",
+);
+
 fn unitless(first: f64) -> (&'static str, &'static str) {
     match first {
         // From 2000 to 2100.
@@ -173,6 +179,11 @@ fn unitless(first: f64) -> (&'static str, &'static str) {
         946_684_800e3..4_102_444_800e3 => {
             ("; its numbers look like milliseconds since 1970", "head it \"time [ms]\" where they are milliseconds")
         }
+        // Years 1900 to 2200.
+        19_000_101_000_000.0..22_000_101_000_000.0 => (
+            "; its numbers look like year, month, day, hours, minutes and seconds in one",
+            "write them as 20261025T025954.005",
+        ),
         _ => ("", "write it into the heading: \"time [s]\""),
     }
 }

@@ -71,9 +71,11 @@ pub(super) struct Stamp {
     pub period: i64,
 }
 
-/// Reads a cell as a stamp.
+/// Reads a cell as a stamp, in brackets or behind the name of a weekday too.
 pub(super) fn stamp(text: &str) -> Option<Stamp> {
     let text = text.trim();
+    let text = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(text);
+    let text = without_weekday(text);
     // A number is no stamp, and commonest.
     if text.len() < 5 || !text.is_ascii() || !text.contains([':', '/', '-', '.', 'T']) {
         return None;
@@ -92,6 +94,16 @@ pub(super) fn stamp(text: &str) -> Option<Stamp> {
         return None;
     }
     Some(Stamp { date, time: Some(time), ahead, decimals, period })
+}
+
+const WEEKDAYS: [&str; 7] = ["mon", "tue", "wed", "thu", "fri", "sat", "sun"];
+
+/// "Sun, 25 Oct 2026" without its weekday.
+fn without_weekday(text: &str) -> &str {
+    let letters = text.bytes().take_while(u8::is_ascii_alphabetic).count();
+    let (first, rest) = text.split_at(letters);
+    let is_weekday = letters >= 3 && WEEKDAYS.iter().any(|day| first.to_ascii_lowercase().starts_with(day));
+    if is_weekday { rest.trim_start_matches(['.', ',', ' ']) } else { text }
 }
 
 /// The date, and what follows it.
@@ -117,6 +129,9 @@ fn written_date(text: &str) -> Option<Date> {
     let all = |order: Order| Order::ALL.map(|other| other == order);
     if text.len() == 8 && text.bytes().all(|byte| byte.is_ascii_digit()) {
         let numbers = [&text[..4], &text[4..6], &text[6..]].map(|part| part.parse().unwrap_or(0));
+        return checked(numbers, all(Order::YearMonthDay));
+    }
+    if let Some(numbers) = ordinal(text).or_else(|| of_week(text)) {
         return checked(numbers, all(Order::YearMonthDay));
     }
     let mark = text.chars().find(|c| matches!(c, '-' | '/' | '.' | ' '))?;
@@ -147,6 +162,47 @@ fn written_date(text: &str) -> Option<Date> {
         _ => return None,
     };
     checked(numbers, orders)
+}
+
+/// Digits alone.
+fn digits(text: &str) -> Option<u32> {
+    text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok())?
+}
+
+/// "2026-298": the day of a year (ISO 8601-1, 5.2.3).
+fn ordinal(text: &str) -> Option<[u32; 3]> {
+    let (year, day) = text.split_once('-').filter(|(year, day)| (year.len(), day.len()) == (4, 3))?;
+    let (year, day) = (digits(year)?, digits(day)?);
+    let found = date_of(days(year, 1, 1)? + i64::from(day) - 1)?;
+    (day > 0 && found[0] == year).then_some(found)
+}
+
+/// "2026-W43-7" and "2026W437": the day of a week, the first of which has the year's first Thursday (ISO 8601-1, 5.2.4).
+fn of_week(text: &str) -> Option<[u32; 3]> {
+    let (year, rest) =
+        text.split_once(['W', 'w']).map(|(year, rest)| (year.trim_end_matches('-'), rest.replace('-', "")))?;
+    if (year.len(), rest.len()) != (4, 3) {
+        return None;
+    }
+    let (week, day) = (digits(&rest[..2])?, digits(&rest[2..])?);
+    // The fourth of January is in the first week; the first of January 1970 was a Thursday.
+    let fourth = days(digits(year)?, 1, 4)?;
+    let monday = fourth - (fourth + 3).rem_euclid(7);
+    ((1..=53).contains(&week) && (1..=7).contains(&day))
+        .then(|| date_of(monday + 7 * i64::from(week - 1) + i64::from(day) - 1))?
+}
+
+/// Year, month and day of a count of days since the first of January 1970 (Hinnant, as [`days`]).
+fn date_of(count: i64) -> Option<[u32; 3]> {
+    let shifted = count + 719_468;
+    let (era, of_era) = (shifted.div_euclid(146_097), shifted.rem_euclid(146_097));
+    let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
+    let of_year = of_era - (365 * year + year / 4 - year / 100);
+    let month = (5 * of_year + 2) / 153;
+    let day = of_year - (153 * month + 2) / 5 + 1;
+    let month = if month < 10 { month + 3 } else { month - 9 };
+    let year = era * 400 + year + i64::from(month <= 2);
+    Some([u32::try_from(year).ok()?, u32::try_from(month).ok()?, u32::try_from(day).ok()?])
 }
 
 /// A date that is one in some order, with those in which it is none taken out.
@@ -284,6 +340,12 @@ mod tests {
             "Oct 25, 2026 02:59:54.005",
             "2026-10-25 02:59:54:005",
             "2026-10-25 02:59:54.005 UTC",
+            "2026-298T02:59:54.005Z",
+            "2026-W43-7T02:59:54.005",
+            "2026W437T025954.005",
+            "[2026-10-25 02:59:54.005]",
+            "Sun Oct 25, 2026 02:59:54.005",
+            "Sunday, 25 October 2026 02:59:54.005",
         ] {
             assert_eq!(seconds(text), 1_792_897_194.005, "{text}");
         }
@@ -320,6 +382,9 @@ mod tests {
             "1:2:3:4",
             "59:54",
             "12-14-16-18",
+            "2026-366 00:00:00",
+            "2026-000 00:00:00",
+            "2026-W54-1 00:00:00",
         ] {
             let found = stamp(text);
             // Hours and minutes are a time of day.
