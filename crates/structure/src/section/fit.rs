@@ -38,6 +38,9 @@ const LEVEL: f64 = 0.005;
 /// Points nearer than this in both directions are one that was given twice [m]: less than any survey resolves.
 const SAME: f64 = 1e-5;
 
+/// Share of the points that may be slips; what leaves out more is another line, as that of the ground under a whole scan.
+const MOST_LEFT_OUT: f64 = 0.1;
+
 /// How far a curve is drawn out to the face of an abutment [m].
 const FARTHEST: f64 = 0.15;
 
@@ -317,6 +320,9 @@ fn section(polar: &Polar, curve: &Radius, seen: &[Seen], kept: &[bool]) -> Resul
         .map(|(((_, at), deviation), kept)| Surveyed { at: *at, deviation: *deviation, is_left_out: !kept })
         .collect();
     let used: Vec<&Surveyed> = points.iter().filter(|point| !point.is_left_out).collect();
+    if (points.len() - used.len()) as f64 > MOST_LEFT_OUT * points.len() as f64 {
+        return Err(SectionError::NoArch { why: "more than a tenth of them lie beside the curve through the others" });
+    }
     let rms = |squares: f64| (squares / used.len() as f64).sqrt();
     let at: Vec<[f64; 2]> = used.iter().map(|point| point.at).collect();
     let circle =

@@ -40,7 +40,7 @@ pub enum SectionError {
         candidates: Vec<(&'static str, f64)>,
     },
     /// Too few points.
-    #[error("{count} points are too few for a curve with its scatter: {least} or more, better hundreds")]
+    #[error("{} for a curve with its scatter: {least} or more, better hundreds", too_few(*count))]
     TooFew {
         /// How many there are.
         count: usize,
@@ -66,6 +66,10 @@ pub enum SectionError {
         /// Horizontal distance of the ends [m].
         span: f64,
     },
+}
+
+fn too_few(count: usize) -> String {
+    format!("{} {} too few", findings::words::counted(count, "point"), findings::words::verb(count, "is", "are"))
 }
 
 /// A length in words [m].

@@ -83,6 +83,15 @@ fn outliers_are_left_out_and_told() {
     assert_eq!((table.lines().count(), table.matches("true").count()), (301, told.len()));
 }
 
+/// The line of the ground between the springings, as a closed scan has it, is no slip.
+#[test]
+fn a_scan_that_holds_the_ground_is_refused() {
+    let mut points = scanned(&Profile::Segmental, [8.0, 1.6], 400, 2e-3, 3);
+    let lowest = points.iter().map(|point| point[1]).fold(f64::INFINITY, f64::min);
+    points.extend((0..80).map(|k| [0.1 * f64::from(k), lowest - 1.5]));
+    assert!(matches!(fit(&points), Err(SectionError::NoArch { .. })));
+}
+
 #[test]
 fn the_hand_and_the_order_of_the_points_make_no_difference() {
     let points = scanned(&Profile::Elliptical, [9.0, 2.6], 150, 2e-3, 5);

@@ -158,8 +158,9 @@ fn doubts(found: &Section) -> Vec<String> {
     }
     if found.tilt.abs() > 1e-3 {
         doubts.push(format!(
-            "the right end lies {:+.0} mm above the left one; the section was turned to be level",
-            1e3 * found.tilt
+            "the right end lies {:.0} mm {} the left one; the section was turned to be level",
+            1e3 * found.tilt.abs(),
+            if found.tilt > 0.0 { "above" } else { "below" }
         ));
     }
     doubts
