@@ -175,6 +175,10 @@ fn without_safety(vehicles: &[Chosen]) -> Vec<(String, f64)> {
 /// Least positions over the shortest span with which the worst one is met.
 const LEAST_POSITIONS: f64 = 15.0;
 
+/// Least braking and traction, as a share of the loads, that railways ask for: 0.15 (AREMA, longitudinal force), 0.25 (EN 1991-2, 6.5.3: 20 of
+/// 80 kN/m). Less than that asks for a reason.
+const LEAST_BRAKING: f64 = 0.15;
+
 /// What the rule asks of the file and does not find there.
 fn lacks(a: &Evidence, plan: &SweepPlan) -> Vec<[String; 2]> {
     let bridge = &a.bridge;
@@ -196,8 +200,8 @@ fn lacks(a: &Evidence, plan: &SweepPlan) -> Vec<[String; 2]> {
             "braking not written",
             "write braking = … in [sweep], as a share of the loads, or braking = 0 with braking_reason = \"…\"",
         );
-    } else if asks(Required::Braking) && plan.braking == 0.0 && plan.braking_reason.is_none() {
-        ask("no reason for braking = 0", "write braking_reason = \"…\" in [sweep]");
+    } else if asks(Required::Braking) && plan.braking < LEAST_BRAKING && plan.braking_reason.is_none() {
+        ask(&format!("no reason for braking = {}", plan.braking), "write braking_reason = \"…\" in [sweep]");
     }
     if plan.directions != Directions::Both {
         ask("vehicles drive one way only", "leave directions of [sweep] away");
@@ -210,6 +214,14 @@ fn lacks(a: &Evidence, plan: &SweepPlan) -> Vec<[String; 2]> {
         ask("positions too far apart", "leave step of [sweep] away, or write a fifteenth of the shortest span at most");
     }
     list
+}
+
+/// Less braking than railways ask for under a rule that asks for it, with the reason that the file gives.
+pub fn less_braking(a: &Evidence) -> Option<Taken> {
+    let plan = a.bridge.sweep.as_ref().filter(|plan| plan.braking_given && plan.braking < LEAST_BRAKING)?;
+    let asked = a.facts.vehicles.made()?.requires.iter().any(|one| one.what == Required::Braking);
+    let how = plan.braking_reason.clone().filter(|_| asked)?;
+    Some(Taken { what: format!("braking {}", plan.braking), how, open: false })
 }
 
 /// Widest lane of a road, and the farthest that the nearest wheel usually stands from the edge of a barrel [m]: beyond them vehicles that

@@ -703,6 +703,9 @@ impl Default for Sideways {
     }
 }
 
+/// Least distance between places of a sweep [m]: closer ones tell nothing more, and a slip in the unit would take days.
+pub const LEAST_STEP: f64 = 1e-3;
+
 /// Height of a vehicle's centre of gravity above the rail [m], where the file gives none.
 pub const GRAVITY_HEIGHT: f64 = 1.8;
 /// Distance between the middles of both rails [m], where the file gives none.

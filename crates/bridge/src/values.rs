@@ -133,6 +133,12 @@ fn words(field: &Field, text: String, range: TextRange, findings: &mut Findings)
         findings.error("B111", range, message, field.doc, "delete the text and type it again");
         return None;
     }
+    let justifies = field.key.ends_with("source") || field.key.ends_with("reason");
+    if justifies && !text.chars().any(char::is_alphanumeric) {
+        let message = format!("`{}` names nothing", field.key);
+        findings.error("B113", range, message, field.doc, "write what it rests on, or leave the line out");
+        return None;
+    }
     Some(text)
 }
 

@@ -6,7 +6,7 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
 use assess::analysis::{self, Places};
-use bridge::Method;
+use bridge::{LEAST_STEP, Method};
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
 use structure::discretise::bridge_length;
@@ -35,6 +35,10 @@ pub enum Swept {
 /// # Errors
 /// A file that cannot be used, or a sweep that cannot be set up for its bridge (F108).
 pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -> Result<Swept, Refusal> {
+    if options.step.is_some_and(|step| !(step >= LEAST_STEP)) {
+        let least = format!("write {LEAST_STEP} m or more, or leave the distance between places away");
+        return Err(Refusal::new("F107", "places are too close to one another", least));
+    }
     let mut bridge = planned(project, &options.choice)?;
     let watch = &mut Looking(watch);
     let other = Some(bridge.plan.method).filter(|method| !sweeps(*method)).map(instead_of);

@@ -142,8 +142,8 @@ pub enum AnalysisError {
     #[error("the equations of the ring cannot be set up: {0}")]
     Equations(mechanics::fem::FactorError),
     #[error(
-        "finite elements of the ring and the least thickness know no defects, and the file has some: use method \"limit\", \"path\" or \
-         \"dem\" with analysis \"load\", or leave [[defect]] out"
+        "finite elements of the ring and the least thickness know neither defects nor supports that moved before, and the file has \
+         one: use method \"limit\", \"path\" or \"dem\" with analysis \"load\", or leave [[defect]] and [support_movement] out"
     )]
     KnowsNoDefects,
     #[error(

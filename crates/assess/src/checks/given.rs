@@ -112,6 +112,11 @@ fn taken(a: &Evidence) -> Vec<Taken> {
             list.push(told(what, "vehicles stand across the bridge as is usual (A182)", true));
         }
         list.extend(coverage::lanes_apart(&a.bridge));
+        list.extend(coverage::less_braking(a));
+    }
+    let included = a.asked.limits.load_factor_included;
+    if a.asked.limits.adequacy_factor.is_some() && included != 1.0 {
+        list.push(told(format!("loads of the file carry a factor of {included}"), "by load_factor_included", false));
     }
     if let Some(source) = &a.asked.limits.skew_source {
         list.push(told(format!("skew confirmed by {source}"), "the model is square", false));

@@ -206,4 +206,13 @@ crown_thickness = "0.60 m""#,
         right: r#"kind = "axles" for the axles of one vehicle"#,
         source: "the format of bridge files",
     },
+    FileCard {
+        code: "B113",
+        title: "a source or a reason that names nothing",
+        meaning: "A text that is to say where a number is from, or why it is so, holds at least a letter or a digit.",
+        why: "A verdict rests on it: an empty text would count as a document that nobody can look up.",
+        wrong: r#"braking_reason = " ""#,
+        right: r#"braking_reason = "EN 1991-2, 6.5.3, as a share""#,
+        source: "the format of bridge files",
+    },
 ];

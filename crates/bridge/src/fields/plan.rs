@@ -41,7 +41,7 @@ pub(super) static ANALYSIS: Section = Section {
         Field::new("strip", Kind::Word(Strip::WORDS), "strip of the bridge's width that is analysed", "both")
             .default(Strip::Fill.word()),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
-            .positive()
+            .at_least(1.0)
             .optional("needed by method \"dem\" for a load"),
         Field::new(
             "load_limit",

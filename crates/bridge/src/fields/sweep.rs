@@ -4,7 +4,9 @@ use super::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Carriageway, Directions, FillPressure, GAUGE, GRAVITY_HEIGHT, LeastPressure, Sideways, SweepPlan};
+use crate::model::{
+    Carriageway, Directions, FillPressure, GAUGE, GRAVITY_HEIGHT, LEAST_STEP, LeastPressure, Sideways, SweepPlan,
+};
 use crate::quantity::Dimension::{Angle, Length, Speed, Stress};
 use crate::tree::{At, Table};
 use crate::values::read;
@@ -37,7 +39,7 @@ pub(super) static SWEEP: Section = Section {
         Field::new(
             "braking_reason",
             Kind::Text,
-            "why braking has this share; a rule that asks for braking gives no verdict where it is 0 without a reason",
+            "why braking has this share; a rule that asks for braking gives no verdict where it is less than 0.15 without a reason",
             "ballasted track runs 40 m beyond both abutments",
         )
         .optional("no reason"),
@@ -61,7 +63,7 @@ pub(super) static SWEEP: Section = Section {
         )
         .optional("none"),
         Field::new("step", Kind::Quantity(Length), "distance between positions", "0.25 m")
-            .positive()
+            .at_least(LEAST_STEP)
             .optional("a sixtieth of the shortest span; the worst position between steps is then found"),
         Field::new("directions", Kind::Word(Directions::WORDS), "directions in which vehicles travel", "both")
             .default(Directions::Both.word()),

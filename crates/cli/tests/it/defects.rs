@@ -64,6 +64,6 @@ fn what_knows_no_defects_refuses_them() {
     stage.write("bridge/bridge.toml", format!("{text}\n[[defect]]\nkind = \"lost-mortar\"\ndepth = \"50 mm\"\n"));
     for choice in [["--method", "fe"], ["--analysis", "thickness"]] {
         let ending = stage.run(&["collapse", "bridge/bridge.toml", choice[0], choice[1]]);
-        assert!(ending.code == Some(2) && ending.stderr.contains("know no defects"), "{}", ending.stderr);
+        assert!(ending.code == Some(2) && ending.stderr.contains("know neither defects"), "{}", ending.stderr);
     }
 }

@@ -167,7 +167,8 @@ fn a_vehicle_of_ones_own_stands_for_no_standard() {
              [under.impact]\nkind = \"critical-axle\"\n[under.impact.factor]\nvalue = 1.8\n{source}\n"
         )
     };
-    let rule = include_str!("../../../rules/data/rules/cs-454.toml").replace("models = [\"cs-454\"", "models = [\"light\"");
+    let rule =
+        include_str!("../../../rules/data/rules/cs-454.toml").replace("models = [\"cs-454\"", "models = [\"light\"");
     let own = ["vehicles = [\"cs-454\"]", "vehicles = [\"light\"]\nvehicle_files = [\"v.toml\"]"];
     let under = ["rule = \"cs-454\"", "rule_file = \"r.toml\""];
     let cases = [
@@ -179,7 +180,12 @@ fn a_vehicle_of_ones_own_stands_for_no_standard() {
     for (name, text, changes) in cases {
         let files = [("v.toml", text.as_str()), ("r.toml", rule.as_str())];
         let (_, answer, ending) = judged(name, &changes, &files, &["--skip", "collapse"]);
-        assert_eq!((ending.code, &answer["status"]), (Some(1), &"undetermined".into()), "{name}: {answer} {}", ending.stderr);
+        assert_eq!(
+            (ending.code, &answer["status"]),
+            (Some(1), &"undetermined".into()),
+            "{name}: {answer} {}",
+            ending.stderr
+        );
         assert!(head(&answer).contains("left out"), "{name}: {}", head(&answer));
         assert!(!answer["load_cases_left_out"].as_array().expect("codes").is_empty(), "{name}");
     }

@@ -93,6 +93,13 @@ fn what_a_rule_asks_for_reaches_the_result() {
         (number(&with["vehicles"], "braking"), &with["vehicles"]["braking_reason"]),
         (0.0, &"long track".into())
     );
+    // Next to none is none, and why it may be left out stands beside the verdict.
+    let said = |answer: &Value, what: &str| {
+        answer["beside"].to_string().contains(what) || answer["missing"].to_string().contains(what)
+    };
+    assert!(said(&with, "braking 0: long track"), "{with}");
+    let (next_to_none, _) = assessed(&stage, &rail("braking = 1e-9"));
+    assert!(said(&next_to_none, "no reason for braking = 0.000000001"), "{next_to_none}");
     let text = bridge("0.45", "0.40") + &sweep("rule = \"cs-454\"", "\"cs454-single\"", "");
     let (one, _) = assessed(&stage, &text);
     assert!(!asks(&one, "braking"), "{one}");

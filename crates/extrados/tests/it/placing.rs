@@ -50,6 +50,9 @@ fn the_place_of_the_file_gives_the_collapse_of_the_file() {
 #[test]
 fn places_are_those_of_a_sweep_whatever_came_before() {
     let project = project(TINY);
+    // A slip in the unit is refused, and not swept for days.
+    let slipped = SweepOptions { step: Some(1e-9), ..SweepOptions::default() };
+    assert_eq!(sweep(&project, &slipped, &mut Unwatched).expect_err("too close").code, "F107");
     let options = SweepOptions { step: Some(0.25), ..SweepOptions::default() };
     let Swept::Loads(swept) = sweep(&project, &options, &mut Unwatched).expect("a sweep") else { panic!("loads") };
     let mut onward = Placing::loads(&project, &Choice::default()).expect("a bridge that waits");
