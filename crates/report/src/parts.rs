@@ -189,7 +189,7 @@ fn kilonewtons(value: f64) -> String {
 /// Dead-load totals, and reactions at rest.
 pub fn statics(statics: &Statics) -> Vec<Part> {
     let mut weights = Part::new(Some("statics"), "Dead loads and reactions at rest");
-    weights.words.clone_from(&statics.assumptions);
+    weights.words = outcome::note::words(&statics.assumptions);
     weights.heads = vec!["part", "per metre of width [kN/m]", "whole width [kN]"];
     weights.numbers = vec![false, true, true];
     let weight = |name: &str, force: f64| vec![name.to_owned(), kilonewtons(force), kilonewtons(force * statics.width)];

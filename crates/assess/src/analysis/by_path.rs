@@ -11,6 +11,7 @@ use mechanics::limit;
 use mechanics::path::{self, Cause, Frame, PathPoint};
 use mechanics::watch::Watch;
 use outcome::collapse::{By, Collapse, Ended, PathPressure, PathReport, Permissible, Status};
+use outcome::note;
 use outcome::picture::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
 use outcome::warning::{self, Warning};
 use structure::discretise::Discretised;
@@ -83,10 +84,7 @@ pub(super) fn as_described(
     c.warnings.extend(broken_off(&c));
     // Both are answers: a stiffer joint may let the blocks stand.
     if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
-        c.assumptions.push(
-            "Rigid blocks carry their own weight. On deformable joints these do not: let go, they move until they fall."
-                .into(),
-        );
+        c.assumptions.push(note::Blocks::FallOnDeformableJoints.into());
     }
     if by_limit::settings(bridge).crushing {
         let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;

@@ -78,7 +78,8 @@ fn discrete_elements_say_that_joints_bear_on_two_points_and_that_crushing_is_lef
     distributed.plan.contact = Some(JointContact::Distributed);
     let found = collapse(&distributed, None, &mut Unwatched).unwrap();
     assert!(!codes(&found.warnings).contains(&warning::TWO_POINT_JOINTS));
-    assert!(found.assumptions.iter().any(|said| said.contains("distributed contact")));
+    let told = outcome::note::Blocks::DiscreteElements { distributed: true };
+    assert!(found.assumptions.contains(&told.into()));
 }
 
 #[test]

@@ -6,6 +6,7 @@ use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
 use outcome::collapse::{Collapse, Sought, Status};
+use outcome::note::{self, Bond, FiniteStones, Note};
 use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, Origin, pressure};
 
@@ -30,15 +31,10 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     let Some(report) = c.limit() else { return };
     let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
-    assumptions.push(
-        match c.sought {
-            Sought::SupportMovement(_) => {
-                "Rigid blocks that follow the support as a mechanism; displacements are large."
-            }
-            _ => "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.",
-        }
-        .into(),
-    );
+    assumptions.push(match c.sought {
+        Sought::SupportMovement(_) => note::Blocks::RigidAsMoved,
+        _ => note::Blocks::Rigid,
+    });
     match (report.friction, report.associated_load) {
         (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
             warning::ASSOCIATED_SLIDING,
@@ -59,13 +55,10 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
                 ),
             ));
         }
-        (FlowRule::Associated, _) => assumptions.push("Friction is associated; no joint slides in the mechanism, so it forms \
-                                               without dilation too.".into()),
-        (FlowRule::NonAssociated, Some(load)) => assumptions.push(format!(
-            "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
-            load / 1e3
-        )),
-        (FlowRule::NonAssociated, None) => assumptions.push("Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006).".into()),
+        (FlowRule::Associated, _) => assumptions.push(note::Blocks::FrictionAssociated),
+        (FlowRule::NonAssociated, associated_load) => {
+            assumptions.push(note::Blocks::FrictionNonAssociated { associated_load });
+        }
     }
     warnings.extend(joints::cohesive(bridge));
     if let (Status::NotConverged, FlowRule::NonAssociated, Some(carried)) =
@@ -93,7 +86,7 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         ));
     }
     c.warnings.extend(warnings);
-    c.assumptions.extend(assumptions);
+    c.assumptions.extend(assumptions.into_iter().map(Note::from));
 }
 
 /// The range of loads with fill that presses: by weight alone, as described, and with all that could be there.
@@ -124,31 +117,21 @@ pub fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Opti
 pub fn pressed(bridge: &Bridge, c: &mut Collapse) {
     let Some(fill) = &bridge.fill_pressure else { return };
     let k = pressure::coefficients(fill);
-    c.assumptions.push(format!(
-        "Fill presses sideways on the backs with {:.2} of its vertical stress, and with up to {:.2} of it plus {:.1} \
-         kPa where a back moves against it: {:.0} % of Rankine's passive pressure for {:.1} degrees and {:.0} % of \
-         that for cohesion. It acts at once; real fill needs movement.",
-        k.least,
-        k.most,
-        k.cohesion / 1e3,
-        100.0 * fill.mobilisation,
-        fill.friction_angle.to_degrees(),
-        100.0 * fill.cohesion_mobilisation,
-    ));
+    let mut told = vec![note::Fill::Presses {
+        least: k.least,
+        most: k.most,
+        cohesion: k.cohesion,
+        mobilised: fill.mobilisation,
+        friction_angle: fill.friction_angle,
+        cohesion_mobilised: fill.cohesion_mobilisation,
+    }];
     if bridge.spans.len() > 1 {
-        c.assumptions.push(
-            "Between two spans each level of fill pushes both rings with the same force; where only one of them has a \
-             back at a level, only pressure at rest acts."
-                .into(),
-        );
+        told.push(note::Fill::PressesBetweenSpans);
     }
     if bridge.cover.backing.is_some_and(|b| b.body == BackingBody::Weight) {
-        c.assumptions.push(
-            "Backing presses and resists no more than fill in its place: its own strength is left out. as = \"blocks\" \
-             in [backing] includes it."
-                .into(),
-        );
+        told.push(note::Fill::BackingPresses);
     }
+    c.assumptions.extend(told.into_iter().map(Note::from));
 }
 
 /// Notes on fill that presses the more the further backs move against it.
@@ -157,45 +140,29 @@ fn moved_against(bridge: &Bridge, c: &mut Collapse) {
         return;
     };
     let k = pressure::coefficients(fill);
-    c.assumptions.push(format!(
-        "Fill presses sideways on the backs with {:.2} of its vertical stress, and the more the further a back moves against it: \
-         half of the way to {:.2} of it plus {:.1} kPa at a movement of {:.1} % of the depth below the top of the fill. At the \
-         largest load {:.0} % of what movement could add is there. Movement counts from the blocks as built.",
-        k.least,
-        k.most,
-        k.cohesion / 1e3,
-        100.0 * fill.half_movement,
-        100.0 * found.mobilised,
-    ));
+    let told = note::Fill::PressesWithMovement {
+        least: k.least,
+        most: k.most,
+        cohesion: k.cohesion,
+        half_movement: fill.half_movement,
+        mobilised: found.mobilised,
+    };
+    c.assumptions.push(told.into());
 }
 
 /// What is assumed of backing that is blocks, and of the ground behind it.
-fn backed(bridge: &Bridge, d: &Discretised) -> Option<String> {
+fn backed(bridge: &Bridge, d: &Discretised) -> Option<Note> {
     bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks)?;
     let pieces = d.origins.iter().filter(|o| matches!(o, Origin::Backing { .. })).count();
-    let [left, right] = bridge.abutments.map(|a| a.top_width);
-    let behind = if d.loading.restraints.is_empty() {
-        "there is no fill pressure behind it"
-    } else {
-        "fill behind it presses and resists as on the backs"
-    };
-    Some(format!(
-        "Backing is {pieces} blocks of sound masonry with joints as between voussoirs: stones with level beds on backs \
-         steeper than 45 degrees, a column on every flatter one. It reaches over the tops of the abutments ({left:.2} \
-         m and {right:.2} m), where friction alone holds it; {behind}. A trial pit or a core must confirm that it is \
-         sound and reaches so far."
-    ))
+    let over_abutments = bridge.abutments.map(|a| a.top_width);
+    Some(note::Fill::BackingBlocks { pieces, over_abutments, pressed: !d.loading.restraints.is_empty() }.into())
 }
 
 /// Notes on a discrete element run.
 pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) && d.fill.is_none() {
-        c.assumptions.push(
-            "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press \
-             sideways."
-                .into(),
-        );
+        c.assumptions.push(note::Fill::DoesNotPress.into());
     }
     discrete_elements(&bridge.plan, c);
     if bridge.masonry.rounding > 0.0 {
@@ -238,25 +205,15 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
 }
 
-/// Notes on a run by finite elements; `parts` says what stones and joints are made of.
-pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, sliding: Option<Sliding>, c: &mut Collapse) {
+/// Notes on a run by finite elements of these stones.
+pub fn finite(bridge: &Bridge, d: &Discretised, stones: FiniteStones, sliding: Option<Sliding>, c: &mut Collapse) {
     common(bridge, d, c);
-    let springs = c.finite().map_or(0, |finite| finite.springs_per_joint);
-    c.assumptions.push(format!(
-        "Each joint has {springs} springs from edge to edge, without tension{}, which shear elastically and do not \
-         slide; displacements are large. {parts}",
-        match bridge.plan.contact {
-            Some(bridge::JointContact::Distributed) => " and each for a strip of its own",
-            _ => "",
-        }
-    ));
-    c.assumptions.push(
-        "collapse_load is the smallest load tried without equilibrium; last_stable_load is the largest with \
-         equilibrium."
-            .into(),
-    );
+    let in_a_joint = c.finite().map_or(0, |finite| finite.springs_per_joint);
+    let own_strips = bridge.plan.contact == Some(JointContact::Distributed);
+    c.assumptions.push(note::Blocks::Springs { in_a_joint, own_strips, stones }.into());
+    c.assumptions.push(note::Blocks::LoadsTried.into());
     if bridge.joint.tensile_strength > 0.0 {
-        c.assumptions.push("The tensile strength of the joints is left out.".into());
+        c.assumptions.push(note::Blocks::TensionLeftOut.into());
     }
     c.warnings.extend(sliding.map(joints::would_slide));
     if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load)
@@ -285,27 +242,15 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, sliding: Option<Sli
 pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
     common(bridge, d, c);
     moved_against(bridge, c);
-    c.assumptions.push(match distributed {
-        true => format!(
-            "Rigid blocks on deformable joints: the pressure grows with the overlap over the compressed part of a joint, {}; \
-             displacements are large.",
-            match strongest(bridge) > 0.0 {
-                true => "and so does the tension up to the strength of the bond, which breaks there for good",
-                false => "without tension",
-            }
-        ),
-        false => "Rigid blocks on deformable joints at two points, without tension; displacements are large.".to_owned(),
-    });
-    c.assumptions.push(
-        "The blocks that touch as built are those that press: a contact that only forms during the motion is left out."
-            .into(),
-    );
-    if strongest(bridge) > 0.0 && !distributed {
-        c.assumptions.push("The tensile strength of the joints is left out.".into());
+    let tension = strongest(bridge) > 0.0;
+    let bond = if distributed { Bond::Distributed { tension } } else { Bond::AtPoints };
+    c.assumptions.push(note::Blocks::DeformableJoints { bond }.into());
+    c.assumptions.push(note::Blocks::ContactsAsBuilt.into());
+    if tension && !distributed {
+        c.assumptions.push(note::Blocks::TensionLeftOut.into());
     }
     if bridge.masonry.compressive_strength.is_some() && distributed {
-        c.assumptions
-            .push("Joints whose pressure is at the compressive strength keep it, and open again elastically.".into());
+        c.assumptions.push(note::Blocks::CrushingKept.into());
     }
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
@@ -322,21 +267,11 @@ fn strongest(bridge: &Bridge) -> f64 {
 
 /// Notes on fill that is particles.
 pub fn filled(bridge: &Bridge, c: &mut Collapse) {
-    c.assumptions.push(
-        "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of \
-         the region that they cover. Discs roll, so the friction angle of the fill is smaller than that of its \
-         contacts."
-            .into(),
-    );
+    c.assumptions.push(note::Fill::Particles.into());
     if let Some(p) = &c.packing {
-        let origin = p.seed.map_or("read from a file".to_string(), |seed| format!("seed {seed}"));
-        c.assumptions.push(format!(
-            "The packing is one of many ({origin}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
-             rest.",
-            p.solid_fraction,
-            p.coordination,
-            p.mean_stress / 1e3
-        ));
+        let (solid_fraction, coordination, mean_stress) = (p.solid_fraction, p.coordination, p.mean_stress);
+        let told = note::Fill::Packing { seed: p.seed, solid_fraction, coordination, mean_stress };
+        c.assumptions.push(told.into());
         if let Some(message) = wedged(p.diameters[1], bridge.cover.depth) {
             c.warnings.push(Warning::new(warning::COARSE_PARTICLES, message));
         }
@@ -353,13 +288,8 @@ fn wedged(largest: f64, depth: f64) -> Option<String> {
 /// What a run of discrete elements assumes, and what two contact points a joint mean for its loads where joints have them.
 pub fn discrete_elements(plan: &Plan, c: &mut Collapse) {
     let distributed = plan.contact == Some(JointContact::Distributed);
-    let contact = if distributed { "distributed" } else { "point" };
-    c.assumptions.push(format!(
-        "Rigid blocks in deformable {contact} contact; loads follow their blocks and keep their direction; displacements are large."
-    ));
-    c.assumptions.push(
-        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
-    );
+    c.assumptions.push(note::Blocks::DiscreteElements { distributed }.into());
+    c.assumptions.push(note::Blocks::LoadSteps.into());
     if !distributed {
         c.warnings.push(of_two_points());
     }
@@ -438,26 +368,18 @@ fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if pieces == 0 {
         return;
     }
-    let ends = if wall.end_walls { "fixed walls stand at both ends" } else { "its ends are free" };
-    c.assumptions.push(format!(
-        "The strip is a metre of the spandrel walls' own thickness: {pieces} pieces of bricks of {:.3} x {:.3} m stand \
-         on the ring from x = {:.3} to {:.3} m, up to {:.3} m above the crown; {ends}; cover does not act here.",
-        wall.brick_length,
-        wall.brick_height,
-        road.line[0].x,
-        road.line[1].x,
-        d.surface.highest() - d.extrados.crown()
-    ));
-    let bearer = match wall.loaded_bricks {
-        _ if d.counted_weight > 0.0 => {
-            "through a block that cannot rotate, whose weight is part of the load".to_string()
-        }
-        None => "as forces on the bricks of the uppermost course under them, by their loaded length".to_string(),
-        Some(count) => {
-            format!("as forces on the {count} nearest bricks of the uppermost course, with the same resultant")
-        }
+    let told = note::Barrel::WallStrip {
+        pieces,
+        brick: [wall.brick_length, wall.brick_height],
+        ends: [road.line[0].x, road.line[1].x],
+        height: d.surface.highest() - d.extrados.crown(),
+        end_walls: wall.end_walls,
     };
-    c.assumptions.push(format!("Loads act {bearer}; walls do not lean out of their plane."));
+    c.assumptions.push(told.into());
+    c.assumptions.push(match d.counted_weight > 0.0 {
+        true => note::Barrel::WallLoadedByBlock.into(),
+        false => note::Barrel::WallLoadedOnBricks { bricks: wall.loaded_bricks }.into(),
+    });
 }
 
 fn inset(bridge: &Bridge) -> Warning {
@@ -504,16 +426,11 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if let (Some(load), Some(without), Some(strength)) =
         (c.collapse_load, unlimited, bridge.masonry.compressive_strength)
     {
-        c.assumptions.push(format!(
-            "Joints crush at {:.1} MPa, which lowers the load by {:.1} % from the {:.2} kN/m without crushing.",
-            strength / 1e6,
-            100.0 * (1.0 - load / without),
-            without / 1e3
-        ));
+        c.assumptions.push(note::Blocks::Crushing { strength, load, without }.into());
     }
-    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+    c.assumptions.push(note::Barrel::Plane.into());
     c.warnings.extend(shape::warnings(bridge, d.road.is_none()));
-    c.assumptions.extend(shape::assumptions(bridge));
+    c.assumptions.extend(shape::assumptions(bridge).into_iter().map(Note::from));
     if d.road.is_some() {
         walled(bridge, d, c);
         return;
@@ -537,40 +454,17 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         c.assumptions.extend(continuum::as_weight(bridge));
     }
     if bridge.cover.road.is_some() {
-        c.assumptions.push(format!(
-            "The surface follows the levels of [road]; layers above the fill keep their thickness. Loads stay vertical, and rules that ask \
-             for one depth of cover take the least over a crown, {:.3} m.",
-            bridge.cover.depth
-        ));
+        c.assumptions.push(note::Fill::Road { cover: bridge.cover.depth }.into());
     }
-    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| l.name.word()).collect();
-    if !unloaded.is_empty() {
-        c.assumptions
-            .push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
+    let weightless = bridge.cover.layers.iter().filter(|l| !l.weighs);
+    let layers: Vec<String> = weightless.map(|l| l.name.word().to_owned()).collect();
+    if !layers.is_empty() {
+        c.assumptions.push(note::Fill::Weightless { layers }.into());
     }
     if soil {
         return;
     }
-    c.assumptions.push(match bridge.dispersal.rule {
-        DispersalRule::None => "Loads act straight down on the extrados.".into(),
-        DispersalRule::Uniform => {
-            format!(
-                "Loads spread {} vertical to 1 horizontal, on steep haunches no further than the depth of cover under them allows, \
-                 uniform at the extrados.",
-                bridge.dispersal.slope
-            )
-        }
-        DispersalRule::InverseDepth => format!(
-            "Loads spread {} vertical to 1 horizontal; pressures at the two ends are inversely proportional to their depth \
-             (Rouxinol, Providência and Lemos, eq. 2).",
-            bridge.dispersal.slope
-        ),
-        DispersalRule::Boussinesq => format!(
-            "Loads spread as under a strip on an elastic half space, cut off at {} vertical to 1 horizontal and scaled to \
-             the whole force.",
-            bridge.dispersal.slope
-        ),
-    });
+    c.assumptions.push(note::Fill::Dispersal { rule: bridge.dispersal.rule, slope: bridge.dispersal.slope }.into());
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use mechanics::limit;
 use mechanics::watch::Watch;
 use outcome::collapse::{By, FlowRule, LimitReport};
 use outcome::collapse::{Collapse, Status};
+use outcome::note;
 use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
 use outcome::warning::{self, Warning};
 use std::collections::BTreeMap;
@@ -151,9 +152,7 @@ fn limit(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collap
     by_limit::draw(d, &outcome, &mut picture);
     let mut c = blank(scene, d, By::Limit(LimitReport::default()), by_limit::status(outcome.status), picture);
     by_limit::loads(d, &outcome, unlimited, &mut c);
-    c.assumptions.push(
-        "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
-    );
+    c.assumptions.push(note::Blocks::Rigid.into());
     c.warnings.extend(outcome.jammed.then(super::notes::joints::jammed));
     if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.sliding_joints.is_empty() {
         let message = format!(
@@ -188,8 +187,8 @@ fn notes(scene: &Scene, c: &mut Collapse) {
             format!("last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m", stable / 1e3, bound / 1e3);
         c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
     }
-    c.assumptions.push("The loads act on the blocks as the file says; nothing spreads them.".into());
-    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+    c.assumptions.push(note::Blocks::LoadsOnBlocks.into());
+    c.assumptions.push(note::Barrel::Plane.into());
 }
 
 /// A result with nothing found yet.

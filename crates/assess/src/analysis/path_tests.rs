@@ -103,7 +103,7 @@ fn vehicles_are_judged_by_the_smaller_of_rigid_blocks_and_joints_that_give() {
     let b = under(&["cs454-bogie-10"], Method::Path);
     let found = vehicle_sweep(&b, &mut Unwatched).unwrap();
     let rigid = vehicle_sweep(&under(&["cs454-bogie-10"], Method::Limit), &mut Unwatched).unwrap();
-    let says_rigid = |of: &VehicleSweep| of.assumptions.iter().any(|line| line.starts_with("Rings are rigid"));
+    let says_rigid = |of: &VehicleSweep| of.assumptions.contains(&outcome::note::Moving::RigidAlone.into());
     assert!(says_rigid(&rigid) && !says_rigid(&found));
     let one = &found.vehicles[0];
     assert!((one.rigid.unwrap() / rigid.vehicles[0].adequacy.unwrap() - 1.0).abs() < 1e-6);

@@ -1,12 +1,13 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
-use super::shortened::{as_shortened, shortened, told};
+use super::shortened::{as_shortened, shortened};
 use crate::analysis::{self, AnalysisError, Places, by_weight_alone};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, ShortenedFacts, UltimateFacts};
 use outcome::help::Help;
+use outcome::note::{self, Note};
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 
@@ -142,7 +143,10 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
-    facts.assumptions.extend(parts.iter().map(told));
+    let shorter = |part: &ShortenedFacts| -> Note {
+        note::Moving::Shorter { load: part.name.clone(), of: part.of_m, length: part.length_m }.into()
+    };
+    facts.assumptions.extend(parts.iter().map(shorter));
     facts.shortened = parts;
     // What the sweep says of help that is not counted, the case by itself says again.
     let again = |warning: &&Warning| {
@@ -194,9 +198,7 @@ pub fn movement(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Anal
     own.plan.analysis = Analysis::SupportMovement;
     let mut found = analysis::collapse(&own, None, watch)?;
     if yields {
-        found.assumptions.push(
-            "Support movements know fill as weight alone: the continuum of the file is taken as that here, with dispersal by rule.".into(),
-        );
+        found.assumptions.push(note::Soil::AsWeightOfMovements.into());
     }
     Ok(found)
 }

@@ -76,7 +76,7 @@ pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Col
     c.load_step = Some(load_step);
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
-    notes::finite(bridge, &d, &parts.words, sliding, &mut c);
+    notes::finite(bridge, &d, parts.deform.clone(), sliding, &mut c);
     Ok(c)
 }
 

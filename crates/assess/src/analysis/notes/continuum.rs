@@ -1,8 +1,9 @@
 //! Notes on fill and backing that yield as a continuum.
 
 use crate::analysis::by_bounds::bears_first;
-use bridge::{Bridge, Confinement, ContinuumPlan, FillEnds};
+use bridge::Bridge;
 use outcome::collapse::{Collapse, Status};
+use outcome::note::{self, Note};
 use outcome::soil::ContinuumReport;
 use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, continuum};
@@ -21,42 +22,23 @@ pub fn continuum(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         open(c),
     ];
     c.warnings.extend(warnings.into_iter().flatten());
-    c.assumptions.push(
-        "Rigid blocks as built beside soil that yields: nothing deforms before collapse. Friction of joints is \
-         associated: where joints slide in the mechanism the bounds are those of joints that dilate."
-            .into(),
-    );
-    c.assumptions.push(strength(&report, plan));
-    c.assumptions.extend(dilating(&report));
-    c.assumptions.extend(iterated(&report));
-    c.assumptions.push(
-        "Wheels and beams stand on the upper face of the soil on rigid plates that sink, slide and turn freely; pressures stay \
-         uniform; nothing disperses by a rule. Layers above the soil weigh and do nothing else."
-            .into(),
-    );
-    c.assumptions.push(ends(plan));
-    c.assumptions.push(match plan.confinement {
-        Confinement::PlaneStrain => {
-            "Spandrel walls hold the fill sideways: what they bear is not checked, and a wall that leans or slides lowers \
-             the load."
-        }
-        Confinement::SpandrelWalls => {
-            "Spandrel walls hold the fill sideways by their weight alone, in panels of about a metre: no more than they bear \
-             before they tilt about their outer toe or slide on their bed. Friction of the fill on rings is not counted across the \
-             bridge."
-        }
-    }
-    .into());
+    let (mobilised, dilatancy_angle) = (report.mobilised_share, report.dilatancy_angle);
+    let strength = note::Soil::Strength {
+        mobilised,
+        dilatancy_angle: (plan.dilatancy_angle > 0.0).then_some(dilatancy_angle),
+        interface_angle: plan.interface_friction_angle,
+    };
+    let associated = report.associated.map(|bounds| note::Soil::Associated { bounds });
+    let iterated = report.iterated.map(|load| note::Soil::Iterated { load, dilatancy_angle });
+    let ends = note::Soil::Ends { extent: plan.extent, ends: plan.ends };
+    let told = [note::Soil::Bounds, strength].into_iter().chain(associated).chain(iterated);
+    let told = told.chain([note::Soil::Plates, ends, note::Soil::Confined { by: plan.confinement }]);
+    c.assumptions.extend(told.map(Note::from));
 }
 
 /// What a method says that knows no continuum.
-pub fn as_weight(bridge: &Bridge) -> Option<String> {
-    continuum::wanted(bridge)?;
-    Some(
-        "The file has fill or backing as a continuum: this method takes it as weight, with dispersal by rule. Limit analysis takes it for \
-         what it is."
-            .into(),
-    )
+pub fn as_weight(bridge: &Bridge) -> Option<Note> {
+    continuum::wanted(bridge).map(|_| note::Soil::AsWeight.into())
 }
 
 fn told(load: f64) -> String {
@@ -158,51 +140,4 @@ fn open(c: &Collapse) -> Option<Warning> {
         _ => return None,
     };
     Some(Warning::new(warning::BOUNDS_APART, message))
-}
-
-fn strength(report: &ContinuumReport, plan: &ContinuumPlan) -> String {
-    let dilates = match plan.dilatancy_angle > 0.0 {
-        true => format!("for a dilatancy angle of {:.1} degrees", report.dilatancy_angle.to_degrees()),
-        false => "for soil that does not dilate".to_owned(),
-    };
-    let slides = match plan.interface_friction_angle {
-        Some(angle) => format!("{:.1} degrees", angle.to_degrees()),
-        None => "two thirds of its friction angle".to_owned(),
-    };
-    format!(
-        "Soil yields by Mohr and Coulomb in plane strain with {:.0} % of the cohesion and of the tangent of the friction \
-         angle that the file gives, reduced after Davis {dilates}; between soil and masonry it slides at {slides}, reduced \
-         alike, and carries no tension.",
-        100.0 * report.mobilised_share,
-    )
-}
-
-fn dilating(report: &ContinuumReport) -> Option<String> {
-    let [low, high] = report.associated?;
-    Some(format!(
-        "Soil that dilates by its friction angle, at the same share of its strength, would carry {} to {} kN/m.",
-        told(low),
-        told(high)
-    ))
-}
-
-fn iterated(report: &ContinuumReport) -> Option<String> {
-    let load = told(report.iterated?);
-    Some(format!(
-        "An iteration in which soil keeps its whole strength and dilates by {:.1} degrees settles at {load} kN/m on a coarser mesh: an \
-         estimate and no bound, which does not lead.",
-        report.dilatancy_angle.to_degrees()
-    ))
-}
-
-fn ends(plan: &ContinuumPlan) -> String {
-    format!(
-        "The fill reaches {} behind the outer springings on rigid ground; its ends {}.",
-        plan.extent.map_or("twice its height or over the abutments".to_owned(), |extent| format!("{extent:.2} m")),
-        match plan.ends {
-            FillEnds::Slide => "slide along smooth walls",
-            FillEnds::Hold => "are held by rough walls",
-            FillEnds::Free => "are free",
-        }
-    )
 }

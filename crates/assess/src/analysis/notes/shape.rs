@@ -1,6 +1,7 @@
 //! What a result must say of springings, piers, abutments and hollow spandrels.
 
 use bridge::Bridge;
+use outcome::note;
 use outcome::warning::{self, Warning};
 use structure::discretise::springings::are_level;
 
@@ -42,24 +43,16 @@ pub fn warnings(bridge: &Bridge, is_fill: bool) -> Vec<Warning> {
 }
 
 /// What was assumed of supports.
-pub fn assumptions(bridge: &Bridge) -> Vec<String> {
+pub fn assumptions(bridge: &Bridge) -> Vec<note::Barrel> {
+    let level = are_level(bridge);
     let mut list = Vec::new();
     if bridge.spans.len() > 1 {
-        let level = if are_level(bridge) {
-            "All springings are at one level"
-        } else {
-            "Springings lie at the levels of the file"
-        };
-        list.push(format!("{level}; piers stand on fixed foundations that carry no tension."));
-    } else if !are_level(bridge) {
-        list.push("The springings lie at the levels of the file.".to_owned());
+        list.push(note::Barrel::Springings { level });
+    } else if !level {
+        list.push(note::Barrel::SpringingsOfOneSpan);
     }
     if bridge.piers.iter().any(|pier| pier.across.is_some() || pier.footings.iter().any(|step| step.across.is_some())) {
-        list.push(
-            "Piers weigh by their width across the bridge over that of the barrel, cutwaters by their area. Where they are wider, their joints \
-             have the strength of the barrel's width; where they are narrower, of their own."
-                .to_owned(),
-        );
+        list.push(note::Barrel::PiersAcross);
     }
     list
 }
@@ -88,12 +81,8 @@ mod tests {
         assert!(warnings(&b, false)[0].message.contains("the right abutment"));
         let span = b.spans[0].clone();
         (b.spans, b.piers) = (vec![span.clone(), span], vec![bridge::Pier::plain(2.0, 2.0, 3.0, 3)]);
-        assert!(assumptions(&b).join("").contains("All springings are at one level"));
+        assert_eq!(assumptions(&b), [note::Barrel::Springings { level: true }]);
         (b.piers[0].step, b.piers[0].across) = (0.1, Some([10.0; 2]));
-        let told = assumptions(&b).join("");
-        assert!(
-            told.contains("Springings lie at the levels of the file") && told.contains("cutwaters by their area"),
-            "{told}"
-        );
+        assert_eq!(assumptions(&b), [note::Barrel::Springings { level: false }, note::Barrel::PiersAcross]);
     }
 }

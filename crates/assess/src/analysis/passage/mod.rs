@@ -16,6 +16,7 @@ use super::AnalysisError;
 use bridge::Bridge;
 use bridge::passage::PassagePath;
 use mechanics::watch::Watch;
+use outcome::note::{InPassage, Note};
 use outcome::passage::SensorRecord;
 use outcome::passage::{Part, Passage, PassageStatus};
 use outcome::warning::{self, Warning};
@@ -100,12 +101,9 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         );
         warnings.push(Warning::new(warning::LOOSE_PASSAGE, message));
     }
-    let mut assumptions: Vec<String> = setup.assumptions.iter().cloned().chain(solution.assumptions).collect();
+    let mut assumptions: Vec<Note> = setup.assumptions.iter().cloned().chain(solution.assumptions).collect();
     if plan.path == PassagePath::Condensed && !solve::condenses(setup) {
-        let why = "a transient analysis, large displacements and sensors of stress need them";
-        assumptions.push(format!(
-            "all degrees of freedom were solved at every position in place of the condensed path: {why}"
-        ));
+        assumptions.push(InPassage::AllFreedoms.into());
     }
     if bridge.spandrel_wall.is_some() {
         let message = "the strip of finite elements lies between the spandrel walls: their stiffness, and their parting from the barrel, is left out";

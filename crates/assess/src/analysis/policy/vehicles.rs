@@ -10,6 +10,7 @@ use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::help::{Help, NotCounted, WithHelp};
+use outcome::note::Size;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Swept, VehicleSweep};
 use outcome::warning::{self, Warning};
@@ -54,7 +55,7 @@ pub fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) -> Resu
         }
         vehicle.not_counted = not_counted(&standings, lead);
         if found.governing == Some(k) {
-            found.assumptions.extend(hurts(&standings, lead, &told));
+            found.assumptions.extend(hurts(&standings, lead, told));
         }
     }
     warn(&mut found);
@@ -87,8 +88,8 @@ fn standing(helps: &[Help], vehicle: &Swept) -> Standing {
 }
 
 /// The number of a state.
-fn told(of: &WithHelp) -> String {
-    of.factor.map_or("no adequacy factor".to_owned(), |factor| format!("an adequacy factor of {factor:.3}"))
+fn told(of: &WithHelp) -> Size {
+    Size::Adequacy(of.factor)
 }
 
 /// What is told of the governing vehicle, and of all where fill presses.
@@ -106,7 +107,7 @@ fn warn(found: &mut VehicleSweep) {
     let own = WithHelp { factor: governing.factor(), ..WithHelp::default() };
     let NotCounted { left_out, .. } = &governing.not_counted;
     if !left_out.is_empty() {
-        let message = warned(&governing.not_counted, &format!("{}: {}", governing.code, told(&own)), &told);
+        let message = warned(&governing.not_counted, &format!("{}: {}", governing.code, told(&own)), told);
         found.warnings.extend(message);
     }
 }

@@ -10,6 +10,7 @@ use crate::analysis::by_bounds::moved::{self, Answer, Asked};
 use crate::analysis::parallel::Portion;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
+use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 use structure::discretise::dispersal::{self, Strip};
@@ -57,12 +58,7 @@ fn notes(found: &mut Sweep) {
         );
         found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
     }
-    found.assumptions.push(
-        "Fill yields as a continuum: each factor is a lower bound, with an upper one beside it, of the whole vehicle or of the \
-         neighbouring axles that govern where fill is weight alone, whichever is smaller. Places that cannot govern are answered \
-         coarsely. The worst place is one of those asked for: none is sought between them."
-            .into(),
-    );
+    found.assumptions.push(note::Soil::InSweep.into());
 }
 
 /// The whole vehicle at every position, and the axles that govern there where fill is weight.

@@ -11,6 +11,7 @@ use super::{CHUNK, Case, Row, Scene};
 use mechanics::path::Sweeper;
 use mechanics::watch::{CancelToken, Watch};
 use outcome::collapse::Status;
+use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 
@@ -224,10 +225,5 @@ fn put(scene: &Scene<'_>, rows: &[Row], least: &[Least], found: &mut Sweep) {
         );
         found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, message));
     }
-    found.assumptions.push(
-        "On deformable joints the axles that govern for rigid blocks are followed at every position; of all axles, and of those that governed \
-         at the position before, it is asked there whether they carry as much, from the states of similar loads; at the worst position every \
-         run of axles is followed. The smaller factor of both methods counts. Fill acts by its weight alone there."
-            .to_owned(),
-    );
+    found.assumptions.push(note::Moving::DeformableJoints.into());
 }

@@ -15,6 +15,7 @@ use bridge::edit::Document;
 use bridge::update::{self, Compared, Update as Asked};
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
 use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
+use outcome::note::{InUpdate, Note};
 use outcome::update::{Histories, ParameterPlace, RecordsUsed, Update, UpdateStatus};
 use outcome::warning::{self, Warning};
 use searches::Searches;
@@ -297,35 +298,20 @@ fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Opti
     problem.channels().iter().enumerate().map(one).collect()
 }
 
-fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<String> {
+fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<Note> {
     let setup = model.setup();
-    let how = match (problem.misfit().compare, problem.misfit().slices) {
-        (Compare::Histories, _) => "Whole histories are compared, by full passages.",
-        (Compare::Peaks, true) => {
-            "Peaks are compared. Searches look for the model's at the places where a full passage has them, and at both neighbours, by \
-             static slices; where a search ends is verified by a full passage."
-        }
-        (Compare::Peaks, false) => "Peaks are compared, by full passages throughout.",
+    let compared = match (problem.misfit().compare, problem.misfit().slices) {
+        (Compare::Histories, _) => InUpdate::Histories,
+        (Compare::Peaks, true) => InUpdate::PeaksBySlices,
+        (Compare::Peaks, false) => InUpdate::Peaks,
     };
-    let mut said = vec![
-        how.to_owned(),
-        "Weights are found once, at the start model, and held. A parameter on a bound is never called converged."
-            .to_owned(),
-        format!("An axle is carried by {:.3} m of the bridge's width; every peak goes with it.", setup.effective_width),
-        match plan.common_gain_deviation {
-            0.0 => "Axle loads and that width count as exact (`common_gain_deviation = 0`): no interval holds an error of theirs.".to_owned(),
-            deviation => format!(
-                "What is found goes with the axle loads of the file and that width. Both together are taken to be known to {} % (standard \
-                 deviation, `common_gain_deviation`): one gain for all channels and all runs, which every interval holds.",
-                (1e5 * deviation).round() / 1e3
-            ),
-        },
-    ];
-    if model.moves() {
-        said.push("A parameter moves mesh or loads: both are made anew for every evaluation.".to_owned());
-    }
-    said.extend(setup.assumptions.iter().cloned());
-    said
+    let gain = match plan.common_gain_deviation {
+        0.0 => InUpdate::NoCommonGain,
+        deviation => InUpdate::CommonGain { deviation },
+    };
+    let said = [compared, InUpdate::Weights, InUpdate::Width { width: setup.effective_width }, gain];
+    let anew = model.moves().then_some(InUpdate::MadeAnew);
+    said.into_iter().chain(anew).map(Note::from).chain(setup.assumptions.iter().cloned()).collect()
 }
 
 /// What a reader should look at before using the numbers.

@@ -56,7 +56,7 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
     };
     list.push(Warning::new(
         warning::NO_LONGITUDINAL,
-        format!("loads stand vertically: {words}; {}", across::across_told(bridge)),
+        format!("loads stand vertically: {words}; {}", across::sideways(bridge)),
     ));
     list
 }
@@ -79,21 +79,4 @@ fn assumed(bridge: &Bridge, ways: Ways) -> String {
         None => "none nearer to the edge than its load spreads",
     };
     [lanes.as_str(), edge].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
-}
-
-/// How vehicles stand across the bridge, in words.
-pub fn across(found: &VehicleSweep) -> String {
-    let mut list: Vec<(String, Vec<&str>)> = Vec::new();
-    for v in &found.vehicles {
-        let told = v.across.told();
-        match list.iter_mut().find(|(known, _)| *known == told) {
-            Some((_, codes)) => codes.push(&v.code),
-            None => list.push((told, vec![&v.code])),
-        }
-    }
-    let each = list.iter().map(|(told, codes)| match list.len() {
-        1 => told.clone(),
-        _ => format!("{told} ({})", codes.join(", ")),
-    });
-    format!("{}.", each.collect::<Vec<_>>().join("; "))
 }

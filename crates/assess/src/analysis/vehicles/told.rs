@@ -2,6 +2,7 @@
 //! give assume and leave open.
 
 use bridge::{Bridge, Load, LoadKind};
+use outcome::note;
 use outcome::vehicles::{Case, Direction, Swept};
 use outcome::warning::{self, Warning};
 
@@ -65,15 +66,9 @@ pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
 }
 
 /// What following deformable joints assumes, or that they were not followed.
-pub(super) fn assumed(all: &[Swept]) -> String {
-    if all.iter().all(|one| one.deformable.is_none()) {
-        return crate::analysis::sweep::RIGID.to_owned();
+pub(super) fn assumed(all: &[Swept]) -> note::Moving {
+    match all.iter().all(|one| one.deformable.is_none()) {
+        true => note::Moving::RigidAlone,
+        false => note::Moving::DeformableJointsOfVehicles,
     }
-    "On deformable joints what governs for rigid blocks is followed at every position, up to four times the least factor of rigid blocks; \
-     of all that may stand there, and of what governs beside it, it is asked whether it carries as much, from the states of similar loads. \
-     At the worst position axles, uniform loads, factors on weights and critical axle are varied one after the other, and each is followed. \
-     The smaller adequacy factor of \
-     both methods counts. States in service are sought in what governs for rigid blocks and in all that may stand there, at every position, and in what is varied at the worst one: \
-     other runs of axles may come to them under less load. They are told where they are met below the least factor of rigid blocks. Fill acts by its weight alone there."
-        .to_owned()
 }
