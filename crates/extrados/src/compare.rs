@@ -264,7 +264,7 @@ fn cautions([before, after]: &[Collapse; 2]) -> Vec<String> {
             cautions.push(format!("the {which} analysis ended as {}", one.status.word()));
         }
     }
-    let codes = |c: &Collapse| c.warnings.iter().map(|warning| warning.code).collect::<Vec<_>>();
+    let codes = |c: &Collapse| c.warnings.iter().map(|warning| warning.code()).collect::<Vec<_>>();
     for (one, other, which) in [(before, after, "first"), (after, before, "second")] {
         let theirs = codes(other);
         let mut own: Vec<&str> = codes(one).into_iter().filter(|code| !theirs.contains(code)).collect();

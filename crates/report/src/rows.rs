@@ -251,7 +251,7 @@ pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
 /// Warnings and assumptions, each once: which stages say it, and what.
 pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     let facts = &a.facts;
-    let warning = |(stages, one): (String, &Warning)| [stages, one.code.to_owned(), one.message.clone()];
+    let warning = |(stages, one): (String, &Warning)| [stages, one.code().to_owned(), one.message()];
     let warnings = facts.warnings_once().into_iter().map(warning).collect();
     let said: [(&'static str, &[Note]); 5] = [
         ("update", facts.update.made().map_or(&[], |facts| &facts.assumptions)),

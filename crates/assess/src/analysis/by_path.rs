@@ -103,17 +103,8 @@ fn pressed(outcome: &path::Outcome, c: &mut Collapse) {
 
 /// What is to be said of a path that broke off, or never began.
 fn broken_off(c: &Collapse) -> Option<Warning> {
-    let words = match c.last_stable_load.filter(|_| c.status == Status::NotConverged) {
-        Some(load) => format!(
-            "the path broke off at {:.2} kN/m, which is carried: more may be, and the load at collapse is not known",
-            load / 1e3
-        ),
-        None if c.status == Status::NotConverged => {
-            "no state under self-weight was found, and the blocks were not seen to fall: nothing is known".to_owned()
-        }
-        None => return None,
-    };
-    Some(Warning::new(warning::PATHS_BROKEN_OFF, format!("{words}; try --method dem")))
+    let carried = c.last_stable_load;
+    (c.status == Status::NotConverged).then(|| warning::Loads::PathBrokenOff { carried }.into())
 }
 
 /// Whether joints have cohesion.
@@ -272,8 +263,8 @@ mod tests {
         assert_eq!(broken_off(&c), None);
         c.status = Status::NotConverged;
         let load = format!("{:.2} kN/m", c.last_stable_load.unwrap() / 1e3);
-        assert!(broken_off(&c).unwrap().message.contains(&load));
+        assert!(broken_off(&c).unwrap().message().contains(&load));
         c.last_stable_load = None;
-        assert!(broken_off(&c).unwrap().message.contains("nothing is known"));
+        assert!(broken_off(&c).unwrap().message().contains("nothing is known"));
     }
 }

@@ -29,38 +29,18 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         c.assumptions.push(note::Blocks::NoBound.into());
     }
     if c.limit().is_some() && several_rings(d) && !c.sliding_joints.is_empty() {
-        let message = "rings slide on one another: limit analysis takes the state of self-stress that carries most; \
-                       for nine bridges with two rings discrete elements gave 0.66 to 0.82 of its load";
-        c.warnings.push(Warning::new(warning::RINGS_SHARE, message));
+        c.warnings.push(warning::Joints::RingsShare.into());
     }
     if let Some(seed) = c.packing.as_ref().map(|p| p.seed) {
-        let which = seed.map_or("a packing from a file".to_owned(), |seed| format!("seed {seed}"));
-        let message =
-            format!("the load is that of one packing ({which}): others of the same recipe differ by tens of per cent");
-        c.warnings.push(Warning::new(warning::ONE_PACKING, message));
+        c.warnings.push(warning::Cover::OnePacking { seed }.into());
     }
 }
 
 /// What a plane model leaves open of skew spans, worst first.
 pub fn skew(bridge: &Bridge) -> Option<Warning> {
-    let told: Vec<String> = bridge
-        .spans
-        .iter()
-        .enumerate()
-        .filter(|(_, span)| span.skew > 1e-6)
-        .map(|(k, span)| {
-            let degrees = span.skew.to_degrees();
-            let square = span.span * span.skew.cos();
-            format!("span {} by {degrees:.0} degrees ({:.2} m along the road, {square:.2} m square)", k + 1, span.span)
-        })
-        .collect();
-    (!told.is_empty()).then(|| {
-        let message = format!(
-            "the bridge is skew and the model is square, of its spans along the road: {}; the load of a skew barrel was not found",
-            told.join(", ")
-        );
-        Warning::new(warning::SKEW, message)
-    })
+    let skew = bridge.spans.iter().enumerate().filter(|(_, span)| span.skew > 1e-6);
+    let spans: Vec<_> = skew.map(|(k, span)| (k, span.skew, span.span)).collect();
+    (!spans.is_empty()).then(|| warning::Cover::Skew { spans }.into())
 }
 
 /// What longitudinal cracks mean for a load per metre of width.

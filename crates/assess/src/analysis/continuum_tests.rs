@@ -82,7 +82,7 @@ fn the_lower_bound_leads_and_both_stand_beside_it() {
     let settles = |a: &Note| matches!(a, Note::Soil(Soil::Iterated { load, .. }) if *load == iterated);
     assert!(found.assumptions.iter().any(settles) && report.plane_strain.is_none());
     assert!(limit.equilibrium_residual.unwrap() < 1e-6 && report.flow_violation.unwrap() < 1e-5);
-    let codes: Vec<&str> = found.warnings.iter().map(|w| w.code).collect();
+    let codes: Vec<&str> = found.warnings.iter().map(|w| w.code()).collect();
     assert!(codes.contains(&"A198") && !codes.contains(&"A111"), "{codes:?}");
     assert!(found.assumptions.contains(&Soil::Plates.into()));
     // The words on weight alone and on dispersal would not be true.
@@ -135,7 +135,7 @@ fn walls_that_tilt_first_are_told() {
     assert!(upper(&thin) < lower(&thick), "{} {}", upper(&thin), lower(&thick));
     assert!(lower(&thick) < upper(&free), "{} {}", lower(&thick), upper(&free));
     assert!(upper(&thin) < report(&thin).plane_strain.unwrap() && report(&thin).wall.unwrap().tilts);
-    let codes = |c: &Collapse| c.warnings.iter().map(|w| w.code).collect::<Vec<_>>();
+    let codes = |c: &Collapse| c.warnings.iter().map(|w| w.code()).collect::<Vec<_>>();
     assert!(codes(&thin).contains(&"A201") && !codes(&free).contains(&"A201"), "{:?}", codes(&thin));
     assert!(thin.assumptions.contains(&Soil::Confined { by: bridge::Confinement::SpandrelWalls }.into()));
 }
@@ -227,8 +227,8 @@ fn a_lower_bound_of_nothing_is_zero_and_its_gap_is_told() {
         let limit = found.limit().unwrap();
         let (lower, upper) = (limit.lower_bound.unwrap(), limit.upper_bound.unwrap());
         assert!(lower >= 0.0 && lower.is_sign_positive() && upper > 1.5 * lower, "{lower} {upper}");
-        let told = found.warnings.iter().find(|w| w.code == outcome::warning::BOUNDS_APART);
-        let told = told.unwrap_or_else(|| panic!("{lower} {upper}: {:?}", found.warnings)).message.clone();
+        let told = found.warnings.iter().find(|w| w.code() == outcome::warning::BOUNDS_APART);
+        let told = told.unwrap_or_else(|| panic!("{lower} {upper}: {:?}", found.warnings)).message();
         assert!(told.contains("1.500 times was wanted"), "{told}");
         assert!(lower > 0.0 || told.contains("lower one zero"), "{told}");
     }

@@ -70,7 +70,7 @@ fn vehicles_that_brake_are_never_lighter() {
     // The governing case by itself carries what the sweep says.
     let again = brakes.collapse.as_ref().unwrap().load_factor().unwrap();
     assert!((again / of(&brakes) - 1.0).abs() < 0.02, "{again} {}", of(&brakes));
-    let codes: Vec<&str> = brakes.warnings.iter().map(|warning| warning.code).collect();
+    let codes: Vec<&str> = brakes.warnings.iter().map(|warning| warning.code()).collect();
     let told = |said: &Note| matches!(said, Note::Moving(Moving::Braking { share: 0.25, .. }));
     assert!(!codes.contains(&outcome::warning::NO_LONGITUDINAL) && brakes.assumptions.iter().any(told));
     // Fill as a continuum knows vertical loads only.

@@ -13,6 +13,7 @@ use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, SupportReport};
 use outcome::note;
 use outcome::picture::{Motion, Snapshot};
+use outcome::warning::{Loads, Warning};
 use structure::discretise::{Discretised, discretise};
 
 /// Limit analysis narrows the movement to this share of the increment.
@@ -41,12 +42,9 @@ pub fn support_movement(
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("support movements")),
     };
     c.assumptions.push(note::Blocks::WeightsAlone.into());
-    for (given, name, value) in [(movement.increment, "increment", step), (movement.limit, "limit", largest)] {
-        if given.is_none() {
-            let message = format!("{name} of the support movement = {value} m, a share of the shortest span");
-            c.warnings.push(outcome::warning::Warning::new(outcome::warning::CHOSEN, message));
-        }
-    }
+    let increment = movement.increment.is_none().then_some(Loads::Increment { increment: step });
+    let limit = movement.limit.is_none().then_some(Loads::LargestMovement { limit: largest });
+    c.warnings.extend(increment.into_iter().chain(limit).map(Warning::from));
     Ok(c)
 }
 

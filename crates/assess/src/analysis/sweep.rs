@@ -19,7 +19,7 @@ use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 use structure::discretise::{Discretised, bridge_length, dispersal};
 
 /// Where the first load's reference point stands [m].
@@ -117,10 +117,9 @@ fn notes(found: &mut Sweep, rows: &[Row]) {
     }
     let open = found.positions_not_converged();
     if open > 0 {
-        let bound = found.worst().and_then(SweepPoint::bound);
-        let bound = bound.map_or(String::new(), |most| format!("; the load factor is at most {most:.4}"));
-        let message = format!("{open} of {} positions were not answered{bound}, and is not known", found.points.len());
-        found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
+        let at_most = found.worst().and_then(SweepPoint::bound);
+        let told = warning::Loads::PositionsOpen { positions: open, of: found.points.len(), at_most };
+        found.warnings.push(told.into());
     }
     if found.step > 0.0 {
         found.assumptions.push(note::Moving::Positions { apart: found.step }.into());

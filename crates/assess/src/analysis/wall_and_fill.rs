@@ -6,7 +6,7 @@ use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{Collapse, Combination, Component, Status};
 use outcome::note::{self, Note};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 
 /// Analyses the strip between the walls, then that of the walls, and adds up what they carry by their widths: the
 /// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
@@ -30,12 +30,8 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
         sum.assumptions.push(note::Barrel::BricksLoaded.into());
     }
     if let (Some(total), Some(load)) = (sum.headline, walls.carried()) {
-        let message = format!(
-            "the walls carry {:.0} % of the sum of both strips on {:.0} % of the width",
-            100.0 * load * wall.thickness / total,
-            100.0 * wall.thickness / bridge.width
-        );
-        found.warnings.push(Warning::new(warning::STRIPS_ADDED, message));
+        let (share, width_share) = (load * wall.thickness / total, wall.thickness / bridge.width);
+        found.warnings.push(warning::Loads::StripsAdded { share, width_share }.into());
     }
     found.combination = Some(sum);
     if walls.status.exit_code() > found.status.exit_code() {

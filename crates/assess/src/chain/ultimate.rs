@@ -80,15 +80,9 @@ pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimat
     let Some(bare) = bare else { return Ok(Some(found)) };
     let Some(lower) = moved(&bare, watch)? else { return Ok(None) };
     let [with, without] = [&found, &lower].map(|one| one.facts.load_factor);
-    let told = |factor: Option<f64>| factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
-    let message = format!(
-        "factor on the loads of the file: {} by weight alone, {} with soil that yields, its lower bound; the lower one counts",
-        told(without),
-        told(with),
-    );
     // A bridge that does not stand by weight alone has no factor: that is the lower end.
     let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
-    counts.facts.warnings.push(Warning::new(warning::STRENGTH_RANGE, message));
+    counts.facts.warnings.push(warning::Yielding::StrengthInSweep { bare: without, with }.into());
     Ok(Some(counts))
 }
 
@@ -150,8 +144,8 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     facts.shortened = parts;
     // What the sweep says of help that is not counted, the case by itself says again.
     let again = |warning: &&Warning| {
-        let of_help = [warning::PRESSURE_RANGE, warning::HELP_NOT_COUNTED].contains(&warning.code);
-        !of_help || sweep.warnings.iter().all(|told| told.code != warning.code)
+        let of_help = [warning::PRESSURE_RANGE, warning::HELP_NOT_COUNTED].contains(&warning.code());
+        !of_help || sweep.warnings.iter().all(|told| told.code() != warning.code())
     };
     facts.warnings = sweep.warnings.iter().chain(collapse.warnings.iter().filter(again)).cloned().collect();
     facts.not_counted = match &moved {

@@ -42,48 +42,51 @@ macro_rules! notes {
     };
 }
 
-use notes;
-
-/// The subjects, each of which is a kind of note.
+/// What has several subjects, each of which is a kind of it.
 macro_rules! subjects {
-    ($($(#[$about:meta])* $Subject:ident,)*) => {
-        /// An assumption or a caveat of a result.
-        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-        pub enum Note { $($(#[$about])* $Subject($Subject),)* }
+    ($(#[$meta:meta])* pub enum $Name:ident { $($(#[$about:meta])* $Subject:ident,)* }) => {
+        $(#[$meta])*
+        pub enum $Name { $($(#[$about])* $Subject($Subject),)* }
 
-        impl std::fmt::Display for Note {
+        impl std::fmt::Display for $Name {
             fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                match self { $(Note::$Subject(note) => note.fmt(to),)* }
+                match self { $($Name::$Subject(one) => one.fmt(to),)* }
             }
         }
 
-        $(impl From<$Subject> for Note {
-            fn from(note: $Subject) -> Note {
-                Note::$Subject(note)
+        $(impl From<$Subject> for $Name {
+            fn from(one: $Subject) -> $Name {
+                $Name::$Subject(one)
             }
         })*
     };
 }
 
+pub(crate) use {notes, subjects};
+
 subjects! {
-    /// Supports, spans, cracks, walls and what a plane model leaves out.
-    Barrel,
-    /// Blocks and joints, by the method.
-    Blocks,
-    /// Defects of rings.
-    DefectNote,
-    /// Fill, backing, water, road and dispersal.
-    Fill,
-    /// Trains that pass.
-    InPassage,
-    /// Model updating.
-    InUpdate,
-    /// Loads and vehicles that move.
-    Moving,
-    /// Fill that yields as a continuum.
-    Soil,
-    /// What helps a bridge and may come and go.
-    State,
+    /// An assumption or a caveat of a result.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub enum Note {
+        /// Supports, spans, cracks, walls and what a plane model leaves out.
+        Barrel,
+        /// Blocks and joints, by the method.
+        Blocks,
+        /// Defects of rings.
+        DefectNote,
+        /// Fill, backing, water, road and dispersal.
+        Fill,
+        /// Trains that pass.
+        InPassage,
+        /// Model updating.
+        InUpdate,
+        /// Loads and vehicles that move.
+        Moving,
+        /// Fill that yields as a continuum.
+        Soil,
+        /// What helps a bridge and may come and go.
+        State,
+    }
 }
 
 /// The sentences of notes.
@@ -92,12 +95,12 @@ pub fn words(notes: &[Note]) -> Vec<String> {
 }
 
 /// A load as sentences have it [kN/m].
-fn kilo(load: f64) -> String {
+pub(crate) fn kilo(load: f64) -> String {
     format!("{:.2}", load / 1e3)
 }
 
 /// "a, b, c".
-fn listed<T: std::fmt::Display>(all: impl IntoIterator<Item = T>) -> String {
+pub(crate) fn listed<T: std::fmt::Display>(all: impl IntoIterator<Item = T>) -> String {
     all.into_iter().map(|one| one.to_string()).collect::<Vec<_>>().join(", ")
 }
 

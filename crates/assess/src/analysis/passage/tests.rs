@@ -152,7 +152,7 @@ fn a_passage_beside_walls_says_that_they_are_left_out() {
     let mut bridge = railway();
     let setup = setup(&bridge).unwrap();
     let codes =
-        |bridge: &Bridge| report(bridge, &setup, solved()).warnings.iter().map(|one| one.code).collect::<Vec<_>>();
+        |bridge: &Bridge| report(bridge, &setup, solved()).warnings.iter().map(|one| one.code()).collect::<Vec<_>>();
     assert!(!codes(&bridge).contains(&outcome::warning::WALLS_LEFT_OUT));
     bridge.spandrel_wall = Some(samples::spandrel_wall(&bridge));
     assert!(codes(&bridge).contains(&outcome::warning::WALLS_LEFT_OUT));

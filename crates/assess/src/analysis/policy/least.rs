@@ -85,8 +85,8 @@ fn each<T>(
     let mut led = all[lead].clone();
     led.not_counted = not_counted(&standings, lead);
     permissible(&all, &mut led);
-    let own = size(&standings[lead].numbers).to_string();
-    led.warnings.extend(warned(&led.not_counted, &own, size));
+    let own = size(&standings[lead].numbers);
+    led.warnings.extend(warned(&led.not_counted, None, own, size));
     led.assumptions.extend(hurts(&standings, lead, size));
     Ok(Some(Found { led, all: Some(all) }))
 }

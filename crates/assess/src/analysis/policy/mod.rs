@@ -108,19 +108,15 @@ fn not_counted(all: &[Standing], lead: usize) -> NotCounted {
     NotCounted { left_out: left_out.collect(), with_help }
 }
 
-/// What is told of help that is left out; fill pressure by itself has words of its own (A195). `own` says what leads.
-fn warned(found: &NotCounted, own: &str, size: fn(&WithHelp) -> Size) -> Option<Warning> {
+/// What is told of help that is left out of the bridge, or of a vehicle on it; fill pressure by itself has words of its own (A195). `own`
+/// is what leads.
+fn warned(found: &NotCounted, vehicle: Option<&str>, own: Size, size: fn(&WithHelp) -> Size) -> Option<Warning> {
     if found.left_out.iter().all(|help| *help == Help::FillPressure) {
         return None;
     }
-    let others: Vec<String> =
-        found.with_help.iter().map(|with| format!("{} with {}", size(with), Help::all_told(&with.helps))).collect();
-    let message = format!(
-        "{own} without {}, which leads; {}: what may come and go is not counted",
-        Help::all_told(&found.left_out),
-        others.join(", ")
-    );
-    Some(Warning::new(warning::HELP_NOT_COUNTED, message))
+    let with = found.with_help.iter().map(|with| (size(with), with.helps.clone())).collect();
+    let (vehicle, left_out) = (vehicle.map(str::to_owned), found.left_out.clone());
+    Some(warning::Loads::HelpNotCounted { vehicle, own, left_out, with }.into())
 }
 
 /// Help that hurts, and is counted.

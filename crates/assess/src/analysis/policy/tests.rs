@@ -133,7 +133,7 @@ fn no_method_counts_what_may_come_and_go() {
             if helped.not_counted.left_out.contains(help) {
                 let added = helped.not_counted.with(*help).unwrap();
                 assert!(added.headline.unwrap() > 1.001 * helped.carried().unwrap(), "{what}");
-                let codes: Vec<&str> = helped.warnings.iter().map(|warning| warning.code).collect();
+                let codes: Vec<&str> = helped.warnings.iter().map(|warning| warning.code()).collect();
                 let code = if *help == FillPressure { warning::PRESSURE_RANGE } else { warning::HELP_NOT_COUNTED };
                 assert_eq!(codes.iter().filter(|one| **one == code).count(), 1, "{what}: {codes:?}");
                 told.push(what);
@@ -259,7 +259,7 @@ fn no_vehicle_counts_what_may_come_and_go() {
             }
             if *help == Help::Tension && method == Method::Limit {
                 assert_eq!(own.not_counted.left_out, [*help], "{what}");
-                assert!(helped.warnings.iter().any(|told| told.code == warning::HELP_NOT_COUNTED), "{what}");
+                assert!(helped.warnings.iter().any(|told| told.code() == warning::HELP_NOT_COUNTED), "{what}");
             }
         }
     }
@@ -346,7 +346,7 @@ fn what_makes_no_difference_makes_no_noise() {
     let quiet = RING.replacen("cohesion = \"0 kPa\"", "cohesion = \"1 kPa\"", 1);
     let said = found(&read(&quiet));
     assert_eq!(said.not_counted, NotCounted::default());
-    assert!(said.warnings.iter().all(|told| told.code != warning::HELP_NOT_COUNTED), "{:?}", said.warnings);
+    assert!(said.warnings.iter().all(|told| told.code() != warning::HELP_NOT_COUNTED), "{:?}", said.warnings);
     assert_eq!(states(&read(RING)).len(), 1);
     // Rigid joints that turn about an edge have no cohesion.
     let uncrushed = quiet.replace("5 MPa", "unlimited");

@@ -12,7 +12,7 @@ use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 use structure::discretise::dispersal::{self, Strip};
 
 /// A run of neighbouring axles at a position.
@@ -52,11 +52,7 @@ pub(super) fn instead(
 fn notes(found: &mut Sweep) {
     let open = found.positions_not_converged();
     if open > 0 {
-        let message = format!(
-            "no bounds were found at {}; what is carried there is not known",
-            findings::words::counted(open, "position")
-        );
-        found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
+        found.warnings.push(warning::Yielding::PositionsOpen { positions: open }.into());
     }
     found.assumptions.push(note::Soil::InSweep.into());
 }

@@ -151,14 +151,14 @@ pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
             match Basis::at(&mut evaluator, &start) {
                 Ok(basis) => found.basis = Some(basis),
                 Err(Halt::Stopped) => found.status = UpdateStatus::Cancelled,
-                Err(Halt::Failed(failure)) => found.warnings.push(untold("the start model's fit", &words(&failure))),
+                Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::StartFit, words(&failure))),
             }
             found.channels = histories(setup, &problem, &first.values, None);
             found.problem = problem;
         }
         Err(findings) => {
             let said: Vec<String> = findings.iter().map(|f| format!("{}: {}", f.place, f.message)).collect();
-            found.warnings.push(untold("the start model's fit", &said.join("; ")));
+            found.warnings.push(untold(warning::Asked::StartFit, said.join("; ")));
         }
     }
     (found.evaluations, found.computed) = (1, 1);
@@ -185,7 +185,7 @@ fn tell(
     match searches::identify(evaluator, basis, point) {
         Ok(told) => found.identifiability = Some(told),
         Err(Halt::Stopped) => return Err(()),
-        Err(Halt::Failed(failure)) => found.warnings.push(untold("identifiability", &words(&failure))),
+        Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Identifiability, words(&failure))),
     }
     // A model that leaves more of a history than the stated noise is not as exact as the noise.
     let likelihood = searches::likelihood(&task.asked.plan);
@@ -200,7 +200,7 @@ fn tell(
         match searches::linearised(&task.asked.plan, evaluator, basis, point, &problem) {
             Ok(report) => found.linearised = Some(report),
             Err(Halt::Stopped) => return Err(()),
-            Err(Halt::Failed(failure)) => found.warnings.push(untold("intervals", &words(&failure))),
+            Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Intervals, words(&failure))),
         }
     }
     if !task.asked.plan.posterior {
@@ -208,15 +208,15 @@ fn tell(
     }
     match searches::posterior(&task.asked.plan, evaluator, basis, &problem, clock) {
         Ok(Ok(report)) => found.posterior = Some(report),
-        Ok(Err(message)) => found.warnings.push(untold("the posterior", &message)),
+        Ok(Err(message)) => found.warnings.push(untold(warning::Asked::Posterior, message)),
         Err(Halt::Stopped) => return Err(()),
-        Err(Halt::Failed(failure)) => found.warnings.push(untold("the posterior", &words(&failure))),
+        Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Posterior, words(&failure))),
     }
     Ok(())
 }
 
-fn untold(what: &str, why: &str) -> Warning {
-    Warning::new(warning::UNTOLD, format!("{what} could not be told: {why}"))
+fn untold(what: warning::Asked, why: String) -> Warning {
+    warning::Service::Untold { what, why }.into()
 }
 
 fn words(failure: &Failure) -> String {
@@ -317,21 +317,17 @@ fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec
 /// What a reader should look at before using the numbers.
 fn warn(found: &mut Update) {
     let mut said = Vec::new();
-    let synthetic: Vec<&str> =
-        found.records.runs.iter().filter(|run| run.synthetic.is_some()).map(|run| run.name.as_str()).collect();
-    if !synthetic.is_empty() {
-        let message = format!("records that were computed and not measured: {}", synthetic.join(", "));
-        said.push(Warning::new(warning::SYNTHETIC, message));
+    let synthetic = found.records.runs.iter().filter(|run| run.synthetic.is_some());
+    let records: Vec<String> = synthetic.map(|run| run.name.clone()).collect();
+    if !records.is_empty() {
+        said.push(warning::Service::Synthetic { records });
     }
     if let Some(best) = found.found() {
-        for parameter in best.parameters.iter().filter(|parameter| parameter.at_bound) {
-            let message = format!("{} stands on a bound of its range and has not converged", parameter.name);
-            said.push(Warning::new(warning::AT_BOUND, message));
-        }
+        let at_bound = best.parameters.iter().filter(|parameter| parameter.at_bound);
+        said.extend(at_bound.map(|one| warning::Service::AtBound { parameter: one.name.clone() }));
         if !best.wandered.is_empty() {
-            let message = format!("peaks outside the slices of the search: {}", best.wandered.join(", "));
-            said.push(Warning::new(warning::WANDERED, message));
+            said.push(warning::Service::Wandered { peaks: best.wandered.clone() });
         }
     }
-    found.warnings.extend(said);
+    found.warnings.extend(said.into_iter().map(Warning::from));
 }

@@ -28,7 +28,7 @@ pub fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
 /// Of runs with and without braking and traction, the worst for each vehicle.
 pub fn worst(share: f64, sideways: Sideways, runs: &[VehicleSweep]) -> VehicleSweep {
     let (_, mut found) = worst_of(runs);
-    found.warnings.retain(|warning| warning.code != warning::NO_LONGITUDINAL);
+    found.warnings.retain(|warning| warning.code() != warning::NO_LONGITUDINAL);
     found.assumptions.push(note::Moving::Braking { share, sideways }.into());
     found
 }

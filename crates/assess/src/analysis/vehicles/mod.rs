@@ -51,7 +51,7 @@ use outcome::collapse::{Collapse, Status};
 use outcome::note::{self, Governing, Note};
 use outcome::sweep::Ended;
 use outcome::vehicles::{Case, Swept, VehicleSweep};
-use outcome::warning::{self, Warning};
+use outcome::warning::{self, OpenPositions, RecalledFactor, Warning};
 use rules::{Acting, Confidence, Rule, Source};
 use structure::discretise::DiscretiseError;
 
@@ -195,22 +195,13 @@ pub(super) fn case_by_itself(
 
 fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     let rule = &found.rule;
-    let uncertain = uncertain(rule, &found.vehicles);
-    if !uncertain.is_empty() {
-        found.warnings.push(Warning::new(
-            warning::RECALLED_FACTOR,
-            format!(
-                "factors of rule \"{}\" that must be confirmed in their source: {}",
-                rule.code,
-                uncertain.join(", ")
-            ),
-        ));
+    let factors = uncertain(rule, &found.vehicles);
+    if !factors.is_empty() {
+        found.warnings.push(warning::Vehicles::Recalled { rule: rule.code.clone(), factors }.into());
     }
     for chosen in vehicles.iter().filter(|chosen| !rule.ways.contains(&chosen.ways)) {
-        found.warnings.push(Warning::new(
-            warning::RULE_FOR_OTHER_WAYS,
-            format!("rule \"{}\" is not made for vehicle \"{}\"", rule.code, chosen.vehicle.code),
-        ));
+        let (rule, vehicle) = (rule.code.clone(), chosen.vehicle.code.clone());
+        found.warnings.push(warning::Vehicles::OtherWays { rule, vehicle }.into());
     }
     found.warnings.extend(not_converged(&found.vehicles));
     // What is to be said of the governing case is to be said of the sweep.
@@ -236,7 +227,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     found.warnings.extend(told::broken_off(&found.vehicles));
     found.assumptions.push(told::assumed(&found.vehicles).into());
     if found.discrete_elements.is_some() && bridge.plan.contact != Some(JointContact::Distributed) {
-        found.warnings.push(super::notes::of_two_points());
+        found.warnings.push(warning::Joints::TwoPoints.into());
     }
     if let Some(by) = found.discrete_elements.as_ref().and_then(|c| c.inset) {
         found.assumptions.push(note::Moving::Inset { by }.into());
@@ -255,32 +246,30 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
 
 /// What is to be said of vehicles with positions that were not answered.
 fn not_converged(all: &[Swept]) -> Option<Warning> {
-    let told = |of: &Swept| {
-        let bound = of.adequacy_at_most.map_or(String::new(), |most| format!(", its factor at most {most:.3}"));
-        format!("{} ({} of {}{bound})", of.code, of.positions_not_converged, of.envelope.len())
+    let told = |of: &Swept| OpenPositions {
+        code: of.code.clone(),
+        open: of.positions_not_converged,
+        of: of.envelope.len(),
+        at_most: of.adequacy_at_most,
     };
-    let open: Vec<String> = all.iter().filter(|of| of.positions_not_converged > 0).map(told).collect();
-    (!open.is_empty()).then(|| {
-        let message =
-            format!("positions were not answered, and adequacy factors are not known: of {}", open.join(", "));
-        Warning::new(warning::POSITIONS_NOT_CONVERGED, message)
-    })
+    let vehicles: Vec<_> = all.iter().filter(|of| of.positions_not_converged > 0).map(told).collect();
+    (!vehicles.is_empty()).then(|| warning::Vehicles::PositionsOpen { vehicles }.into())
 }
 
 /// Factors that are recalled and not read, each with its value: the rule's, then those on the loads of the vehicles.
-fn uncertain(rule: &Rule, vehicles: &[Swept]) -> Vec<String> {
+fn uncertain(rule: &Rule, vehicles: &[Swept]) -> Vec<RecalledFactor> {
     let recalled = |source: &Source| source.confidence == Confidence::Recalled;
     let own = rule.listed().into_iter().filter(|(name, f)| *name != "live load" && recalled(&f.source));
-    let mut list: Vec<String> = own.map(|(name, f)| format!("{name} {}", f.value)).collect();
+    let mut list: Vec<_> = own.map(|(name, f)| RecalledFactor::Named(name.to_owned(), f.value)).collect();
     for (models, acting) in by_acting(vehicles) {
         if recalled(&acting.live_load.source) {
-            list.push(format!("live load {} ({models})", acting.live_load.value));
+            list.push(RecalledFactor::LiveLoad(acting.live_load.value, models.clone()));
         }
         if acting.sources().into_iter().any(recalled) {
-            list.push(format!("impact {} ({models})", acting.told()));
+            list.push(RecalledFactor::Impact(Box::new(acting.clone()), models.clone()));
         }
         if let Some(beside) = acting.beside.as_ref().filter(|beside| recalled(&beside.source)) {
-            list.push(format!("{} of {} in the lanes beside ({models})", beside.share, beside.vehicles.join(", ")));
+            list.push(RecalledFactor::Beside(beside.share, beside.vehicles.clone(), models));
         }
     }
     list
@@ -304,20 +293,11 @@ fn near_the_limit(found: &VehicleSweep) -> Option<Warning> {
     let governing = &found.vehicles.get(found.governing?)?.code;
     let second = found.discrete_elements.as_ref()?;
     let share = second.adequacy? / second.limit?;
-    let near: Vec<String> = found
-        .vehicles
-        .iter()
-        .filter_map(|v| Some((v, v.adequacy?)))
-        .filter(|(v, adequacy)| v.code != *governing && *adequacy >= 1.0 && adequacy * share < 1.0)
-        .map(|(v, adequacy)| format!("{} ({adequacy:.2}, then {:.2})", v.code, adequacy * share))
-        .collect();
-    (!near.is_empty()).then(|| {
-        let message = format!(
-            "discrete elements carry {share:.2} of the limit load of {governing}; with that share these would not be met: {}",
-            near.join(", ")
-        );
-        Warning::new(warning::NEAR_THE_LIMIT, message)
-    })
+    let met = found.vehicles.iter().filter_map(|v| Some((v.code.clone(), v.adequacy?)));
+    let near = met.filter(|(code, adequacy)| code != governing && *adequacy >= 1.0 && adequacy * share < 1.0);
+    let vehicles: Vec<_> = near.collect();
+    (!vehicles.is_empty())
+        .then(|| warning::Vehicles::NearTheLimit { governing: governing.clone(), share, vehicles }.into())
 }
 
 /// Which factors on weights were tried, and which govern.

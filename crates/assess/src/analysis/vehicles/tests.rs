@@ -617,7 +617,7 @@ fn loads_that_contain_impact_get_none() {
     let factors: Vec<[f64; 2]> = found.vehicles.iter().map(|v| v.load_factors).collect();
     assert_eq!(factors, [[1.3, 1.0], [1.9, 1.8]]);
     assert!(found.vehicles[0].case.as_ref().unwrap().critical_axle.is_none());
-    let said: Vec<&str> = found.warnings.iter().map(|w| w.code).collect();
+    let said: Vec<&str> = found.warnings.iter().map(|w| w.code()).collect();
     assert!(said.contains(&warning::RECALLED_FACTOR) && said.contains(&warning::NO_LONGITUDINAL), "{said:?}");
 }
 
@@ -725,7 +725,7 @@ fn vehicles_abreast_and_at_the_edge_have_less_width() {
     // A skew bridge says that it was taken as square.
     let mut skew = bridgemill(&["cs454-single"]);
     skew.spans[0].skew = 0.3;
-    let said: Vec<&str> = swept(&skew).warnings.iter().map(|w| w.code).collect();
+    let said: Vec<&str> = swept(&skew).warnings.iter().map(|w| w.code()).collect();
     assert!(said.contains(&warning::SKEW) && said.contains(&warning::ACROSS_ASSUMED), "{said:?}");
 }
 
@@ -783,7 +783,7 @@ fn centrifugal_and_side_forces_move_the_resultant() {
     // The result says what is left out of forces across.
     let mut told = b.clone();
     told.carriageway = Some(asked(curve));
-    assert!(swept(&told).warnings.iter().any(|w| w.message.contains("not as forces on walls")));
+    assert!(swept(&told).warnings.iter().any(|w| w.message().contains("not as forces on walls")));
 }
 
 /// A longitudinal crack never helps, follows its place without jumps, and leaves an edge strip what a closed form says.

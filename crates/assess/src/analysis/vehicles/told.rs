@@ -4,7 +4,7 @@
 use bridge::{Bridge, Load, LoadKind};
 use outcome::note;
 use outcome::vehicles::{Case, Direction, Swept};
-use outcome::warning::{self, Warning};
+use outcome::warning::{self, BrokenPath, Warning};
 
 /// Vehicle, adequacy factor, direction and the places of what stands on the bridge `loaded` with the case.
 pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
@@ -46,23 +46,16 @@ fn axles(first: usize, last: usize, loads: &[Load]) -> String {
 pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
     let told = |one: &Swept| {
         let own = one.deformable.as_ref()?;
-        match (own.stands, own.broken_off) {
-            (false, _) if own.falls => Some(format!("{}: the blocks fall under their own weight", one.code)),
-            (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
-            (true, 0) => None,
-            (true, count) => {
-                Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len()))
-            }
-        }
+        let path = match (own.stands, own.broken_off) {
+            (false, _) if own.falls => BrokenPath::Falls,
+            (false, _) => BrokenPath::NotFound,
+            (true, 0) => return None,
+            (true, open) => BrokenPath::Positions { open, of: one.envelope.len() },
+        };
+        Some((one.code.clone(), path))
     };
-    let told: Vec<String> = all.iter().filter_map(told).collect();
-    (!told.is_empty()).then(|| {
-        let message = format!(
-            "on deformable joints: {}. The last state in balance counts where a path broke off, and more may be carried",
-            told.join("; ")
-        );
-        Warning::new(warning::PATHS_BROKEN_OFF, message)
-    })
+    let vehicles: Vec<_> = all.iter().filter_map(told).collect();
+    (!vehicles.is_empty()).then(|| warning::Vehicles::PathsBrokenOff { vehicles }.into())
 }
 
 /// What following deformable joints assumes, or that they were not followed.
