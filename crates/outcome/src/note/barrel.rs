@@ -5,34 +5,25 @@ use super::{listed, notes};
 notes! {
     /// Of the bridge as a plane model has it.
     Barrel {
-        /// One metre of width.
         Plane => "The problem is plane: one metre of width, loads uniform across it.";
-        /// What no plane model has.
         OutOfPlane => "A plane model does not include spandrel walls that lean or slide outwards, cracks along the barrel, or edges that \
                        separate from it.";
         /// Supports carry whatever reaches them.
         SupportsHold => "Abutments and the ground below foundations are rigid and resist any force: spreading, settlement, bearing and scour \
                          are not checked, and each of them lowers the load.";
-        /// The ground carries abutments that can move.
         GroundHolds => "The ground below foundations and abutments is rigid and resists any force, and an abutment that is fixed neither \
                         slides nor tilts: settlement, bearing and scour are not checked, and each of them lowers the load.";
-        /// Where forces along the bridge act.
         ForcesAlong => "Forces along the bridge act at the surface and are shared out as the vertical load disperses; all of them reach the \
                         rings or the ground right below, none the ground before and behind.";
-        /// Springings of several spans.
         Springings { level: bool } => "{}; piers stand on fixed foundations that carry no tension.",
             if *level { "All springings are at one level" } else { "Springings lie at the levels of the file" };
-        /// Springings of one span.
         SpringingsOfOneSpan => "The springings lie at the levels of the file.";
-        /// Piers with a width of their own.
         PiersAcross => "Piers weigh by their width across the bridge over that of the barrel, cutwaters by their area. Where they are wider, \
                         their joints have the strength of the barrel's width; where they are narrower, of their own.";
-        /// Widths of the strips between longitudinal cracks.
         Cracks { strips [m]: Vec<f64> } => "Longitudinal cracks through the barrel leave strips of {}: each carries by itself what stands on \
              it, and no load passes a crack. The load per metre of width is that of every strip; vehicles of a sweep stand where they load \
              one most, and an effective width of the file holds for loads that stand on one strip alone.",
             listed(strips.iter().map(|width| format!("{width:.2} m")));
-        /// A support that moved before the loads came.
         SupportMoved { by [m]: f64 } => "A support has moved by {:.1} mm before the loads came: blocks followed it as the mechanism that their \
              weight allows, joints that opened are brought together again halfway, and the loads act on that shape. Loads may have to turn \
              joints back that opened before the bridge carries this much: the nearer a movement is to the one that brings the bridge down, \
@@ -52,24 +43,17 @@ notes! {
                 None => "as forces on the bricks of the uppermost course under them, by their loaded length".to_owned(),
                 Some(count) => format!("as forces on the {count} nearest bricks of the uppermost course, with the same resultant"),
             };
-        /// The sum of two strips.
         StripsSideBySide => "The strips act side by side without a force between them, and both reach their loads at the same time, whatever \
                              their displacements (a rough estimate: Rouxinol, Providência and Lemos, section 3.5).";
-        /// The width in the sum of two strips.
         StripsUniform => "Loads are the same in every metre of the width; what the barrel gains as a shell, and what walls lose by leaning \
                           outwards, is left out.";
-        /// A strip without a load.
         NoSum { strip: bridge::Strip } => "No load was found to be carried by the strip \"{strip}\": there is no sum.";
-        /// Blocks that load the fill do not load the walls.
         BricksLoaded => "Blocks bring the loads onto the fill; on the walls the loads are forces on bricks.";
-        /// Weights and reactions at rest.
         AtRest => "Weights and reactions are those of one metre of the barrel between its spandrel walls, without factors and without loads; \
                    totals are these times the width of the barrel.";
-        /// Reactions of elastic blocks.
         ElasticReactions => "Reactions at rest are those of elastic blocks on rigid supports whose joints open nowhere: one of many states in \
              which the bridge stands. A support that gives, or a centring that was struck late, changes thrust and eccentricity, the vertical \
              sum stays.";
-        /// Walls are not among the weights at rest.
         WallsNotWeighed => "Spandrel walls stand on the edges of the barrel and are not among these weights.";
     }
 }

@@ -6,39 +6,27 @@ use serde::{Deserialize, Serialize};
 notes! {
     /// What a method assumes of blocks and joints.
     Blocks {
-        /// Limit analysis of blocks as built.
         Rigid => "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.";
-        /// Limit analysis of a support that moves.
         RigidAsMoved => "Rigid blocks that follow the support as a mechanism; displacements are large.";
-        /// Dilatant friction that makes no difference.
         FrictionAssociated => "Friction is associated; no joint slides in the mechanism, so it forms without dilation too.";
-        /// Friction without dilation.
         FrictionNonAssociated { associated_load [N/m]: Option<f64> } =>
             "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006){}.",
             associated_load.map_or(String::new(), |load| format!("; the associated load is {} kN/m", kilo(load)));
-        /// The load without dilation is no bound.
         NoBound => "Where joints slide without dilation the load is the lowest that the iteration found from its starts, and no bound: other \
                     states of self-stress may carry less.";
-        /// Crushing lowers the load from that without.
         Crushing { strength [Pa]: f64, load [N/m]: f64, without [N/m]: f64 } =>
             "Joints crush at {:.1} MPa, which lowers the load by {:.1} % from the {} kN/m without crushing.",
             strength / 1e6, 100.0 * (1.0 - load / without), kilo(*without);
-        /// Discrete elements.
         DiscreteElements { distributed: bool } =>
             "Rigid blocks in deformable {} contact; loads follow their blocks and keep their direction; displacements are large.",
             if *distributed { "distributed" } else { "point" };
-        /// Which loads discrete elements report.
         LoadSteps => "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.";
-        /// Joints of finite elements.
         Springs { in_a_joint: usize, own_strips: bool, stones: FiniteStones } =>
             "Each joint has {in_a_joint} springs from edge to edge, without tension{}, which shear elastically and do not slide; displacements \
              are large. {stones}",
             if *own_strips { " and each for a strip of its own" } else { "" };
-        /// Which loads finite elements report.
         LoadsTried => "collapse_load is the smallest load tried without equilibrium; last_stable_load is the largest with equilibrium.";
-        /// Tension that a method does not know.
         TensionLeftOut => "The tensile strength of the joints is left out.";
-        /// Deformable joints of the equilibrium path.
         DeformableJoints { bond: Bond } => "Rigid blocks on deformable joints{}; displacements are large.",
             match bond {
                 Bond::AtPoints => " at two points, without tension",
@@ -50,19 +38,13 @@ notes! {
                      of the bond, which breaks there for good"
                 }
             };
-        /// Contacts that form during the motion.
         ContactsAsBuilt => "The blocks that touch as built are those that press: a contact that only forms during the motion is left out.";
-        /// Crushing along the path.
         CrushingKept => "Joints whose pressure is at the compressive strength keep it, and open again elastically.";
         /// Rigid blocks stand, deformable ones fall.
         FallOnDeformableJoints => "Rigid blocks carry their own weight. On deformable joints these do not: let go, they move until they fall.";
-        /// Loads of a block model.
         LoadsOnBlocks => "The loads act on the blocks as the file says; nothing spreads them.";
-        /// The least thickness.
         Thinned => "Rings are thinned on the same intrados; the loads of the file rest on them.";
-        /// A support that moves is the question.
         WeightsAlone => "The loads of the file do not act; the support moves slowly against the weights alone.";
-        /// Which movement is called collapse.
         FirstFall => "Collapse is the first movement at which a small increment has no equilibrium near by; blocks that jump there may come to \
                       rest again farther on.";
     }

@@ -9,7 +9,6 @@ notes! {
         /// What blocks feel of it, on a ring of so many stones.
         Felt { span: Option<usize>, defect: Defect, stones: usize } =>
             "Defect, {}: {}; {}.", place_of_defect(*span, defect), words_of_defect(defect), means(defect, *stones);
-        /// Finite elements do not feel it.
         LeftOut { span: Option<usize>, defect: Defect } =>
             "Defect, {}: {} is left out of the finite element model.", place_of_defect(*span, defect), words_of_defect(defect);
     }

@@ -18,15 +18,11 @@ notes! {
              of the way to {most:.2} of it plus {:.1} kPa at a movement of {:.1} % of the depth below the top of the fill. At the largest load \
              {:.0} % of what movement could add is there. Movement counts from the blocks as built.",
             cohesion / 1e3, 100.0 * half_movement, 100.0 * mobilised;
-        /// Pressure between two spans.
         PressesBetweenSpans => "Between two spans each level of fill pushes both rings with the same force; where only one of them has a back \
                                 at a level, only pressure at rest acts.";
-        /// Backing under pressure.
         BackingPresses => "Backing presses and resists no more than fill in its place: its own strength is left out. as = \"blocks\" in \
                            [backing] includes it.";
-        /// Pressure that acts in a sweep of vehicles.
         PressesInSweep => "Fill presses against movement as [fill_pressure] says.";
-        /// Pressure that a method does not know.
         DoesNotPress => "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press sideways.";
         /// Backing of blocks, and how far it reaches over the abutments.
         BackingBlocks { pieces: usize, over_abutments [m]: [f64; 2], pressed: bool } =>
@@ -38,7 +34,6 @@ notes! {
                 true => "fill behind it presses and resists as on the backs",
                 false => "there is no fill pressure behind it",
             };
-        /// Fill of particles.
         Particles => "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of the region \
                       that they cover. Discs roll, so the friction angle of the fill is smaller than that of its contacts.";
         /// Its packing; without a seed it is one from a file.
@@ -46,9 +41,7 @@ notes! {
             "The packing is one of many ({}): solid fraction {solid_fraction:.3}, {coordination:.2} contacts a particle, mean stress {:.1} kPa \
              at rest.",
             seed.map_or("read from a file".to_owned(), |seed| format!("seed {seed}")), mean_stress / 1e3;
-        /// Particles that take no part.
         ParticlesLeftOut => "Layers that are particles in the file take no part here.";
-        /// Fill below a load.
         BearingNotChecked => "Dispersal is a rule: bearing failure of the fill under a wheel or a loading beam is not checked.";
         /// Water above the left springing, and the density of what is saturated.
         Water { level [m]: f64, saturated_density [kg/m^3]: f64 } =>
@@ -59,7 +52,6 @@ notes! {
         Road { cover [m]: f64 } =>
             "The surface follows the levels of [road]; layers above the fill keep their thickness. Loads stay vertical, and rules that ask for \
              one depth of cover take the least over a crown, {cover:.3} m.";
-        /// Layers without weight.
         Weightless { layers: Vec<String> } => "The weight of these layers is left out, as the file says: {}.", listed(layers);
         /// Dispersal, with vertical lengths to one horizontal.
         Dispersal { rule: DispersalRule, slope: f64 } => "{}", match rule {

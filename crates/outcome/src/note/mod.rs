@@ -23,7 +23,7 @@ pub use vehicles::{Governing, Moving, Sideways};
 
 use serde::{Deserialize, Serialize};
 
-/// Notes of one subject: `Name { number [unit]: Type } => "sentence", its arguments;`.
+/// Notes of one subject: `Name { number [unit]: Type } => "sentence", its arguments;`. The sentence is the documentation too.
 macro_rules! notes {
     ($(#[$meta:meta])* $Subject:ident {
         $($(#[$about:meta])* $Name:ident $({ $($field:ident $([$($unit:tt)+])? : $Type:ty),* })? => $words:literal $(, $part:expr)*;)*
@@ -31,7 +31,7 @@ macro_rules! notes {
         $(#[$meta])*
         #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
         pub enum $Subject {
-            $($(#[$about])* $Name $({ $(#[doc = concat!(stringify!($field) $(, " [", stringify!($($unit)+), "]")?)] $field: $Type,)* })?,)*
+            $($(#[$about])* #[doc = $words] $Name $({ $(#[doc = concat!(stringify!($field) $(, " [", stringify!($($unit)+), "]")?)] $field: $Type,)* })?,)*
         }
 
         impl std::fmt::Display for $Subject {

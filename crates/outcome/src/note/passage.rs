@@ -11,37 +11,25 @@ notes! {
             "an axle is carried by {width:.3} m of the bridge's width, {}; the heaviest brings {:.2} kN/m; sleepers and ballast alone spread it \
              over {spread:.2} m",
             if *of_file { "as the file says" } else { "the width of the barrel" }, heaviest / 1e3;
-        /// Length of the fill below a sleeper.
         Sleeper { pressed [m]: f64 } => "a sleeper presses evenly on {pressed:.3} m of the top of the fill";
-        /// Rails.
         Rails => "half of an axle bears on each rail, a beam on equal springs under its sleepers that carry tension as well; a sleeper lies in \
                   the middle of the bridge";
-        /// Weight of the track.
         TrackWeight { pressure [Pa]: f64 } =>
             "{:.2} kPa of ballast, sleepers and rails press on the fill, a part of the self-weight", pressure / 1e3;
-        /// Sensors that nobody named.
         Sensors => "the file names no sensors: those of the railway paper's Table 1, on the first span";
-        /// The condensed path could not be taken.
         AllFreedoms => "all degrees of freedom were solved at every position in place of the condensed path: a transient analysis, large \
                         displacements and sensors of stress need them";
-        /// Plane strain and elastic masonry.
         PlaneStrain => "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear \
                         elastic, of elements with incompatible modes; soil that yields is of plain four-node elements.";
-        /// Joints of mortar.
         Mortar { shear: JointShear } => "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, \
                                          {shear}; stones reach to the middle of the joints.";
-        /// How fill touches masonry.
         FillContact { stiffness [Pa/m]: f64, friction: f64, parts: bool } =>
             "Fill touches masonry through {:.1} GPa/m, friction {friction:.2}, and {}.", stiffness / 1e9,
             if *parts { "parts from it without tension" } else { "slides along it but never parts from it" };
-        /// What is fixed.
         Base => "The base of piers, abutments and the fill behind them is fixed; the side boundaries hold the fill horizontally.";
-        /// Self-weight.
         SelfWeight => "Self-weight is carried by the finished bridge, without the centring's stages, and taken off the records.";
-        /// Piers with a width or footings of their own.
         Piers => "Piers weigh by their mean width across the bridge and have the stiffness of the barrel's width; steps of their footings are \
                   part of the fixed base.";
-        /// Abutments of blocks.
         Abutments => "Abutments of blocks are elastic here and held by the fixed base: they neither slide nor tilt.";
     }
 }

@@ -6,7 +6,6 @@ use bridge::{Confinement, FillEnds};
 notes! {
     /// What is assumed of soil.
     Soil {
-        /// Bounds of blocks beside soil.
         Bounds => "Rigid blocks as built beside soil that yields: nothing deforms before collapse. Friction of joints is associated: where \
                    joints slide in the mechanism the bounds are those of joints that dilate.";
         /// Strength: the share that is mobilised, the angle of dilatancy where it dilates, and that of its joint with masonry where it is given.
@@ -22,15 +21,12 @@ notes! {
                 Some(angle) => format!("{:.1} degrees", angle.to_degrees()),
                 None => "two thirds of its friction angle".to_owned(),
             };
-        /// Bounds with dilation by the friction angle.
         Associated { bounds [N/m]: [f64; 2] } =>
             "Soil that dilates by its friction angle, at the same share of its strength, would carry {} to {} kN/m.", kilo(bounds[0]), kilo(bounds[1]);
-        /// Where an iteration with the whole strength settles.
         Iterated { load [N/m]: f64, dilatancy_angle [rad]: f64 } =>
             "An iteration in which soil keeps its whole strength and dilates by {:.1} degrees settles at {} kN/m on a coarser mesh: an estimate \
              and no bound, which does not lead.",
             dilatancy_angle.to_degrees(), kilo(*load);
-        /// What loads stand on.
         Plates => "Wheels and beams stand on the upper face of the soil on rigid plates that sink, slide and turn freely; pressures stay \
                    uniform; nothing disperses by a rule. Layers above the soil weigh and do nothing else.";
         /// How far the fill reaches, where the file says so, and what holds its ends.
@@ -51,19 +47,14 @@ notes! {
                  tilt about their outer toe or slide on their bed. Friction of the fill on rings is not counted across the bridge."
             }
         };
-        /// A method that knows no continuum.
         AsWeight => "The file has fill or backing as a continuum: this method takes it as weight, with dispersal by rule. Limit analysis takes \
                      it for what it is.";
-        /// Support movements know no continuum.
         AsWeightOfMovements => "Support movements know fill as weight alone: the continuum of the file is taken as that here, with dispersal \
                                 by rule.";
-        /// Loads that are put where one likes know no continuum.
         AsWeightOfPlaces => "Layers that are a continuum in the file are weight alone here.";
-        /// A sweep of loads.
         InSweep => "Fill yields as a continuum: each factor is a lower bound, with an upper one beside it, of the whole vehicle or of the \
                     neighbouring axles that govern where fill is weight alone, whichever is smaller. Places that cannot govern are answered \
                     coarsely. The worst place is one of those asked for: none is sought between them.";
-        /// A sweep of vehicles.
         InSweepOfVehicles => "Fill yields as a continuum: at up to 49 positions of each drive the whole vehicle, and what governs there with \
              fill as weight and dispersal, stand on it over the width to which axles disperse; then every combination of weights at the worst \
              of these positions, and the positions left out beside it. Factors are lower bounds, and the smaller of both models counts; \

@@ -10,7 +10,6 @@ notes! {
     State {
         /// Help that hurts, and is counted: what the bridge comes to without it and with it.
         Counted { helps: Vec<Help>, without: Size, with: Size } => "Without {} the bridge would carry {without} in place of {with}.", Help::all_told(helps);
-        /// Helps that do not count wherever they help.
         NotCounted { helps: Vec<Help> } => "What may come and go is not counted where it helps: {}.", Help::all_told(helps);
     }
 }

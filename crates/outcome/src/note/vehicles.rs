@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 notes! {
     /// What is assumed of loads and vehicles that move.
     Moving {
-        /// Rigid blocks alone.
         RigidAlone => "Rings are rigid: deformable joints carry less, flat rings under long loads by more than half \
                        (docs/verification/deformable-joints.md); method = \"path\" in [analysis] follows them too.";
         /// Distance of positions, of loads.
@@ -22,14 +21,11 @@ notes! {
         WithoutDilation { times: f64, group: usize } =>
             "Cases up to {times} times the least factor are answered without dilation too, from the end point of the one beside them in groups \
              of {group}, and the worst one from every start; the least counts. Others keep dilatant friction, which gives more.";
-        /// Cases of which a lower bound is proven.
         Proven { cases: usize } => "For {cases} cases no largest factor was found, but one above the least of the others is proven to be \
                                     carried, and stands in its place.";
-        /// Loads on deformable joints.
         DeformableJoints => "On deformable joints the axles that govern for rigid blocks are followed at every position; of all axles, and of \
              those that governed at the position before, it is asked there whether they carry as much, from the states of similar loads; at the \
              worst position every run of axles is followed. The smaller factor of both methods counts. Fill acts by its weight alone there.";
-        /// Vehicles on deformable joints.
         DeformableJointsOfVehicles => "On deformable joints what governs for rigid blocks is followed at every position, up to four times the \
              least factor of rigid blocks; of all that may stand there, and of what governs beside it, it is asked whether it carries as much, \
              from the states of similar loads. At the worst position axles, uniform loads, factors on weights and critical axle are varied one \
@@ -37,22 +33,16 @@ notes! {
              governs for rigid blocks and in all that may stand there, at every position, and in what is varied at the worst one: other runs of \
              axles may come to them under less load. They are told where they are met below the least factor of rigid blocks. Fill acts by its \
              weight alone there.";
-        /// A file's method that does not move loads.
         InsteadOf { method: Method } => "Positions are answered by limit analysis, not by method \"{method}\" of the file: it answers one \
                                          position, without --sweep.";
-        /// A uniform load of which a part does most harm.
         Shorter { load: String, of [m]: f64, length [m]: f64 } =>
             "A uniform load may be shorter: \"{load}\" of {of:.2} m does most harm where {length:.2} m of it act, and its factor is that of this \
              part. Write whole_length = true in [[load]] where it cannot be shorter.";
-        /// The adequacy factor.
         Adequacy => "The adequacy factor multiplies all loads of the vehicle together; weights stay as they are.";
-        /// One set of factors on weights.
         OneWeight { weights: Weights } => "Dead load has one set of factors, also where it helps: {}.", weights.told();
-        /// Factors on weights are varied.
         EveryWeight { combinations: usize, governing: Governing } =>
             "Weights that help have the rule's favourable factor: each of {combinations} combinations of adverse and favourable factors on \
              masonry, fill and surfacing was tried at every position, and the least adequacy factor counts ({governing}).";
-        /// Uniform loads.
         UniformLoads => "Uniform loads that may be left out stand on any run of half spans; those of a lane spread over its width, others over \
                          that of an axle.";
         /// Vehicles across the bridge, each with its place.
@@ -73,12 +63,10 @@ notes! {
             "Where cases had to be left to the slower method, those were not answered whose upper bound, by the mechanisms met before, lies more \
              than {times} times above the least factor at the position, and as many times more as such bounds lay too high at the position \
              before.";
-        /// Vehicles whose joints slide.
         Sliding { vehicles: usize } =>
             "For {} joints slide in cases up to twice the least factor: the three worst of these were answered again without dilation, and the \
              least factor counts.",
             counted(*vehicles, "vehicle");
-        /// Contact points of discrete elements beside limit analysis.
         Inset { by [m]: f64 } =>
             "Discrete elements bear on contact points {:.0} mm inside the edges of the blocks, where the thrusts of limit analysis at its \
              hinges would crush the masonry.",
@@ -99,10 +87,8 @@ notes! {
              left or not at all, whichever is worst for a vehicle; all of it reaches the rings, and none the ground before and behind. Of \
              forces across the bridge: {sideways}.",
             100.0 * share;
-        /// A vehicle that is put where one likes.
         CasesAtPlaces => "At every place that case of the vehicle counts that carries least, as in a sweep: which axles and uniform loads stand, \
                           which axle is the critical one, and which weights help.";
-        /// The width that carries an axle.
         Width { across: Across } => "{:.2} m of the barrel carry an axle: {}.", across.axles, across.told();
     }
 }
@@ -130,13 +116,9 @@ impl std::fmt::Display for Sideways {
 notes! {
     /// Which combination of weights governs.
     Governing {
-        /// That of a vehicle.
         Vehicle { code: String, weights: Weights } => "{code} governs with {}", weights.told();
-        /// One under which the bridge falls.
         Falls { weights: Weights } => "with {} the bridge does not stand", weights.told();
-        /// Not known of a vehicle.
         Unanswered { code: String } => "{code} is not answered everywhere";
-        /// None.
         Nothing => "no combination governs";
     }
 }

@@ -7,12 +7,9 @@ use findings::words::{counted, verb};
 warnings! {
     /// Of calibrations.
     Calibration {
-        /// Nothing could be sheared.
         NOT_SHEARED: NothingSheared => "no sample rested and gave way under every confining pressure";
-        /// Samples without a strength.
         NOT_SHEARED: NotSheared { samples: usize } =>
             "{} {} not count in the strength", counted(*samples, "sample"), verb(*samples, "does", "do");
-        /// The nearest strength to what is wanted.
         STRENGTH_OUT_OF_REACH: StrengthOutOfReach { found: Strength } =>
             "with contacts of {:.1} degrees and {:.1} kPa the fill has {:.1} degrees and {:.1} kPa, which is the nearest to what is wanted",
             found.contact.friction_angle.to_degrees(), found.contact.cohesion / 1e3,
@@ -26,12 +23,9 @@ warnings! {
                 again.cohesion.mean / 1e3, again.cohesion.standard_error / 1e3
             ),
         };
-        /// Samples that do not count at a multiple of the stiffness.
         LEFT_OUT: LeftOut { samples: usize, of: usize, multiple: f64 } =>
             "{samples} of {of} samples do not count at {multiple:.4} times the stiffness of the file";
-        /// No packing to check with.
         CHECK_APART: NotChecked => "no sample of the other seeds could be pressed to the last load step";
-        /// The modulus of other packings.
         CHECK_APART: Apart { again: Spread, wanted [Pa]: f64 } =>
             "other packings have {:.1} MPa ({:+.1} %, standard error {:.1} MPa) where {:.1} MPa is wanted",
             again.mean / 1e6, 100.0 * (again.mean / wanted - 1.0), again.standard_error / 1e6, wanted / 1e6;

@@ -21,24 +21,19 @@ warnings! {
             "{} by weight alone, {} with the pressure that the ring's own movement mobilises, {} on rigid blocks, where all of the file's share \
              acts at once",
             load(*bare), load(*with), load(*rigid);
-        /// Factors on the loads of the file.
         PRESSURE_RANGE: PressureInSweep { bare: Option<f64>, with: Option<f64> } =>
             "factor on the loads of the file: {} by weight alone, {} with fill pressure; the lower one counts", factor(*bare), factor(*with);
-        /// Adequacy factors of vehicles.
         PRESSURE_RANGE: PressureOfVehicles { vehicles: Vec<(String, f64, f64)> } =>
             "adequacy factors, of which the lower one counts: {}",
             vehicles.iter().map(|(code, bare, with)| format!("{code} {bare:.3} by weight alone, {with:.3} with fill pressure")).collect::<Vec<_>>().join("; ");
-        /// Particles that bridge the cover.
         COARSE_PARTICLES: CoarseParticles { largest [m]: f64, cover [m]: f64 } =>
             "the largest particle is {largest:.3} m across, the cover over the crown {cover:.3} m deep";
         /// One packing of many, from a seed or a file.
         ONE_PACKING: OnePacking { seed: Option<u64> } =>
             "the load is that of one packing ({}): others of the same recipe differ by tens of per cent",
             seed.map_or("a packing from a file".to_owned(), |seed| format!("seed {seed}"));
-        /// A load that dispersal moves.
         SHIFTED_LOAD: Shifted { place [m]: f64, by [m]: f64 } =>
             "the resultant of the load at {place:.3} m moves by {:+.1} mm", 1e3 * by;
-        /// A share of a load that the rings do not bear.
         GROUND_LOAD: ToGround { place [m]: f64, share: f64 } =>
             "{:.1} % of the load at {place:.3} m reaches the ground beside the rings", 100.0 * share;
         /// A void, counted from 0.

@@ -7,25 +7,20 @@ use findings::words::{counted, verb};
 warnings! {
     /// Of joints and blocks, and of how a method takes them.
     Joints {
-        /// Joints slide under friction with dilation.
         ASSOCIATED_SLIDING: Sliding { joints: usize } =>
             "{} in the mechanism and friction is associated: the load is an upper bound", sliding(*joints);
-        /// The iteration without dilation did not settle.
         ASSOCIATED_SLIDING: NotSettled { joints: usize, associated_load [N/m]: Option<f64> } =>
             "{} in the mechanism, and the iteration for friction without dilation did not converge: the associated load{} is only an upper \
              bound",
             sliding(*joints), associated_load.map_or(String::new(), |load| format!(" of {} kN/m", kilo(load)));
-        /// The load of walls without dilation.
         ASSOCIATED_SLIDING: Walls { load [N/m]: Option<f64> } => "walls of blocks: {}", match load {
             Some(load) => format!("with friction without dilation the load is {} kN/m", kilo(*load)),
             None => "no load was found with friction without dilation".to_owned(),
         };
-        /// What is carried without friction where joints slide.
         WITHOUT_FRICTION: WithoutFriction { carried [N/m]: f64 } =>
             "no load without dilation was found; {} kN/m are carried without friction in the joints that slide. No mechanism in which only \
              these joints slide forms below that load; one in which others slide is not excluded",
             kilo(*carried);
-        /// Blocks that stand only as far as they are jammed.
         JAMMED: Jammed => "without dilation blocks stand by friction on compressions that self-stress alone brings about: what they carry \
                            depends on how hard they were jammed, and no load is known. Where they were not, they slip";
         /// Joints that are held against sliding by the method alone: from which load; and at the last one how many, by how much and where.
@@ -41,34 +36,24 @@ warnings! {
         /// The same, of the limit load beside the result of another method.
         COHESION_PRESSED: BondBeside { cohesion [Pa]: f64, tension [Pa]: f64, strength [Pa]: Option<f64> } =>
             "in the limit load that stands beside this result {}", bond(*cohesion, *tension, *strength);
-        /// Ring joints that were not described.
         RING_JOINT_COPIED: RingJointCopied { cohesion [Pa]: f64 } =>
             "joints between rings have the cohesion of [joint], {:.1} kPa: describe them in [ring_joint]", cohesion / 1e3;
-        /// A thick ring.
         ONE_PIECE: OnePiece { thickness [m]: f64 } =>
             "a ring of {thickness:.3} m is modelled in one piece: separation of brick rings is not checked";
-        /// Rings that slide on one another.
         RINGS_SHARE: RingsShare => "rings slide on one another: limit analysis takes the state of self-stress that carries most; for nine \
                                     bridges with two rings discrete elements gave 0.66 to 0.82 of its load";
-        /// Contact points inside the edges of a ring.
         INSET: Inset { rounding [m]: f64, thickness [m]: f64 } =>
             "contact points lie {:.1} mm inside the edges: {:.4} m of a ring of {thickness:.4} m count", 1e3 * rounding, thickness - 2.0 * rounding;
-        /// The same of blocks.
         INSET: InsetBlocks { rounding [m]: f64 } => "contact points lie up to {:.1} mm inside the edges of the blocks", 1e3 * rounding;
-        /// Joints at two points.
         TWO_POINT_JOINTS: TwoPoints => "each joint bears on two contact points, which make a closed joint three times as stiff in rotation as \
              one that bears over its whole face: loads may be too high (Bridgemill 205 kN/m, with distributed joints of the same stiffness 132)";
-        /// Stiffness along the normal and in shear that the file does not give.
         STIFFNESS_TAKEN: StiffnessTaken { normal [Pa/m]: f64, shear [Pa/m]: f64 } =>
             "the file gives no stiffness for some joints: {:.3} GPa/m and in shear {:.3} GPa/m are taken, from a tenth of the modulus of the units \
              over the longest voussoir",
             normal / 1e9, shear / 1e9;
-        /// Masonry that does not crush.
         UNLIMITED_STRENGTH: Unlimited => "compressive strength is unlimited: crushing is left out";
-        /// Materials of blocks that do not crush.
         UNLIMITED_STRENGTH: UnlimitedOf { materials: Vec<String> } =>
             "compressive strength of {} has no limit: crushing is left out there", materials.join(", ");
-        /// Stress above the strength.
         ABOVE_STRENGTH: AboveStrength { stress [Pa]: f64, strength [Pa]: f64 } =>
             "largest stress {:.2} MPa, strength {:.2} MPa", stress / 1e6, strength / 1e6;
         /// Contact points do not crush: limit loads of joints that do, and of those that do not.

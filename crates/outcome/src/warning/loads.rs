@@ -11,54 +11,40 @@ warnings! {
         ABOVE_LIMIT: AboveLimit { stable [N/m]: f64, limit [N/m]: f64 } => "{}", over(*stable, *limit);
         /// Far below it.
         FAR_BELOW_LIMIT: FarBelowLimit { stable [N/m]: f64, limit [N/m]: f64 } => "{}", over(*stable, *limit);
-        /// The same of blocks.
         ABOVE_LIMIT: AboveLimitOfBlocks { stable [N/m]: f64, limit [N/m]: f64 } =>
             "last stable load {} kN/m, limit load of the same blocks {} kN/m", kilo(*stable), kilo(*limit);
-        /// The same by finite elements.
         ABOVE_LIMIT: ElementsAboveLimit { stable [N/m]: f64, limit [N/m]: f64 } =>
             "last stable load {} kN/m, limit load of the same blocks {} kN/m: the smaller is the headline", kilo(*stable), kilo(*limit);
-        /// The same beside joints that crush.
         ABOVE_LIMIT: AboveCrushing { stable [N/m]: f64, limit [N/m]: f64 } =>
             "last stable load {} kN/m, limit load of joints that crush at their edges {} kN/m: the smaller is the headline",
             kilo(*stable), kilo(*limit);
         /// The same of a vehicle, with adequacy factors.
         ABOVE_LIMIT: VehicleAboveLimit { carried: f64, limit: f64 } =>
             "the governing vehicle: discrete elements carry an adequacy factor of {carried:.3}, limit analysis {limit:.3}; the smaller one counts";
-        /// Discrete elements stand where rigid blocks do not.
         METHODS_APART: MethodsApart =>
             "limit analysis finds no equilibrium of the same blocks under their own weight: no load counts as carried";
-        /// The bounds of a limit load.
         BOUNDS_APART: BoundsApart { lower [N/m]: f64, upper [N/m]: f64 } =>
             "lower bound {:.4} kN/m, upper bound {:.4} kN/m", lower / 1e3, upper / 1e3;
         /// A load step, where it is known, that came to no end.
         STALLED: Stalled { step [N/m]: Option<f64> } => "{} neither came to rest nor collapsed: no collapse load was found",
             step.map_or("a step".to_owned(), |load| format!("the load step of {} kN/m", kilo(load)));
-        /// A run that broke off.
         BROKEN: Broken { block: String, iteration: u64 } => "the run broke off at {block}, iteration {iteration}";
-        /// Which step is published.
         PUBLISHED_STEP: PublishedStep =>
             "Rouxinol, Providência and Lemos print the last stable step as collapse load of cases like this one";
-        /// A load step that was chosen.
         CHOSEN: LoadStep { step [N/m]: f64 } => "load_step = {:.3} kN/m, about a twentieth of the limit load", step / 1e3;
-        /// A largest load that was chosen.
         CHOSEN: LoadLimit { limit [N/m]: f64 } => "load_limit = {:.1} kN/m, one and a half times the limit load", limit / 1e3;
-        /// An increment of a support movement that was chosen.
         CHOSEN: Increment { increment [m]: f64 } =>
             "increment of the support movement = {increment} m, a share of the shortest span";
-        /// A largest support movement that was chosen.
         CHOSEN: LargestMovement { limit [m]: f64 } => "limit of the support movement = {limit} m, a share of the shortest span";
         /// A path that broke off at a load that is carried, or found nothing.
         PATHS_BROKEN_OFF: PathBrokenOff { carried [N/m]: Option<f64> } => "{}; try --method dem", match carried {
             Some(load) => format!("the path broke off at {} kN/m, which is carried: more may be, and the load at collapse is not known", kilo(*load)),
             None => "no state under self-weight was found, and the blocks were not seen to fall: nothing is known".to_owned(),
         };
-        /// No self-weight on deformable joints in a sweep.
         PATHS_BROKEN_OFF: SelfWeightNotFound => "the state under self-weight was not found with deformable joints: what the bridge carries is at \
                                                  most what rigid blocks carry, and not known";
-        /// A bridge that falls on deformable joints in a sweep.
         PATHS_BROKEN_OFF: FallsOnDeformableJoints =>
             "the bridge does not stand under its own weight on deformable joints: rigid blocks alone carry loads";
-        /// Positions at which the path broke off.
         PATHS_BROKEN_OFF: PathsBrokenOff { positions: usize, of: usize } =>
             "at {positions} of {of} positions the path of deformable joints broke off: the last state in balance counts there, and more may be \
              carried";

@@ -6,9 +6,7 @@ use crate::note::{listed, notes};
 notes! {
     /// A warning that another result has.
     Passed {
-        /// The strip below the spandrel walls.
         OfWalls { warning: Box<Warning> } => "strip of the walls: {warning}";
-        /// Some cases of a file.
         OfCases { cases: Vec<String>, warning: Box<Warning> } => "{}: {warning}", listed(cases);
     }
 }

@@ -12,20 +12,15 @@ warnings! {
         /// A wide tolerance, as a share of the applied forces.
         LOOSE_PASSAGE: Loose { tolerance: f64 } =>
             "a step counts as converged at an out-of-balance force of {tolerance:.1e} of the applied forces";
-        /// Walls beside the strip.
         WALLS_LEFT_OUT: WallsLeftOut => "the strip of finite elements lies between the spandrel walls: their stiffness, and their parting from \
                                          the barrel, is left out";
-        /// Elements of fill that flow as a whole.
         LOCKING_FILL: Locking { elements: usize } =>
             "up to {} of the fill {} as a whole: plain elements then carry more than the fill does, on a coarse mesh by a tenth",
             counted(*elements, "element"), verb(*elements, "flows", "flow");
         /// What an update could not tell, and why.
         UNTOLD: Untold { what: Asked, why: String } => "{what} could not be told: {why}";
-        /// Records that were computed.
         SYNTHETIC: Synthetic { records: Vec<String> } => "records that were computed and not measured: {}", listed(records);
-        /// A parameter on a bound.
         AT_BOUND: AtBound { parameter: String } => "{parameter} stands on a bound of its range and has not converged";
-        /// Peaks outside of slices.
         WANDERED: Wandered { peaks: Vec<String> } => "peaks outside the slices of the search: {}", listed(peaks);
     }
 }
@@ -33,13 +28,9 @@ warnings! {
 crate::note::notes! {
     /// What an update is asked for.
     Asked {
-        /// The fit of the start model.
         StartFit => "the start model's fit";
-        /// Identifiability.
         Identifiability => "identifiability";
-        /// Intervals.
         Intervals => "intervals";
-        /// The posterior.
         Posterior => "the posterior";
     }
 }
@@ -47,7 +38,6 @@ crate::note::notes! {
 warnings! {
     /// Of a command: its stages, its figures, its verdict.
     Command {
-        /// Particles that figures do not hold.
         NOT_DRAWN: NotDrawn { particles: usize, most: usize } =>
             "{particles} particles are not drawn: figures hold at most {most}; ParaView files and tables hold all of them";
         /// What an assessment of strength lacks.

@@ -18,7 +18,6 @@ warnings! {
                 None => format!("no load was found that is carried with {:.0} % of the soil's strength", 100.0 * shares[0]),
             },
             kilo(*load), 100.0 * share;
-        /// Factors on the loads of the file.
         STRENGTH_RANGE: StrengthInSweep { bare: Option<f64>, with: Option<f64> } =>
             "factor on the loads of the file: {} by weight alone, {} with soil that yields, its lower bound; the lower one counts",
             factor(*bare), factor(*with);
@@ -41,10 +40,8 @@ warnings! {
         BOUNDS_APART: UpperAlone { upper [N/m]: f64, carried_share: Option<f64> } =>
             "no stresses were found that carry all of the weight{}: the load is at most {} kN/m, and not known",
             carried_share.map_or(String::new(), |share| format!(", {:.1} % of it are carried", 100.0 * share.min(1.0))), kilo(*upper);
-        /// A lower bound alone.
         BOUNDS_APART: LowerAlone { lower [N/m]: f64 } =>
             "no mechanism was found: {} kN/m are carried, and how much more is not known", kilo(*lower);
-        /// Soil that fails under the load.
         SOIL_BEARS_FIRST: BearsFirst => "the soil fails under the load and the rings stay: the load is what the soil bears, and the arch may \
                                          carry more of a load that is spread further";
         /// Walls that give: upper bounds with them and in plane strain, their ends, what one resists over its length, and whether they tilt.
@@ -52,13 +49,10 @@ warnings! {
             "at most {} kN/m where the walls hold the fill, {} kN/m in plane strain; from {:.1} to {:.1} m a wall {} outwards: it resists {:.2} {}",
             kilo(*upper), kilo(*plane_strain), ends[0], ends[1],
             if *tilts { "tilts" } else { "slides" }, resists / 1e3 / (ends[1] - ends[0]), if *tilts { "kNm/m" } else { "kN/m" };
-        /// Loads beyond the ends of the fill.
         GROUND_LOAD: BeyondEnds { share: f64 } =>
             "{:.1} % of the loads stands beyond the ends of the fill and is left out", 100.0 * share;
-        /// Rings and soil that fall by themselves.
         SOIL_FALLS: Falls { share: f64 } =>
             "a mechanism proves that rings and soil carry no more than {:.1} % of their own weight", 100.0 * share;
-        /// Positions without bounds.
         POSITIONS_NOT_CONVERGED: PositionsOpen { positions: usize } =>
             "no bounds were found at {}; what is carried there is not known", counted(*positions, "position");
     }

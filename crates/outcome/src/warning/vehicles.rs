@@ -8,15 +8,11 @@ use serde::{Deserialize, Serialize};
 warnings! {
     /// Of vehicles.
     Vehicles {
-        /// Factors that are recalled and not read.
         RECALLED_FACTOR: Recalled { rule: String, factors: Vec<RecalledFactor> } =>
             "factors of rule \"{rule}\" that must be confirmed in their source: {}", listed(factors);
-        /// A rule that is made for other ways.
         RULE_FOR_OTHER_WAYS: OtherWays { rule: String, vehicle: String } => "rule \"{rule}\" is not made for vehicle \"{vehicle}\"";
-        /// Positions that were not answered.
         POSITIONS_NOT_CONVERGED: PositionsOpen { vehicles: Vec<OpenPositions> } =>
             "positions were not answered, and adequacy factors are not known: of {}", listed(vehicles);
-        /// What deformable joints leave open of vehicles.
         PATHS_BROKEN_OFF: PathsBrokenOff { vehicles: Vec<(String, BrokenPath)> } =>
             "on deformable joints: {}. The last state in balance counts where a path broke off, and more may be carried",
             vehicles.iter().map(|(code, path)| format!("{code}: {path}")).collect::<Vec<_>>().join("; ");
@@ -31,11 +27,9 @@ warnings! {
         /// Load models that are not made for spans as long, each with the reason.
         SPAN_TOO_LONG: SpanTooLong { models: Vec<String> } =>
             "spans of this bridge are too long for load models of the rule: {}", models.join("; ");
-        /// Lanes and edges that were assumed.
         ACROSS_ASSUMED: AcrossAssumed { ways: Vec<Lanes> } =>
             "the file does not say where vehicles may stand across the bridge: {}",
             ways.iter().map(Lanes::to_string).collect::<Vec<_>>().join("; ");
-        /// Horizontal forces that are left out.
         NO_LONGITUDINAL: NoLongitudinal { braking: Braking, sideways: Sideways } => "loads stand vertically: {braking}; {sideways}";
     }
 }
@@ -95,11 +89,8 @@ impl std::fmt::Display for OpenPositions {
 crate::note::notes! {
     /// What is left open of a vehicle on deformable joints.
     BrokenPath {
-        /// It falls by itself.
         Falls => "the blocks fall under their own weight";
-        /// No self-weight.
         NotFound => "no state under self-weight was found";
-        /// Positions at which a path broke off.
         Positions { open: usize, of: usize } => "at {open} of {of} positions the path broke off";
     }
 }
