@@ -16,7 +16,7 @@ pub use loads::Loads;
 pub use passed::Passed;
 pub use service::{Asked, Command, Service};
 pub use soil::Yielding;
-pub use vehicles::{Braking, BrokenPath, Lanes, OpenPositions, RecalledFactor, Vehicles};
+pub use vehicles::{Braking, BrokenPath, Lanes, OpenPositions, RecalledFactor, TooLong, Vehicles};
 
 use crate::note::subjects;
 use serde::{Deserialize, Serialize};

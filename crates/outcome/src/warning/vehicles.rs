@@ -25,8 +25,8 @@ warnings! {
             "axles and distances that were not read in their standard: {}",
             sources.iter().map(|(codes, source)| format!("{} {}", codes.join(", "), doubtful(source))).collect::<Vec<_>>().join(". ");
         /// Load models that are not made for spans as long, each with the reason.
-        SPAN_TOO_LONG: SpanTooLong { models: Vec<String> } =>
-            "spans of this bridge are too long for load models of the rule: {}", models.join("; ");
+        SPAN_TOO_LONG: SpanTooLong { models: Vec<TooLong> } =>
+            "spans of this bridge are too long for load models of the rule: {}", models.iter().map(TooLong::to_string).collect::<Vec<_>>().join("; ");
         ACROSS_ASSUMED: AcrossAssumed { ways: Vec<Lanes> } =>
             "the file does not say where vehicles may stand across the bridge: {}",
             ways.iter().map(Lanes::to_string).collect::<Vec<_>>().join("; ");
@@ -63,6 +63,23 @@ impl std::fmt::Display for RecalledFactor {
                 write!(to, "{share} of {} in the lanes beside ({models})", vehicles.join(", "))
             }
         }
+    }
+}
+
+/// A load model that is not made for spans as long.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TooLong {
+    /// Its code.
+    pub model: String,
+    /// Longest span [m].
+    pub longest: f64,
+    /// Why no longer.
+    pub reason: String,
+}
+
+impl std::fmt::Display for TooLong {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(to, "{} (spans up to {} m: {})", self.model, self.longest, self.reason)
     }
 }
 

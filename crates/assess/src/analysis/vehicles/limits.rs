@@ -4,11 +4,11 @@ use super::across;
 use crate::vehicles::Chosen;
 use bridge::Bridge;
 use outcome::vehicles::VehicleSweep;
-use outcome::warning::{self, Braking, Lanes, Warning};
+use outcome::warning::{self, Braking, Lanes, TooLong, Warning};
 use rules::{Confidence, Source, Ways};
 
 /// Warnings of what vehicles rest on and of what is left out. `beyond`: load models left out because of their spans.
-pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[String]) -> Vec<Warning> {
+pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[TooLong]) -> Vec<Warning> {
     let mut list = Vec::new();
     // Vehicles with the same source together.
     let mut sources: Vec<(Vec<String>, Source)> = Vec::new();
