@@ -110,7 +110,8 @@ fn left_out(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicles: &[Chosen])
             codes.push(format!("{} ({reason})", model.code));
             continue;
         }
-        let moved = |code: &str| vehicles.iter().any(|one| one.vehicle.code == code);
+        // An own vehicle may bear the same code.
+        let moved = |code: &str| vehicles.iter().any(|one| one.model == model.code && one.vehicle.code == code);
         let missing = model.vehicles.iter().filter(|vehicle| !moved(&vehicle.code));
         codes.extend(missing.map(|vehicle| vehicle.code.clone()));
     }

@@ -107,10 +107,10 @@ fn inspect(evidence: &Evidence, list: &mut Vec<Step>) {
             ));
         }
     }
-    let across = evidence.facts.warnings().find(|(_, one)| one.code == warning::ACROSS_ASSUMED);
+    let across = evidence.facts.warnings().find(|(_, one)| one.code() == warning::ACROSS_ASSUMED);
     if let Some((_, found)) = across {
         let what = "measure lanes or tracks, and the distance of the nearest wheel or rail from the edge of the barrel";
-        list.push(step(Action::Inspect, what, format!("{}: {}", found.code, found.message), SURVEY));
+        list.push(step(Action::Inspect, what, format!("{}: {}", found.code(), found.message()), SURVEY));
     }
 }
 
@@ -176,12 +176,12 @@ fn refine(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &mu
     let settled = verdict.status == Judgement::Adequate;
     let mut told: Vec<&str> = Vec::new();
     for (_, found) in evidence.facts.warnings() {
-        if told.contains(&found.code) {
+        if told.contains(&found.code()) {
             continue;
         }
-        told.push(found.code);
-        let because = format!("{}: {}", found.code, found.message);
-        match found.code {
+        told.push(found.code());
+        let because = format!("{}: {}", found.code(), found.message());
+        match found.code() {
             warning::SKEW => add(
                 "confirm the load of the skew barrel by a model in three dimensions or by a load test",
                 because,
@@ -202,7 +202,7 @@ fn refine(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &mu
                 );
             }
             warning::RECALLED_FACTOR | warning::VEHICLE_NOT_READ => {
-                let what = format!("confirm in its text what warning {} lists", found.code);
+                let what = format!("confirm in its text what warning {} lists", found.code());
                 add(&what, because, OWN);
             }
             _ => {}
@@ -226,7 +226,6 @@ mod tests {
     use outcome::checked::{NotMade, Rung, Strength, Unit};
     use outcome::facts::{ChangeFacts, SensitivityFacts, VehicleFacts};
     use outcome::vehicles::Graded;
-    use outcome::warning::Warning;
 
     fn evidence() -> Evidence {
         let (asked, facts) = (Assess::default(), Facts::nothing());
@@ -294,8 +293,8 @@ mod tests {
                 ..Graded::default()
             }],
             warnings: vec![
-                Warning::new(warning::FILL_AS_WEIGHT, "fill"),
-                Warning::new(warning::ACROSS_ASSUMED, "lanes"),
+                warning::Cover::AsWeight { backing: false, record: None }.into(),
+                warning::Vehicles::AcrossAssumed { ways: Vec::new() }.into(),
             ],
             ..VehicleFacts::default()
         };

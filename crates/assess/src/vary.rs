@@ -42,7 +42,7 @@ pub const COLLAPSE: Analysis = Analysis {
         Ok(Outcome {
             status: found.status.word().to_owned(),
             numbers: published::collapse_numbers(&found),
-            warnings: found.warnings.iter().map(|warning| warning.code.to_owned()).collect(),
+            warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
             message: None,
         })
     },

@@ -2,6 +2,7 @@
 
 use bridge::{Bridge, SweepPlan};
 use outcome::vehicles::Grade;
+use outcome::warning::TooLong;
 use rules::{Acting, Confidence};
 pub use rules::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways};
 
@@ -305,7 +306,7 @@ fn completes(rule: Option<&Rule>, model: &LoadModel, models: &[LoadModel]) -> bo
 }
 
 /// Load models that a plan without names leaves out because a span is too long for them: why.
-pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
+pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<TooLong> {
     let Ok(Read { rule: Some(rule), library, .. }) = read(bridge, plan) else { return Vec::new() };
     if !plan.vehicles.is_empty() {
         return Vec::new();
@@ -314,7 +315,7 @@ pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
     made_for
         .filter_map(|model| {
             let limit = model.span_limit.as_ref().filter(|limit| longest(bridge) > limit.longest_m)?;
-            Some(format!("{} (spans up to {} m: {})", model.code, limit.longest_m, limit.reason))
+            Some(TooLong { model: model.code.clone(), longest: limit.longest_m, reason: limit.reason.clone() })
         })
         .collect()
 }

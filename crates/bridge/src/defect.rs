@@ -2,8 +2,10 @@
 
 pub use crate::sensor::Face;
 
+use serde::{Deserialize, Serialize};
+
 /// A defect of a span's rings over a stretch of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Defect {
     /// What it is.
     pub kind: DefectKind,
@@ -14,7 +16,7 @@ pub struct Defect {
 }
 
 /// What a defect takes away. Rings count from 0, from the intrados up.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum DefectKind {
     /// Mortar that is lost from the joints.
     LostMortar {

@@ -122,6 +122,7 @@ pub(crate) fn check(
     axles(file, findings);
     effective_width(file, findings);
     whole_width(file, findings);
+    deep_cover(file, findings);
 }
 
 /// The tables of a section, one or many; their mistakes have been reported already.
@@ -477,6 +478,24 @@ fn effective_width(file: &Table<'_>, findings: &mut Findings) {
 const TRACK: f64 = 1.8;
 const BEYOND: f64 = 1.5;
 
+/// Deepest cover over the crown that is common [m]: below it loads spread until hardly any are left.
+const DEEP: f64 = 3.0;
+
+/// Cover so deep that loads hardly matter, in an assessment.
+fn deep_cover(file: &Table<'_>, findings: &mut Findings) {
+    let layers = every(file, "cover");
+    let depth: f64 = layers.iter().filter_map(|table| value(table, "thickness")).sum();
+    if let Some(last) = layers.last().filter(|_| depth > DEEP && file.has("assess")) {
+        findings.warning(
+            "P034",
+            last.place("thickness"),
+            format!("{depth:.2} m of cover lie over the crown"),
+            format!("arches usually have less than {DEEP} m, and through more loads spread until hardly any are left"),
+            "check numbers and units",
+        );
+    }
+}
+
 /// A force given for the whole width, where an axle spreads over less of it: in an assessment, where it stands for an axle.
 fn whole_width(file: &Table<'_>, findings: &mut Findings) {
     let width = every(file, "bridge").first().and_then(|table| value(table, "width"));
@@ -484,6 +503,19 @@ fn whole_width(file: &Table<'_>, findings: &mut Findings) {
     let depth: f64 = every(file, "cover").iter().filter_map(|table| value(table, "thickness")).sum();
     let spread = TRACK + BEYOND + depth;
     for table in every(file, "load") {
+        if value(&table, "effective_width").is_some_and(|carries| carries > spread) {
+            findings
+                .warning(
+                    "P032",
+                    table.place("effective_width"),
+                    "an axle is shared out over more width than it spreads over",
+                    format!(
+                        "{TRACK} m between wheels + {BEYOND} m + {depth:.2} m of cover = {spread:.2} m (CS 454, 7.3)"
+                    ),
+                    "write the width that carries it, at most as wide",
+                )
+                .because("the load on a metre of the barrel decides; shared out over more width it is too small");
+        }
         let Some((_, raw)) = table.entry("force") else { continue };
         let written = raw.get_ref().as_str().and_then(|text| quantity::parse(text).ok());
         let whole = written.is_some_and(|quantity| quantity.unit.dimension == quantity::Dimension::Force);

@@ -101,7 +101,7 @@ impl Report {
 
     /// Adds the warnings of an analysis and shows them.
     pub fn warn_of(&mut self, screen: &mut Screen, warnings: &[outcome::warning::Warning]) {
-        warnings.iter().for_each(|warning| self.warn(screen, warning.code, &warning.message));
+        warnings.iter().for_each(|warning| self.warn(screen, warning.code(), &warning.message()));
     }
 
     /// Adds a warning with its place in a file of records and shows it.

@@ -20,6 +20,7 @@ use crate::page::Page;
 use ::outcome::calibration::{CalibrationReport, Measured, Spread};
 use ::outcome::collapse::{Collapse, Combination};
 use ::outcome::help::Help;
+use ::outcome::note;
 use ::outcome::picture::{Hinge, HingeAt};
 use ::outcome::sweep::Sweep;
 use bridge::{Analysis, Method};
@@ -43,11 +44,12 @@ pub fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
     if let Some(both) = &found.combination {
         combination(&mut page, both);
     }
-    let mut assumptions = found.assumptions.clone();
+    let mut assumptions = note::words(&found.assumptions);
     if !assumptions.is_empty() {
-        let walls = found.wall_strip.iter().flat_map(|wall| &wall.assumptions);
-        let both = found.combination.iter().flat_map(|both| &both.assumptions);
-        assumptions.extend(walls.chain(both).filter(|line| !found.assumptions.contains(line)).cloned());
+        let walls = found.wall_strip.iter().flat_map(|wall| note::words(&wall.assumptions));
+        let both = found.combination.iter().flat_map(|both| note::words(&both.assumptions));
+        let more: Vec<String> = walls.chain(both).filter(|line| !assumptions.contains(line)).collect();
+        assumptions.extend(more);
     }
     Page { body: page, assumptions, place: format!("Results are in {out}") }
 }
@@ -98,7 +100,7 @@ pub fn sweep(sweep: &Sweep, out: &str) -> Page {
         }
         None => page += "  no position makes a mechanism of the bridge\n",
     }
-    Page { body: page, assumptions: sweep.assumptions.clone(), place: format!("Results are in {out}") }
+    Page { body: page, assumptions: note::words(&sweep.assumptions), place: format!("Results are in {out}") }
 }
 
 /// Moduli of the fill, the stiffness that was found, and its check.

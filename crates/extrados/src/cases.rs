@@ -9,6 +9,7 @@ use bridge::case::Case;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{CaseFacts, CasesFacts};
 use outcome::published;
+use outcome::warning::{Passed, Warning};
 use serde_json::{Value, json};
 
 /// A case with its answer.
@@ -65,26 +66,11 @@ impl Cases {
                 method: one.collapse.method().word().to_owned(),
                 load_factor: one.factor(),
             });
-            for warning in one
-                .collapse
-                .warnings
-                .iter()
-                .filter(|warning| !facts.warnings.contains(warning))
-                .cloned()
-                .collect::<Vec<_>>()
-            {
-                facts.warnings.push(warning);
-            }
-            for said in one
-                .collapse
-                .assumptions
-                .iter()
-                .filter(|said| !facts.assumptions.contains(said))
-                .cloned()
-                .collect::<Vec<_>>()
-            {
-                facts.assumptions.push(said);
-            }
+            let Collapse { warnings, assumptions, .. } = &one.collapse;
+            let new: Vec<_> = warnings.iter().filter(|warning| !facts.warnings.contains(warning)).cloned().collect();
+            facts.warnings.extend(new);
+            let new: Vec<_> = assumptions.iter().filter(|note| !facts.assumptions.contains(note)).cloned().collect();
+            facts.assumptions.extend(new);
         }
         facts
     }
@@ -108,23 +94,21 @@ impl Cases {
     }
 
     /// Warnings of all cases, each once, with the cases that it concerns.
-    pub fn warnings(&self) -> Vec<(&'static str, String)> {
-        let mut all: Vec<(&'static str, String, Vec<&str>)> = Vec::new();
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut all: Vec<(&Warning, Vec<String>)> = Vec::new();
         for one in &self.answers {
             for warning in &one.collapse.warnings {
-                match all.iter_mut().find(|known| known.0 == warning.code && known.1 == warning.message) {
-                    Some(known) => known.2.push(&one.name),
-                    None => all.push((warning.code, warning.message.clone(), vec![&one.name])),
+                match all.iter_mut().find(|(known, _)| *known == warning) {
+                    Some((_, cases)) => cases.push(one.name.clone()),
+                    None => all.push((warning, vec![one.name.clone()])),
                 }
             }
         }
-        let every = self.answers.len();
-        all.into_iter()
-            .map(|(code, message, names)| match names.len() == every {
-                true => (code, message),
-                false => (code, format!("{}: {message}", names.join(", "))),
-            })
-            .collect()
+        let of = |(warning, cases): (&Warning, Vec<String>)| match cases.len() == self.answers.len() {
+            true => warning.clone(),
+            false => Passed::OfCases { cases, warning: Box::new(warning.clone()) }.into(),
+        };
+        all.into_iter().map(of).collect()
     }
 
     /// The least factor of those that are known.

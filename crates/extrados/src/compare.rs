@@ -8,7 +8,7 @@ use crate::watch::Watch;
 use bridge::inputs::{Input, inputs};
 use bridge::quantity;
 use outcome::collapse::{Collapse, Status};
-use outcome::published;
+use outcome::{note, published};
 use serde_json::{Value, json};
 
 /// A value that stands in one file alone, or differs.
@@ -116,10 +116,8 @@ pub fn compare(before: &Project, after: &Project, choice: Choice, watch: &mut dy
         collapse(project, &CollapseOptions { choice, resume: None }, watch)
     };
     let answers = [answer(before)?, answer(after)?];
-    let only = |k: usize| {
-        let other = &answers[1 - k].assumptions;
-        answers[k].assumptions.iter().filter(|said| !other.contains(said)).cloned().collect::<Vec<_>>()
-    };
+    let said = [0, 1].map(|k: usize| note::words(&answers[k].assumptions));
+    let only = |k: usize| said[k].iter().filter(|words| !said[1 - k].contains(words)).cloned().collect::<Vec<_>>();
     Ok(Compared {
         differences: differences(before, after),
         numbers: numbers(&answers),
@@ -266,7 +264,7 @@ fn cautions([before, after]: &[Collapse; 2]) -> Vec<String> {
             cautions.push(format!("the {which} analysis ended as {}", one.status.word()));
         }
     }
-    let codes = |c: &Collapse| c.warnings.iter().map(|warning| warning.code).collect::<Vec<_>>();
+    let codes = |c: &Collapse| c.warnings.iter().map(|warning| warning.code()).collect::<Vec<_>>();
     for (one, other, which) in [(before, after, "first"), (after, before, "second")] {
         let theirs = codes(other);
         let mut own: Vec<&str> = codes(one).into_iter().filter(|code| !theirs.contains(code)).collect();

@@ -8,6 +8,7 @@ use assess::analysis::placing;
 pub use assess::analysis::placing::{Carried, Placed};
 use assess::analysis::vehicles::Driven;
 use bridge::{Directions, SweepPlan};
+use outcome::note::Note;
 use outcome::picture::Point;
 use outcome::vehicles::Direction;
 
@@ -106,8 +107,8 @@ impl Placing {
         self.0.is_quick()
     }
 
-    /// What is assumed, in words.
-    pub fn assumptions(&self) -> Vec<String> {
+    /// What is assumed.
+    pub fn assumptions(&self) -> Vec<Note> {
         self.0.assumptions()
     }
 }

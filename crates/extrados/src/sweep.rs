@@ -7,6 +7,7 @@ use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
 use assess::analysis::{self, Places};
 use bridge::{LEAST_STEP, Method};
+use outcome::note::{self, Note};
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
 use structure::discretise::bridge_length;
@@ -41,7 +42,9 @@ pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -
     }
     let mut bridge = planned(project, &options.choice)?;
     let watch = &mut Looking(watch);
-    let other = Some(bridge.plan.method).filter(|method| !sweeps(*method)).map(instead_of);
+    let other = Some(bridge.plan.method)
+        .filter(|method| !sweeps(*method))
+        .map(|method| Note::from(note::Moving::InsteadOf { method }));
     let found = match &mut bridge.sweep {
         Some(plan) => {
             plan.step = options.step.or(plan.step);
@@ -67,12 +70,4 @@ pub fn sweeps(method: Method) -> bool {
         Method::Limit | Method::Path => true,
         Method::Dem | Method::Fe => false,
     }
-}
-
-/// What a sweep says of a file that plans another method.
-fn instead_of(method: Method) -> String {
-    format!(
-        "Positions are answered by limit analysis, not by method \"{}\" of the file: it answers one position, without --sweep.",
-        method.word()
-    )
 }

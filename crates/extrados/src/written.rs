@@ -157,10 +157,10 @@ pub fn warnings_of(found: &Collapse) -> Vec<Warning> {
     for one in found.wall_strip.iter().flat_map(|wall| &wall.warnings) {
         // What is said of the other strip already need not be repeated.
         if !found.warnings.contains(one) {
-            all.push(Warning::new(one.code, format!("strip of the walls: {}", one.message)));
+            all.push(warning::Passed::OfWalls { warning: Box::new(one.clone()) }.into());
         }
     }
-    all.extend(figures::left_out(&found.picture).map(|words| Warning::new(warning::NOT_DRAWN, words)));
+    all.extend(figures::left_out(&found.picture).map(Warning::from));
     all
 }
 
@@ -169,7 +169,7 @@ pub fn warnings_of(found: &Collapse) -> Vec<Warning> {
 pub fn object(project: &Project, schema: &str, status: &str, fields: Object, warnings: &[Warning]) -> Object {
     let of_file = project.findings().iter().filter(|finding| finding.severity != Severity::Error);
     let of_file = of_file.map(|one| finding(project.name(), project.text(), one));
-    let of_analysis = warnings.iter().map(|one| json!({ "code": one.code, "message": one.message }));
+    let of_analysis = warnings.iter().map(|one| json!({ "code": one.code(), "message": one.message() }));
     let all: Vec<Value> = of_file.chain(of_analysis).collect();
     let mut object = Object::new();
     object.insert("schema".to_owned(), json!(schema));

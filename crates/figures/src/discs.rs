@@ -4,6 +4,7 @@ use crate::elevation::INK;
 use crate::geometry::View;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
 use outcome::picture::{Picture, Point, Snapshot};
+use outcome::warning::Command;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -29,13 +30,9 @@ pub fn drawable(picture: &Picture) -> bool {
 }
 
 /// What is not drawn, and why; nothing where all is.
-pub fn left_out(picture: &Picture) -> Option<String> {
-    let count = picture.particles.len();
-    (count > MOST).then(|| {
-        format!(
-            "{count} particles are not drawn: figures hold at most {MOST}; ParaView files and tables hold all of them"
-        )
-    })
+pub fn left_out(picture: &Picture) -> Option<Command> {
+    let particles = picture.particles.len();
+    (particles > MOST).then_some(Command::NotDrawn { particles, most: MOST })
 }
 
 pub fn layer_colour(layer: usize) -> &'static str {
@@ -169,7 +166,7 @@ mod tests {
         let disc = Disc { centre: [0.0, 0.0], radius: 0.1, layer: 0 };
         let picture = Picture { particles: vec![disc; MOST + 1], ..Picture::default() };
         assert!(!drawable(&picture));
-        assert!(left_out(&picture).unwrap().contains("200001 particles"));
+        assert_eq!(left_out(&picture), Some(Command::NotDrawn { particles: 200_001, most: MOST }));
         let few = Picture { particles: picture.particles[..5].to_vec(), ..Picture::default() };
         assert!(drawable(&few) && left_out(&few).is_none());
     }

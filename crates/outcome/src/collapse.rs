@@ -1,6 +1,7 @@
 //! What a collapse analysis found.
 
 use crate::help::NotCounted;
+use crate::note::Note;
 use crate::picture::{Hinge, Picture, Point};
 use crate::warning::Warning;
 use crate::words::words;
@@ -407,7 +408,7 @@ pub struct Combination {
     /// Sum of the strips' headlines [N].
     pub headline: Option<f64>,
     /// What adding them up assumes.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
 }
 
 /// The result of a collapse analysis.
@@ -469,7 +470,7 @@ pub struct Collapse {
     /// What a reader should look at.
     pub warnings: Vec<Warning>,
     /// What the result assumes.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Everything that figures and tables are made from.
     pub picture: Picture,
 }

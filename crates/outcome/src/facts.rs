@@ -3,6 +3,7 @@
 
 use crate::collapse::{Collapse, Permissible, Status};
 use crate::help::NotCounted;
+use crate::note::Note;
 use crate::passage::PassageStatus;
 use crate::update::{Update, UpdateStatus};
 use crate::vehicles::{Graded, PermissibleFactor};
@@ -60,7 +61,7 @@ pub struct ServiceFacts {
     /// One entry a load.
     pub loads: Vec<ServiceLoadFacts>,
     /// What the analysis assumes.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// What a reader should look at.
     pub warnings: Vec<Warning>,
 }
@@ -240,7 +241,7 @@ pub struct UltimateFacts {
     #[serde(default)]
     pub positions_not_converged: usize,
     /// Assumptions.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The collapse at the governing position.
@@ -313,7 +314,7 @@ pub struct VehicleFacts {
     #[serde(default)]
     pub doubtful: Vec<DoubtFacts>,
     /// Assumptions.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
@@ -458,7 +459,7 @@ pub struct CasesFacts {
     /// In the order of the file.
     pub cases: Vec<CaseFacts>,
     /// Assumptions, each once.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings, each once.
     pub warnings: Vec<Warning>,
 }
@@ -515,7 +516,7 @@ pub struct UpdateFacts {
     /// What the data can tell, in words.
     pub told: Vec<String>,
     /// Assumptions.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The whole update.

@@ -11,6 +11,7 @@ pub mod given;
 pub mod ground;
 pub mod help;
 pub mod mesh;
+pub mod note;
 pub mod passage;
 pub mod picture;
 pub mod published;

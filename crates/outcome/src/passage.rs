@@ -1,6 +1,7 @@
 //! What came of a train's passage, in SI units; tables, figures and the wire format are made from this alone.
 
 use crate::mesh::MeshPicture;
+use crate::note::Note;
 use crate::picture::{Point, ThrustPoint};
 use crate::warning::Warning;
 use crate::words::words;
@@ -263,7 +264,7 @@ pub struct Passage {
     /// Asked out-of-balance force over applied force.
     pub tolerance: f64,
     /// What was assumed, in words.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// Every step.

@@ -164,7 +164,7 @@ fn list<T>(of: impl IntoIterator<Item = T>, one: impl FnMut(T) -> Object) -> Vec
 
 /// Warnings of an analysis.
 fn warnings(of: &[Warning]) -> Vec<Object> {
-    list(of, |warning| object! { code: warning.code, message: warning.message, })
+    list(of, |warning| object! { code: warning.code(), message: warning.message(), })
 }
 
 /// What may help the bridge and is not counted; nothing where nothing is left out.

@@ -1,5 +1,6 @@
 //! What a bridge weighs, and what its springings and piers hand to the ground under its own weight.
 
+use crate::note::Note;
 use serde::{Deserialize, Serialize};
 
 /// Weights and reactions, per metre of the strip between the walls.
@@ -12,7 +13,7 @@ pub struct Statics {
     /// What springings and feet of piers carry at rest; empty where the blocks have no elastic state.
     pub reactions: Vec<Reaction>,
     /// What was assumed, in words.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
 }
 
 /// Weight of a part.

@@ -2,6 +2,7 @@
 
 use crate::collapse::Status;
 use crate::help::NotCounted;
+use crate::note::Note;
 use crate::warning::Warning;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
@@ -57,7 +58,7 @@ pub struct Sweep {
     /// What a reader should look at.
     pub warnings: Vec<Warning>,
     /// What was assumed.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
 }
 
 impl Sweep {

@@ -1,6 +1,7 @@
 //! What came of model updating: figures, summary and the wire format are made from this alone. Values of channels and of
 //! parameters carry the units that they are shown in, named beside them.
 
+use crate::note::Note;
 use crate::passage::Measurand;
 use crate::warning::Warning;
 use crate::words::words;
@@ -227,7 +228,7 @@ pub struct Update {
     /// The records.
     pub records: RecordsUsed,
     /// What was assumed, in words.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }

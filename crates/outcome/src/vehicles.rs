@@ -2,6 +2,7 @@
 
 use crate::collapse::{Collapse, Criterion, Status};
 use crate::help::NotCounted;
+use crate::note::Note;
 use crate::sweep::Ended;
 use crate::warning::Warning;
 use crate::words::words;
@@ -408,7 +409,7 @@ pub struct VehicleSweep {
     /// What a reader should look at.
     pub warnings: Vec<Warning>,
     /// What was assumed.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
 }
 
 /// What a bridge is worth in the grades of a load model, lightest first: those of the vehicles that were asked for.

@@ -1,30 +1,98 @@
 //! Warnings of an analysis, each with a card that explains it.
 
-use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize};
+mod calibration;
+mod cover;
+mod joints;
+mod loads;
+mod passed;
+mod service;
+mod soil;
+mod vehicles;
 
-/// A warning; in files it is a pair, code and words.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[serde(into = "(String, String)")]
-pub struct Warning {
-    /// Stable code, `A…`.
-    pub code: &'static str,
-    /// What was found, with numbers.
-    pub message: String,
+pub use calibration::Calibration;
+pub use cover::Cover;
+pub use joints::Joints;
+pub use loads::Loads;
+pub use passed::Passed;
+pub use service::{Asked, Command, Service};
+pub use soil::Yielding;
+pub use vehicles::{Braking, BrokenPath, Lanes, OpenPositions, RecalledFactor, TooLong, Vehicles};
+
+use crate::note::subjects;
+use serde::{Deserialize, Serialize};
+
+/// Warnings of one subject: `CODE: Name { number [unit]: Type } => "sentence", its arguments;`.
+macro_rules! warnings {
+    ($(#[$meta:meta])* $Subject:ident { $(
+        $(#[$about:meta])* $code:ident: $Name:ident $({ $($field:ident $([$($unit:tt)+])? : $Type:ty),* })? => $words:literal $(, $part:expr)*;
+    )* }) => {
+        crate::note::notes! {
+            $(#[$meta])* $Subject { $(
+                $(#[$about])* $Name $({ $($field $([$($unit)+])? : $Type),* })? => $words $(, $part)*;
+            )* }
+        }
+
+        impl $Subject {
+            /// Its code.
+            pub fn code(&self) -> &'static str {
+                match self { $($Subject::$Name { .. } => crate::warning::$code,)* }
+            }
+        }
+    };
 }
 
-impl From<Warning> for (String, String) {
-    fn from(warning: Warning) -> (String, String) {
-        (warning.code.to_owned(), warning.message)
+use warnings;
+
+subjects! {
+    /// A warning of an analysis: its numbers; two that read the same are the same.
+    #[derive(Debug, Clone, Serialize, Deserialize)]
+    pub enum Warning {
+        /// Calibrations of particles.
+        Calibration,
+        /// What a command says.
+        Command,
+        /// Fill, cover and shape.
+        Cover,
+        /// Joints and blocks.
+        Joints,
+        /// Loads that were found, or were not.
+        Loads,
+        /// Warnings of other results.
+        Passed,
+        /// Passages and updates.
+        Service,
+        /// Vehicles.
+        Vehicles,
+        /// Fill that yields.
+        Yielding,
     }
 }
 
-impl<'de> Deserialize<'de> for Warning {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Warning, D::Error> {
-        let (code, message) = <(String, String)>::deserialize(from)?;
-        let card = CARDS.iter().find(|card| card.code == code);
-        let unknown = || D::Error::custom(format!("there is no warning {code}"));
-        Ok(Warning { code: card.ok_or_else(unknown)?.code, message })
+impl Warning {
+    /// Its code, `A…`.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Warning::Calibration(one) => one.code(),
+            Warning::Command(one) => one.code(),
+            Warning::Cover(one) => one.code(),
+            Warning::Joints(one) => one.code(),
+            Warning::Loads(one) => one.code(),
+            Warning::Passed(one) => one.code(),
+            Warning::Service(one) => one.code(),
+            Warning::Vehicles(one) => one.code(),
+            Warning::Yielding(one) => one.code(),
+        }
+    }
+
+    /// Its sentence.
+    pub fn message(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl PartialEq for Warning {
+    fn eq(&self, other: &Warning) -> bool {
+        self.code() == other.code() && self.message() == other.message()
     }
 }
 
@@ -412,13 +480,6 @@ findings::cards! {
          them, and what is least leads; the message gives both. A joint that has once opened or slid has lost its bond for good, and the bond \
          of a brittle joint is not there all at once along its length. Where the load rests on it, ask what the load without it means for the \
          bridge; a strength that was measured does not change that. Fill pressure is treated alike and told by A195.";
-}
-
-impl Warning {
-    /// A warning with its message.
-    pub fn new(code: &'static str, message: impl Into<String>) -> Warning {
-        Warning { code, message: message.into() }
-    }
 }
 
 /// Warnings of where a load goes at one position: they matter where that position governs.

@@ -62,7 +62,7 @@ impl Answer {
     /// As the command writes it to `result.json`, but for the places of its files.
     fn whole(&self) -> Object {
         let mut warnings: Vec<Value> = self.projects.iter().flat_map(|project| of_file(project)).collect();
-        let mut add = |list: &[Warning]| warnings.extend(list.iter().map(|one| told(one.code, &one.message)));
+        let mut add = |list: &[Warning]| warnings.extend(list.iter().map(|one| told(one.code(), &one.message())));
         let (schema, status, fields) = match &self.found {
             Found::Collapse(found) => {
                 add(&written::warnings_of(found));
@@ -110,7 +110,7 @@ impl Answer {
                 ("assess", verdict.status.word(), fields)
             }
             Found::Cases(found) => {
-                warnings.extend(found.warnings().iter().map(|(code, message)| told(code, message)));
+                add(&found.warnings());
                 ("cases", worst(found.answers.iter().map(|one| one.collapse.status)), found.object())
             }
             Found::Compared(found) => {

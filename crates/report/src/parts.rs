@@ -117,14 +117,8 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
         part.rows.push(vec![one.to_string(), blank(), "not given by the file".into(), blank(), blank()]);
     }
     for (stage, warning) in a.facts.warnings_once() {
-        if SITE.contains(&warning.code) {
-            part.rows.push(vec![
-                warning.message.clone(),
-                blank(),
-                format!("{}, {stage}", warning.code),
-                blank(),
-                blank(),
-            ]);
+        if SITE.contains(&warning.code()) {
+            part.rows.push(vec![warning.message(), blank(), format!("{}, {stage}", warning.code()), blank(), blank()]);
         }
     }
     if part.rows.is_empty() {
@@ -189,7 +183,7 @@ fn kilonewtons(value: f64) -> String {
 /// Dead-load totals, and reactions at rest.
 pub fn statics(statics: &Statics) -> Vec<Part> {
     let mut weights = Part::new(Some("statics"), "Dead loads and reactions at rest");
-    weights.words.clone_from(&statics.assumptions);
+    weights.words = outcome::note::words(&statics.assumptions);
     weights.heads = vec!["part", "per metre of width [kN/m]", "whole width [kN]"];
     weights.numbers = vec![false, true, true];
     let weight = |name: &str, force: f64| vec![name.to_owned(), kilonewtons(force), kilonewtons(force * statics.width)];
@@ -363,7 +357,7 @@ pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&S
             items.push((format!("{} {}", check.code, check.title), format!("{} of the limit", percent(worst))));
         }
     }
-    let warnings: Vec<&str> = a.facts.warnings().map(|(_, warning)| warning.code).collect();
+    let warnings: Vec<&str> = a.facts.warnings().map(|(_, warning)| warning.code()).collect();
     let mut codes: Vec<&str> = Vec::new();
     warnings.into_iter().for_each(|code| {
         if !codes.contains(&code) {

@@ -7,6 +7,7 @@ use outcome::checked::{Checked, Columns, governing};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
 use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, UpdateFacts, VehicleFacts};
+use outcome::note::{self, Note};
 use outcome::warning::Warning;
 
 /// A comparison.
@@ -250,16 +251,17 @@ pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
 /// Warnings and assumptions, each once: which stages say it, and what.
 pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     let facts = &a.facts;
-    let warning = |(stages, one): (String, &Warning)| [stages, one.code.to_owned(), one.message.clone()];
+    let warning = |(stages, one): (String, &Warning)| [stages, one.code().to_owned(), one.message()];
     let warnings = facts.warnings_once().into_iter().map(warning).collect();
-    let said: [(&'static str, &[String]); 5] = [
+    let said: [(&'static str, &[Note]); 5] = [
         ("update", facts.update.made().map_or(&[], |facts| &facts.assumptions)),
         ("service", facts.service.made().map_or(&[], |facts| &facts.assumptions)),
         ("collapse", facts.ultimate.made().map_or(&[], |facts| &facts.assumptions)),
         ("vehicles", facts.vehicles.made().map_or(&[], |facts| &facts.assumptions)),
         ("cases", facts.cases.made().map_or(&[], |facts| &facts.assumptions)),
     ];
-    let all = said.into_iter().flat_map(|(stage, list)| list.iter().map(move |words| (stage, words)));
+    let said = said.map(|(stage, list)| (stage, note::words(list)));
+    let all = said.iter().flat_map(|(stage, list)| list.iter().map(move |words| (*stage, words)));
     (warnings, once(all).into_iter().map(|(stages, words)| [stages, words.clone()]).collect())
 }
 

@@ -56,7 +56,7 @@ fn with_status(mut object: published::Object, status: &str, beside: Vec<(&str, J
 
 fn responded(file: &File) -> Result<Json, String> {
     let found = file.crossed()?;
-    let warnings: Vec<&str> = found.warnings.iter().map(|warning| warning.code).collect();
+    let warnings: Vec<&str> = found.warnings.iter().map(|warning| warning.code()).collect();
     let thrust = |moment: Option<&outcome::passage::Moment>| moment.and_then(crown_thrust);
     let at_rest = thrust(found.moments.first());
     let added = thrust(found.moments.last()).zip(at_rest).map(|(last, first)| last - first);

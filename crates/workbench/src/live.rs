@@ -43,7 +43,7 @@ impl Placing {
             "code": driven.map_or("", |driven| driven.vehicle.vehicle.code.as_str()),
             "rule": driven.map_or("", |driven| driven.rule.title.as_str()),
             "factors": self.inner.factors(), "axles": axles, "from": from, "to": to, "fast": self.inner.is_quick(), "stands": self.inner.stands(),
-            "assumptions": self.inner.assumptions(),
+            "assumptions": self.inner.assumptions().iter().map(ToString::to_string).collect::<Vec<_>>(),
         })
     }
 

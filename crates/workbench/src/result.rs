@@ -61,7 +61,7 @@ impl Answer {
         let (notes, doubts): (Vec<_>, Vec<_>) = in_drawing.partition(|one| one.severity == Severity::Note);
         let value = |one: &extrados::drawing::Finding| written::finding_in_drawing(&place, one);
         let of_analysis = written::warnings_of(found);
-        let of_analysis = of_analysis.iter().map(|one| json!({ "code": one.code, "message": one.message }));
+        let of_analysis = of_analysis.iter().map(|one| json!({ "code": one.code(), "message": one.message() }));
         let warnings: Vec<Value> = doubts.into_iter().map(value).chain(of_file).chain(of_analysis).collect();
         let mut object = Object::new();
         object.insert("schema".to_owned(), json!("extrados.collapse/1"));
@@ -140,9 +140,7 @@ impl Answer {
         let picture = found.least().map_or(Value::Null, |one| json!(one.collapse.picture));
         let known = found.answers.iter().all(extrados::CaseAnswer::is_known);
         let head = ("extrados.cases/1", if known { "completed" } else { "undetermined" });
-        let warnings: Vec<Warning> =
-            found.warnings().into_iter().map(|(code, message)| Warning::new(code, message)).collect();
-        Answer { picture, ..Answer::new(project, head, found.object(), &warnings, written) }
+        Answer { picture, ..Answer::new(project, head, found.object(), &found.warnings(), written) }
     }
 
     /// How it ended.

@@ -13,7 +13,7 @@ use mechanics::watch::{Unwatched, Watch};
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, DemReport, Status};
 use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning::{Loads, Warning};
 use structure::discretise::{Discretised, discretise, laws};
 
 /// How the plan wants the method done.
@@ -131,7 +131,7 @@ pub(super) fn as_described(
     loads(&outcome, &load, &mut c);
     c.load_step = Some(load_step);
     c.limit_load = limit_load.map(load);
-    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
+    c.warnings.extend(chosen.into_iter().map(Warning::from));
     notes::dem(bridge, &d, &mut c);
     notes::apart(rigid.status, &mut c);
     if by_limit::settings(bridge).crushing {
@@ -158,7 +158,7 @@ pub(super) fn program(
     plan: &Plan,
     d: &Discretised,
     bound: Option<f64>,
-    chosen: &mut Vec<String>,
+    chosen: &mut Vec<Loads>,
 ) -> Result<(dem::Program, f64), AnalysisError> {
     let missing =
         |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
@@ -166,7 +166,7 @@ pub(super) fn program(
         (Some(step), _) => step,
         (None, Some(bound)) => {
             let step = round_down(bound * d.reference_load / 20.0);
-            chosen.push(format!("load_step = {:.3} kN/m, about a twentieth of the limit load", step / 1e3));
+            chosen.push(Loads::LoadStep { step });
             step
         }
         _ => return Err(missing("load_step")),
@@ -175,7 +175,7 @@ pub(super) fn program(
         (Some(limit), _) => limit,
         (None, Some(bound)) => {
             let limit = d.counted_weight + load_step * (1.5 * bound * d.reference_load / load_step).ceil();
-            chosen.push(format!("load_limit = {:.1} kN/m, one and a half times the limit load", limit / 1e3));
+            chosen.push(Loads::LoadLimit { limit });
             limit
         }
         _ => return Err(missing("load_limit")),

@@ -11,6 +11,7 @@ use mechanics::limit;
 use mechanics::path::{self, Cause, Frame, PathPoint};
 use mechanics::watch::Watch;
 use outcome::collapse::{By, Collapse, Ended, PathPressure, PathReport, Permissible, Status};
+use outcome::note;
 use outcome::picture::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
 use outcome::warning::{self, Warning};
 use structure::discretise::Discretised;
@@ -83,10 +84,7 @@ pub(super) fn as_described(
     c.warnings.extend(broken_off(&c));
     // Both are answers: a stiffer joint may let the blocks stand.
     if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
-        c.assumptions.push(
-            "Rigid blocks carry their own weight. On deformable joints these do not: let go, they move until they fall."
-                .into(),
-        );
+        c.assumptions.push(note::Blocks::FallOnDeformableJoints.into());
     }
     if by_limit::settings(bridge).crushing {
         let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
@@ -105,17 +103,8 @@ fn pressed(outcome: &path::Outcome, c: &mut Collapse) {
 
 /// What is to be said of a path that broke off, or never began.
 fn broken_off(c: &Collapse) -> Option<Warning> {
-    let words = match c.last_stable_load.filter(|_| c.status == Status::NotConverged) {
-        Some(load) => format!(
-            "the path broke off at {:.2} kN/m, which is carried: more may be, and the load at collapse is not known",
-            load / 1e3
-        ),
-        None if c.status == Status::NotConverged => {
-            "no state under self-weight was found, and the blocks were not seen to fall: nothing is known".to_owned()
-        }
-        None => return None,
-    };
-    Some(Warning::new(warning::PATHS_BROKEN_OFF, format!("{words}; try --method dem")))
+    let carried = c.last_stable_load;
+    (c.status == Status::NotConverged).then(|| warning::Loads::PathBrokenOff { carried }.into())
 }
 
 /// Whether joints have cohesion.
@@ -274,8 +263,8 @@ mod tests {
         assert_eq!(broken_off(&c), None);
         c.status = Status::NotConverged;
         let load = format!("{:.2} kN/m", c.last_stable_load.unwrap() / 1e3);
-        assert!(broken_off(&c).unwrap().message.contains(&load));
+        assert!(broken_off(&c).unwrap().message().contains(&load));
         c.last_stable_load = None;
-        assert!(broken_off(&c).unwrap().message.contains("nothing is known"));
+        assert!(broken_off(&c).unwrap().message().contains("nothing is known"));
     }
 }

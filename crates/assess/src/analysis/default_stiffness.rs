@@ -37,12 +37,8 @@ pub(super) fn note(bridge: &Bridge) -> Option<Warning> {
     if !(open(&bridge.joint) || several && open(&bridge.ring_joint)) {
         return None;
     }
-    let [normal, shear] = taken(bridge)?.map(|stiffness| stiffness / 1e9);
-    let message = format!(
-        "the file gives no stiffness for some joints: {normal:.3} GPa/m and in shear {shear:.3} GPa/m are taken, from a tenth of the \
-         modulus of the units over the longest voussoir"
-    );
-    Some(Warning::new(warning::STIFFNESS_TAKEN, message))
+    let [normal, shear] = taken(bridge)?;
+    Some(warning::Joints::StiffnessTaken { normal, shear }.into())
 }
 
 /// Normal and shear stiffness [Pa/m]; none where the modulus of the units is not known.
@@ -71,7 +67,7 @@ mod tests {
         let Some(JointStiffness::Contact(normal)) = stiffened(&bridge).joint.normal_stiffness else { panic!("none") };
         // The published joints of this bridge: 4.84 GPa/m.
         assert!((normal / 4.84e9 - 1.0).abs() < 0.15, "{normal}");
-        assert_eq!(note(&bridge).unwrap().code, warning::STIFFNESS_TAKEN);
+        assert_eq!(note(&bridge).unwrap().code(), warning::STIFFNESS_TAKEN);
         bridge.masonry.elastic_modulus = None;
         assert_eq!((stiffened(&bridge), note(&bridge)), (bridge.clone(), None));
     }

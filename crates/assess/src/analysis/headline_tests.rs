@@ -19,7 +19,7 @@ fn limit(b: &Bridge) -> Collapse {
 }
 
 fn codes(warnings: &[outcome::warning::Warning]) -> Vec<&str> {
-    warnings.iter().map(|w| w.code).collect()
+    warnings.iter().map(|w| w.code()).collect()
 }
 
 /// A short ring that discrete elements make collapse in a moment.
@@ -67,9 +67,9 @@ fn discrete_elements_say_that_joints_bear_on_two_points_and_that_crushing_is_lef
     let found = collapse(&weak(), None, &mut Unwatched).unwrap();
     let said = codes(&found.warnings);
     assert!(said.contains(&warning::TWO_POINT_JOINTS) && said.contains(&warning::CRUSHING_LEFT_OUT), "{said:?}");
-    let crushing = found.warnings.iter().find(|w| w.code == warning::CRUSHING_LEFT_OUT).unwrap();
+    let crushing = found.warnings.iter().find(|w| w.code() == warning::CRUSHING_LEFT_OUT).unwrap();
     assert!(
-        crushing.message.contains(&format!("{:.2} kN/m", found.crushing_limit_load.unwrap() / 1e3)),
+        crushing.message().contains(&format!("{:.2} kN/m", found.crushing_limit_load.unwrap() / 1e3)),
         "{crushing:?}"
     );
     let by_limit = limit(&weak());
@@ -78,7 +78,8 @@ fn discrete_elements_say_that_joints_bear_on_two_points_and_that_crushing_is_lef
     distributed.plan.contact = Some(JointContact::Distributed);
     let found = collapse(&distributed, None, &mut Unwatched).unwrap();
     assert!(!codes(&found.warnings).contains(&warning::TWO_POINT_JOINTS));
-    assert!(found.assumptions.iter().any(|said| said.contains("distributed contact")));
+    let told = outcome::note::Blocks::DiscreteElements { distributed: true };
+    assert!(found.assumptions.contains(&told.into()));
 }
 
 #[test]

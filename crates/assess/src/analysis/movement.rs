@@ -11,7 +11,9 @@ use mechanics::plane::{Pose, Vec2};
 use mechanics::watch::Watch;
 use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, SupportReport};
+use outcome::note;
 use outcome::picture::{Motion, Snapshot};
+use outcome::warning::{Loads, Warning};
 use structure::discretise::{Discretised, discretise};
 
 /// Limit analysis narrows the movement to this share of the increment.
@@ -39,13 +41,10 @@ pub fn support_movement(
         Method::Path => return Err(AnalysisError::NotByPath("support movements")),
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("support movements")),
     };
-    c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
-    for (given, name, value) in [(movement.increment, "increment", step), (movement.limit, "limit", largest)] {
-        if given.is_none() {
-            let message = format!("{name} of the support movement = {value} m, a share of the shortest span");
-            c.warnings.push(outcome::warning::Warning::new(outcome::warning::CHOSEN, message));
-        }
-    }
+    c.assumptions.push(note::Blocks::WeightsAlone.into());
+    let increment = movement.increment.is_none().then_some(Loads::Increment { increment: step });
+    let limit = movement.limit.is_none().then_some(Loads::LargestMovement { limit: largest });
+    c.warnings.extend(increment.into_iter().chain(limit).map(Warning::from));
     Ok(c)
 }
 
@@ -118,11 +117,7 @@ fn by_limit(
     let stands = (outcome.status != limit::MovementStatus::NoEquilibrium).then_some(outcome.stands);
     c.sought = Sought::SupportMovement(SupportReport { last_stable: stands, collapse: outcome.falls, step });
     notes::limit(bridge, d, &mut c);
-    c.assumptions.push(
-        "Collapse is the first movement at which a small increment has no equilibrium near by; blocks that jump there may \
-         come to rest again farther on."
-            .into(),
-    );
+    c.assumptions.push(note::Blocks::FirstFall.into());
     Ok(c)
 }
 

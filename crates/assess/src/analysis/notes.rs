@@ -6,6 +6,7 @@ use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
 use outcome::collapse::{Collapse, Sought, Status};
+use outcome::note::{self, Bond, FiniteStones, Note};
 use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, Origin, pressure};
 
@@ -20,66 +21,36 @@ const USUAL_GAP: f64 = 0.15;
 /// Both bounds of limit analysis must agree to this.
 const BOUNDS: f64 = 1e-6;
 
-/// "1 joint slides", "3 joints slide".
-pub(super) fn sliding(joints: usize) -> String {
-    format!("{} {}", findings::words::counted(joints, "joint"), findings::words::verb(joints, "slides", "slide"))
-}
-
 /// Notes on a limit analysis.
 pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     let Some(report) = c.limit() else { return };
     let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
-    assumptions.push(
-        match c.sought {
-            Sought::SupportMovement(_) => {
-                "Rigid blocks that follow the support as a mechanism; displacements are large."
-            }
-            _ => "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.",
-        }
-        .into(),
-    );
+    assumptions.push(match c.sought {
+        Sought::SupportMovement(_) => note::Blocks::RigidAsMoved,
+        _ => note::Blocks::Rigid,
+    });
     match (report.friction, report.associated_load) {
-        (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
-            warning::ASSOCIATED_SLIDING,
-            format!(
-                "{} in the mechanism and friction is associated: the load is an upper bound",
-                sliding(c.sliding_joints.len())
-            ),
-        )),
-        (FlowRule::NonAssociated, _) if report.jammed => warnings.push(joints::jammed()),
-        (FlowRule::NonAssociated, bound) if c.status == Status::NotConverged => {
-            let bound = bound.map_or(String::new(), |load| format!(" of {:.2} kN/m", load / 1e3));
-            warnings.push(Warning::new(
-                warning::ASSOCIATED_SLIDING,
-                format!(
-                    "{} in the mechanism, and the iteration for friction without dilation did not \
-                     converge: the associated load{bound} is only an upper bound",
-                    sliding(c.sliding_joints.len())
-                ),
-            ));
+        (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => {
+            warnings.push(warning::Joints::Sliding { joints: c.sliding_joints.len() }.into());
         }
-        (FlowRule::Associated, _) => assumptions.push("Friction is associated; no joint slides in the mechanism, so it forms \
-                                               without dilation too.".into()),
-        (FlowRule::NonAssociated, Some(load)) => assumptions.push(format!(
-            "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
-            load / 1e3
-        )),
-        (FlowRule::NonAssociated, None) => assumptions.push("Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006).".into()),
+        (FlowRule::NonAssociated, _) if report.jammed => warnings.push(warning::Joints::Jammed.into()),
+        (FlowRule::NonAssociated, associated_load) if c.status == Status::NotConverged => {
+            warnings.push(warning::Joints::NotSettled { joints: c.sliding_joints.len(), associated_load }.into());
+        }
+        (FlowRule::Associated, _) => assumptions.push(note::Blocks::FrictionAssociated),
+        (FlowRule::NonAssociated, associated_load) => {
+            assumptions.push(note::Blocks::FrictionNonAssociated { associated_load });
+        }
     }
-    warnings.extend(joints::cohesive(bridge));
+    warnings.extend(
+        joints::bond(bridge)
+            .map(|(cohesion, tension, strength)| warning::Joints::Bond { cohesion, tension, strength }.into()),
+    );
     if let (Status::NotConverged, FlowRule::NonAssociated, Some(carried)) =
         (c.status, report.friction, report.lower_bound)
     {
-        warnings.push(Warning::new(
-            warning::WITHOUT_FRICTION,
-            format!(
-                "no load without dilation was found; {:.2} kN/m are carried without friction in the joints that slide. \
-                 No mechanism in which only these joints slide forms below that load; one in which others slide is not \
-                 excluded",
-                carried / 1e3
-            ),
-        ));
+        warnings.push(warning::Joints::WithoutFriction { carried }.into());
     }
     if bridge.plan.contact_points == ContactPoints::Rounded && bridge.masonry.rounding > 0.0 {
         warnings.push(inset(bridge));
@@ -87,68 +58,51 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if let (Some(lower), Some(upper), FlowRule::Associated) = (report.lower_bound, report.upper_bound, report.friction)
         && (upper - lower).abs() > BOUNDS * upper.abs()
     {
-        warnings.push(Warning::new(
-            warning::BOUNDS_APART,
-            format!("lower bound {:.4} kN/m, upper bound {:.4} kN/m", lower / 1e3, upper / 1e3),
-        ));
+        warnings.push(warning::Loads::BoundsApart { lower, upper }.into());
     }
     c.warnings.extend(warnings);
-    c.assumptions.extend(assumptions);
+    c.assumptions.extend(assumptions.into_iter().map(Note::from));
 }
 
 /// The range of loads with fill that presses: by weight alone, as described, and with all that could be there.
 pub fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Option<Warning> {
     let fill = bridge.fill_pressure?;
-    let told = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.2} kN/m", load / 1e3));
-    let message = match &with.by {
-        By::Limit(report) => format!(
-            "{} by weight alone, {} with {:.0} % of the passive pressure, {} with all of it; a verdict uses the lower end",
-            told(bare.collapse_load),
-            told(with.collapse_load),
-            100.0 * fill.mobilisation,
-            told(report.full_fill_pressure_load)
-        ),
-        By::Path(_) => format!(
-            "{} by weight alone, {} with the pressure that the ring's own movement mobilises, {} on rigid blocks, where all of the \
-             file's share acts at once",
-            told(bare.last_stable_load),
-            told(with.last_stable_load),
-            told(with.limit_load)
-        ),
+    let told = match &with.by {
+        By::Limit(report) => warning::Cover::Pressure {
+            bare: bare.collapse_load,
+            with: with.collapse_load,
+            share: fill.mobilisation,
+            full: report.full_fill_pressure_load,
+        },
+        By::Path(_) => warning::Cover::PressureOfPath {
+            bare: bare.last_stable_load,
+            with: with.last_stable_load,
+            rigid: with.limit_load,
+        },
         By::Dem(_) | By::Fe(_) => return None,
     };
-    Some(Warning::new(warning::PRESSURE_RANGE, message))
+    Some(told.into())
 }
 
 /// Notes on fill that presses against movement.
 pub fn pressed(bridge: &Bridge, c: &mut Collapse) {
     let Some(fill) = &bridge.fill_pressure else { return };
     let k = pressure::coefficients(fill);
-    c.assumptions.push(format!(
-        "Fill presses sideways on the backs with {:.2} of its vertical stress, and with up to {:.2} of it plus {:.1} \
-         kPa where a back moves against it: {:.0} % of Rankine's passive pressure for {:.1} degrees and {:.0} % of \
-         that for cohesion. It acts at once; real fill needs movement.",
-        k.least,
-        k.most,
-        k.cohesion / 1e3,
-        100.0 * fill.mobilisation,
-        fill.friction_angle.to_degrees(),
-        100.0 * fill.cohesion_mobilisation,
-    ));
+    let mut told = vec![note::Fill::Presses {
+        least: k.least,
+        most: k.most,
+        cohesion: k.cohesion,
+        mobilised: fill.mobilisation,
+        friction_angle: fill.friction_angle,
+        cohesion_mobilised: fill.cohesion_mobilisation,
+    }];
     if bridge.spans.len() > 1 {
-        c.assumptions.push(
-            "Between two spans each level of fill pushes both rings with the same force; where only one of them has a \
-             back at a level, only pressure at rest acts."
-                .into(),
-        );
+        told.push(note::Fill::PressesBetweenSpans);
     }
     if bridge.cover.backing.is_some_and(|b| b.body == BackingBody::Weight) {
-        c.assumptions.push(
-            "Backing presses and resists no more than fill in its place: its own strength is left out. as = \"blocks\" \
-             in [backing] includes it."
-                .into(),
-        );
+        told.push(note::Fill::BackingPresses);
     }
+    c.assumptions.extend(told.into_iter().map(Note::from));
 }
 
 /// Notes on fill that presses the more the further backs move against it.
@@ -157,155 +111,96 @@ fn moved_against(bridge: &Bridge, c: &mut Collapse) {
         return;
     };
     let k = pressure::coefficients(fill);
-    c.assumptions.push(format!(
-        "Fill presses sideways on the backs with {:.2} of its vertical stress, and the more the further a back moves against it: \
-         half of the way to {:.2} of it plus {:.1} kPa at a movement of {:.1} % of the depth below the top of the fill. At the \
-         largest load {:.0} % of what movement could add is there. Movement counts from the blocks as built.",
-        k.least,
-        k.most,
-        k.cohesion / 1e3,
-        100.0 * fill.half_movement,
-        100.0 * found.mobilised,
-    ));
+    let told = note::Fill::PressesWithMovement {
+        least: k.least,
+        most: k.most,
+        cohesion: k.cohesion,
+        half_movement: fill.half_movement,
+        mobilised: found.mobilised,
+    };
+    c.assumptions.push(told.into());
 }
 
 /// What is assumed of backing that is blocks, and of the ground behind it.
-fn backed(bridge: &Bridge, d: &Discretised) -> Option<String> {
+fn backed(bridge: &Bridge, d: &Discretised) -> Option<Note> {
     bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks)?;
     let pieces = d.origins.iter().filter(|o| matches!(o, Origin::Backing { .. })).count();
-    let [left, right] = bridge.abutments.map(|a| a.top_width);
-    let behind = if d.loading.restraints.is_empty() {
-        "there is no fill pressure behind it"
-    } else {
-        "fill behind it presses and resists as on the backs"
-    };
-    Some(format!(
-        "Backing is {pieces} blocks of sound masonry with joints as between voussoirs: stones with level beds on backs \
-         steeper than 45 degrees, a column on every flatter one. It reaches over the tops of the abutments ({left:.2} \
-         m and {right:.2} m), where friction alone holds it; {behind}. A trial pit or a core must confirm that it is \
-         sound and reaches so far."
-    ))
+    let over_abutments = bridge.abutments.map(|a| a.top_width);
+    Some(note::Fill::BackingBlocks { pieces, over_abutments, pressed: !d.loading.restraints.is_empty() }.into())
 }
 
 /// Notes on a discrete element run.
 pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) && d.fill.is_none() {
-        c.assumptions.push(
-            "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press \
-             sideways."
-                .into(),
-        );
+        c.assumptions.push(note::Fill::DoesNotPress.into());
     }
     discrete_elements(&bridge.plan, c);
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
     }
     if c.status == Status::Stalled {
-        let at = c.stalled_load.map_or("a step".to_owned(), |load| format!("the load step of {:.2} kN/m", load / 1e3));
-        let message = format!("{at} neither came to rest nor collapsed: no collapse load was found");
-        c.warnings.push(Warning::new(warning::STALLED, message));
+        c.warnings.push(warning::Loads::Stalled { step: c.stalled_load }.into());
     }
     if c.status == Status::Collapsed && bridge.dispersal.rule == DispersalRule::InverseDepth && d.road.is_none() {
-        c.warnings.push(Warning::new(
-            warning::PUBLISHED_STEP,
-            "Rouxinol, Providência and Lemos print the last stable step as collapse load of cases like this one",
-        ));
+        c.warnings.push(warning::Loads::PublishedStep.into());
     }
-    if let Some((block, step)) = c.dem().and_then(|r| r.broken_at.clone()) {
-        c.warnings.push(Warning::new(warning::BROKEN, format!("the run broke off at {block}, iteration {step}")));
+    if let Some((block, iteration)) = c.dem().and_then(|r| r.broken_at.clone()) {
+        c.warnings.push(warning::Loads::Broken { block, iteration }.into());
     }
-    if let (Some(stress), Some(strength)) = (c.max_compressive_stress, bridge.masonry.compressive_strength)
-        && stress > strength
-    {
-        let message = format!("largest stress {:.2} MPa, strength {:.2} MPa", stress / 1e6, strength / 1e6);
-        c.warnings.push(Warning::new(warning::ABOVE_STRENGTH, message));
-    }
-    if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load) {
-        let share = stable / bound;
-        let next = c.collapse_load.unwrap_or(stable) / bound;
-        let message = format!(
-            "last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m ({:.0} %)",
-            stable / 1e3,
-            bound / 1e3,
-            100.0 * share
-        );
-        if share > 1.0 {
-            c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+    c.warnings.extend(above_strength(bridge, c));
+    if let (Some(stable), Some(limit)) = (c.last_stable_load, c.limit_load) {
+        let next = c.collapse_load.unwrap_or(stable) / limit;
+        if stable / limit > 1.0 {
+            c.warnings.push(warning::Loads::AboveLimit { stable, limit }.into());
         } else if c.collapse_load.is_some() && next < 1.0 - USUAL_GAP {
-            c.warnings.push(Warning::new(warning::FAR_BELOW_LIMIT, message));
+            c.warnings.push(warning::Loads::FarBelowLimit { stable, limit }.into());
         }
     }
 }
 
-/// Notes on a run by finite elements; `parts` says what stones and joints are made of.
-pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, sliding: Option<Sliding>, c: &mut Collapse) {
+/// Stress above the strength of the masonry.
+fn above_strength(bridge: &Bridge, c: &Collapse) -> Option<Warning> {
+    let (stress, strength) = (c.max_compressive_stress?, bridge.masonry.compressive_strength?);
+    (stress > strength).then(|| warning::Joints::AboveStrength { stress, strength }.into())
+}
+
+/// Notes on a run by finite elements of these stones.
+pub fn finite(bridge: &Bridge, d: &Discretised, stones: FiniteStones, sliding: Option<Sliding>, c: &mut Collapse) {
     common(bridge, d, c);
-    let springs = c.finite().map_or(0, |finite| finite.springs_per_joint);
-    c.assumptions.push(format!(
-        "Each joint has {springs} springs from edge to edge, without tension{}, which shear elastically and do not \
-         slide; displacements are large. {parts}",
-        match bridge.plan.contact {
-            Some(bridge::JointContact::Distributed) => " and each for a strip of its own",
-            _ => "",
-        }
-    ));
-    c.assumptions.push(
-        "collapse_load is the smallest load tried without equilibrium; last_stable_load is the largest with \
-         equilibrium."
-            .into(),
-    );
+    let in_a_joint = c.finite().map_or(0, |finite| finite.springs_per_joint);
+    let own_strips = bridge.plan.contact == Some(JointContact::Distributed);
+    c.assumptions.push(note::Blocks::Springs { in_a_joint, own_strips, stones }.into());
+    c.assumptions.push(note::Blocks::LoadsTried.into());
     if bridge.joint.tensile_strength > 0.0 {
-        c.assumptions.push("The tensile strength of the joints is left out.".into());
+        c.assumptions.push(note::Blocks::TensionLeftOut.into());
     }
     c.warnings.extend(sliding.map(joints::would_slide));
-    if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load)
-        && stable > bound
+    if let (Some(stable), Some(limit)) = (c.last_stable_load, c.limit_load)
+        && stable > limit
     {
-        let message = format!(
-            "last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m: the smaller is the headline",
-            stable / 1e3,
-            bound / 1e3
-        );
-        c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+        c.warnings.push(warning::Loads::ElementsAboveLimit { stable, limit }.into());
     }
-    c.warnings.extend(joints::cohesive(bridge).map(|warning| {
-        let message = format!("in the limit load that stands beside this result {}", warning.message);
-        Warning::new(warning.code, message)
-    }));
-    if let (Some(stress), Some(strength)) = (c.max_compressive_stress, bridge.masonry.compressive_strength)
-        && stress > strength
-    {
-        let message = format!("largest stress {:.2} MPa, strength {:.2} MPa", stress / 1e6, strength / 1e6);
-        c.warnings.push(Warning::new(warning::ABOVE_STRENGTH, message));
-    }
+    c.warnings.extend(
+        joints::bond(bridge)
+            .map(|(cohesion, tension, strength)| warning::Joints::BondBeside { cohesion, tension, strength }.into()),
+    );
+    c.warnings.extend(above_strength(bridge, c));
 }
 
 /// Notes on the equilibrium path.
 pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
     common(bridge, d, c);
     moved_against(bridge, c);
-    c.assumptions.push(match distributed {
-        true => format!(
-            "Rigid blocks on deformable joints: the pressure grows with the overlap over the compressed part of a joint, {}; \
-             displacements are large.",
-            match strongest(bridge) > 0.0 {
-                true => "and so does the tension up to the strength of the bond, which breaks there for good",
-                false => "without tension",
-            }
-        ),
-        false => "Rigid blocks on deformable joints at two points, without tension; displacements are large.".to_owned(),
-    });
-    c.assumptions.push(
-        "The blocks that touch as built are those that press: a contact that only forms during the motion is left out."
-            .into(),
-    );
-    if strongest(bridge) > 0.0 && !distributed {
-        c.assumptions.push("The tensile strength of the joints is left out.".into());
+    let tension = strongest(bridge) > 0.0;
+    let bond = if distributed { Bond::Distributed { tension } } else { Bond::AtPoints };
+    c.assumptions.push(note::Blocks::DeformableJoints { bond }.into());
+    c.assumptions.push(note::Blocks::ContactsAsBuilt.into());
+    if tension && !distributed {
+        c.assumptions.push(note::Blocks::TensionLeftOut.into());
     }
     if bridge.masonry.compressive_strength.is_some() && distributed {
-        c.assumptions
-            .push("Joints whose pressure is at the compressive strength keep it, and open again elastically.".into());
+        c.assumptions.push(note::Blocks::CrushingKept.into());
     }
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
@@ -322,101 +217,54 @@ fn strongest(bridge: &Bridge) -> f64 {
 
 /// Notes on fill that is particles.
 pub fn filled(bridge: &Bridge, c: &mut Collapse) {
-    c.assumptions.push(
-        "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of \
-         the region that they cover. Discs roll, so the friction angle of the fill is smaller than that of its \
-         contacts."
-            .into(),
-    );
+    c.assumptions.push(note::Fill::Particles.into());
     if let Some(p) = &c.packing {
-        let origin = p.seed.map_or("read from a file".to_string(), |seed| format!("seed {seed}"));
-        c.assumptions.push(format!(
-            "The packing is one of many ({origin}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
-             rest.",
-            p.solid_fraction,
-            p.coordination,
-            p.mean_stress / 1e3
-        ));
-        if let Some(message) = wedged(p.diameters[1], bridge.cover.depth) {
-            c.warnings.push(Warning::new(warning::COARSE_PARTICLES, message));
-        }
+        let (solid_fraction, coordination, mean_stress) = (p.solid_fraction, p.coordination, p.mean_stress);
+        let told = note::Fill::Packing { seed: p.seed, solid_fraction, coordination, mean_stress };
+        c.assumptions.push(told.into());
+        c.warnings.extend(wedged(p.diameters[1], bridge.cover.depth).map(Warning::from));
     }
 }
 
 /// What is to be said where the largest particle [m] is larger than the cover is deep at its shallowest [m].
-fn wedged(largest: f64, depth: f64) -> Option<String> {
-    let message =
-        || format!("the largest particle is {largest:.3} m across, the cover over the crown {depth:.3} m deep");
-    (largest > depth).then(message)
+fn wedged(largest: f64, cover: f64) -> Option<warning::Cover> {
+    (largest > cover).then_some(warning::Cover::CoarseParticles { largest, cover })
 }
 
 /// What a run of discrete elements assumes, and what two contact points a joint mean for its loads where joints have them.
 pub fn discrete_elements(plan: &Plan, c: &mut Collapse) {
     let distributed = plan.contact == Some(JointContact::Distributed);
-    let contact = if distributed { "distributed" } else { "point" };
-    c.assumptions.push(format!(
-        "Rigid blocks in deformable {contact} contact; loads follow their blocks and keep their direction; displacements are large."
-    ));
-    c.assumptions.push(
-        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
-    );
+    c.assumptions.push(note::Blocks::DiscreteElements { distributed }.into());
+    c.assumptions.push(note::Blocks::LoadSteps.into());
     if !distributed {
-        c.warnings.push(of_two_points());
+        c.warnings.push(warning::Joints::TwoPoints.into());
     }
-}
-
-/// What two contact points a joint mean for every load that they give.
-pub fn of_two_points() -> Warning {
-    Warning::new(
-        warning::TWO_POINT_JOINTS,
-        "each joint bears on two contact points, which make a closed joint three times as stiff in rotation as one that bears over its \
-         whole face: loads may be too high (Bridgemill 205 kN/m, with distributed joints of the same stiffness 132)",
-    )
 }
 
 /// Says so where discrete elements carry loads on blocks that do not stand as rigid ones.
 pub fn apart(rigid: limit::Status, c: &mut Collapse) {
     if rigid == limit::Status::NoEquilibrium && c.last_stable_load.is_some() {
-        c.warnings.push(Warning::new(
-            warning::METHODS_APART,
-            "limit analysis finds no equilibrium of the same blocks under their own weight: no load counts as carried",
-        ));
+        c.warnings.push(warning::Loads::MethodsApart.into());
         c.limit_load = Some(0.0);
     }
 }
 
 /// Says that contact points leave crushing out of collapse, and what limit analysis with crushing joints carries.
 pub fn crushed(c: &mut Collapse) {
-    let crushing = c
-        .crushing_limit_load
-        .map_or("no load is found".to_owned(), |load| format!("the limit load is {:.2} kN/m", load / 1e3));
-    let rigid = c.limit_load.map_or(String::new(), |load| format!(" in place of {:.2} kN/m", load / 1e3));
-    c.warnings.push(Warning::new(
-        warning::CRUSHING_LEFT_OUT,
-        format!("contact points at the edges leave crushing out of collapse; with joints that crush {crushing}{rigid}"),
-    ));
-    if let (Some(stable), Some(crushing)) = (c.last_stable_load, c.crushing_limit_load)
-        && stable > crushing
+    let told = warning::Joints::CrushingLeftOut { crushing_limit: c.crushing_limit_load, limit: c.limit_load };
+    c.warnings.push(told.into());
+    if let (Some(stable), Some(limit)) = (c.last_stable_load, c.crushing_limit_load)
+        && stable > limit
     {
-        let message = format!(
-            "last stable load {:.2} kN/m, limit load of joints that crush at their edges {:.2} kN/m: the smaller is the headline",
-            stable / 1e3,
-            crushing / 1e3
-        );
-        c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+        c.warnings.push(warning::Loads::AboveCrushing { stable, limit }.into());
     }
 }
 
 /// Says what crushing takes off rings under particles: a share of their limit load under the same fill as weight.
 pub fn crushed_under_particles(bridge: &Bridge, share: Option<f64>, c: &mut Collapse) {
-    if bridge.masonry.compressive_strength.is_none() {
-        return;
+    if bridge.masonry.compressive_strength.is_some() {
+        c.warnings.push(warning::Joints::CrushingUnderParticles { share }.into());
     }
-    let takes = share.map_or("how much it takes off could not be found".to_owned(), |share| {
-        format!("it takes {:.1} % off the limit load of the same rings under fill as weight", 100.0 * share)
-    });
-    let message = format!("contact points at the edges leave crushing out of collapse; {takes}");
-    c.warnings.push(Warning::new(warning::CRUSHING_LEFT_OUT, message));
 }
 
 /// Puts the non-associated load of a wall beside the associated one [N/m].
@@ -424,11 +272,7 @@ pub fn corrected(c: &mut Collapse, load: Option<f64>) {
     if let By::Limit(report) = &mut c.by {
         report.non_associated_load = load;
     }
-    let message = match load {
-        Some(load) => format!("walls of blocks: with friction without dilation the load is {:.2} kN/m", load / 1e3),
-        None => "walls of blocks: no load was found with friction without dilation".into(),
-    };
-    c.warnings.push(Warning::new(warning::ASSOCIATED_SLIDING, message));
+    c.warnings.push(warning::Joints::Walls { load }.into());
 }
 
 /// What stands on the rings of a wall's strip, and how it is loaded.
@@ -438,40 +282,23 @@ fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if pieces == 0 {
         return;
     }
-    let ends = if wall.end_walls { "fixed walls stand at both ends" } else { "its ends are free" };
-    c.assumptions.push(format!(
-        "The strip is a metre of the spandrel walls' own thickness: {pieces} pieces of bricks of {:.3} x {:.3} m stand \
-         on the ring from x = {:.3} to {:.3} m, up to {:.3} m above the crown; {ends}; cover does not act here.",
-        wall.brick_length,
-        wall.brick_height,
-        road.line[0].x,
-        road.line[1].x,
-        d.surface.highest() - d.extrados.crown()
-    ));
-    let bearer = match wall.loaded_bricks {
-        _ if d.counted_weight > 0.0 => {
-            "through a block that cannot rotate, whose weight is part of the load".to_string()
-        }
-        None => "as forces on the bricks of the uppermost course under them, by their loaded length".to_string(),
-        Some(count) => {
-            format!("as forces on the {count} nearest bricks of the uppermost course, with the same resultant")
-        }
+    let told = note::Barrel::WallStrip {
+        pieces,
+        brick: [wall.brick_length, wall.brick_height],
+        ends: [road.line[0].x, road.line[1].x],
+        height: d.surface.highest() - d.extrados.crown(),
+        end_walls: wall.end_walls,
     };
-    c.assumptions.push(format!("Loads act {bearer}; walls do not lean out of their plane."));
+    c.assumptions.push(told.into());
+    c.assumptions.push(match d.counted_weight > 0.0 {
+        true => note::Barrel::WallLoadedByBlock.into(),
+        false => note::Barrel::WallLoadedOnBricks { bricks: wall.loaded_bricks }.into(),
+    });
 }
 
 fn inset(bridge: &Bridge) -> Warning {
     let thickness: f64 = bridge.spans[0].rings.iter().map(|r| r.crown_thickness).sum();
-    let r = bridge.masonry.rounding;
-    Warning::new(
-        warning::INSET,
-        format!(
-            "contact points lie {:.1} mm inside the edges: {:.4} m of a ring of {:.4} m count",
-            1e3 * r,
-            thickness - 2.0 * r,
-            thickness
-        ),
-    )
+    warning::Joints::Inset { rounding: bridge.masonry.rounding, thickness }.into()
 }
 
 /// Notes that do not depend on the method.
@@ -482,38 +309,26 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     for s in d.spreads.iter().filter(|_| !soil) {
         // A millimetre is what a survey resolves.
         if s.shift.abs() > 1e-3 && s.to_ground.abs() < 1e-9 * s.strip.force.abs() {
-            c.warnings.push(Warning::new(
-                warning::SHIFTED_LOAD,
-                format!("the resultant of the load at {:.3} m moves by {:+.1} mm", s.strip.middle, 1e3 * s.shift),
-            ));
+            c.warnings.push(warning::Cover::Shifted { place: s.strip.middle, by: s.shift }.into());
         }
         if s.to_ground > 1e-9 * s.strip.force {
-            let percent = 100.0 * s.to_ground / s.strip.force;
-            c.warnings.push(Warning::new(
-                warning::GROUND_LOAD,
-                format!("{percent:.1} % of the load at {:.3} m reaches the ground beside the rings", s.strip.middle),
-            ));
+            let share = s.to_ground / s.strip.force;
+            c.warnings.push(warning::Cover::ToGround { place: s.strip.middle, share }.into());
         }
     }
     if bridge.masonry.compressive_strength.is_none() {
-        c.warnings
-            .push(Warning::new(warning::UNLIMITED_STRENGTH, "compressive strength is unlimited: crushing is left out"));
+        c.warnings.push(warning::Joints::Unlimited.into());
     }
-    c.warnings.extend(joints::between_rings(bridge));
+    c.warnings.extend(joints::between_rings(bridge).into_iter().map(Warning::from));
     let unlimited = c.limit().and_then(|l| l.unlimited_strength_load);
     if let (Some(load), Some(without), Some(strength)) =
         (c.collapse_load, unlimited, bridge.masonry.compressive_strength)
     {
-        c.assumptions.push(format!(
-            "Joints crush at {:.1} MPa, which lowers the load by {:.1} % from the {:.2} kN/m without crushing.",
-            strength / 1e6,
-            100.0 * (1.0 - load / without),
-            without / 1e3
-        ));
+        c.assumptions.push(note::Blocks::Crushing { strength, load, without }.into());
     }
-    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
-    c.warnings.extend(shape::warnings(bridge, d.road.is_none()));
-    c.assumptions.extend(shape::assumptions(bridge));
+    c.assumptions.push(note::Barrel::Plane.into());
+    c.warnings.extend(shape::warnings(bridge, d.road.is_none()).into_iter().map(Warning::from));
+    c.assumptions.extend(shape::assumptions(bridge).into_iter().map(Note::from));
     if d.road.is_some() {
         walled(bridge, d, c);
         return;
@@ -521,56 +336,24 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.extend(backed(bridge, d).filter(|_| d.fill.is_none()));
     let weighs = bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some();
     if weighs && d.loading.restraints.is_empty() && !soil {
-        c.warnings.push(Warning::new(
-            warning::FILL_AS_WEIGHT,
-            format!(
-                "{} alone: its resistance is left out, and so are effects that make rings weaker than rigid blocks{}",
-                match bridge.cover.backing.map(|b| b.body) {
-                    Some(BackingBody::Blocks) => "fill acts by its weight",
-                    _ => "fill and backing act by their weight",
-                },
-                crate::record::record().map_or_else(String::new, |record| format!("; {}", record.words()))
-            ),
-        ));
+        let backing = bridge.cover.backing.is_none_or(|b| b.body != BackingBody::Blocks);
+        c.warnings.push(warning::Cover::AsWeight { backing, record: crate::record::record() }.into());
     }
     if !soil {
         c.assumptions.extend(continuum::as_weight(bridge));
     }
     if bridge.cover.road.is_some() {
-        c.assumptions.push(format!(
-            "The surface follows the levels of [road]; layers above the fill keep their thickness. Loads stay vertical, and rules that ask \
-             for one depth of cover take the least over a crown, {:.3} m.",
-            bridge.cover.depth
-        ));
+        c.assumptions.push(note::Fill::Road { cover: bridge.cover.depth }.into());
     }
-    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| l.name.word()).collect();
-    if !unloaded.is_empty() {
-        c.assumptions
-            .push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
+    let weightless = bridge.cover.layers.iter().filter(|l| !l.weighs);
+    let layers: Vec<String> = weightless.map(|l| l.name.word().to_owned()).collect();
+    if !layers.is_empty() {
+        c.assumptions.push(note::Fill::Weightless { layers }.into());
     }
     if soil {
         return;
     }
-    c.assumptions.push(match bridge.dispersal.rule {
-        DispersalRule::None => "Loads act straight down on the extrados.".into(),
-        DispersalRule::Uniform => {
-            format!(
-                "Loads spread {} vertical to 1 horizontal, on steep haunches no further than the depth of cover under them allows, \
-                 uniform at the extrados.",
-                bridge.dispersal.slope
-            )
-        }
-        DispersalRule::InverseDepth => format!(
-            "Loads spread {} vertical to 1 horizontal; pressures at the two ends are inversely proportional to their depth \
-             (Rouxinol, Providência and Lemos, eq. 2).",
-            bridge.dispersal.slope
-        ),
-        DispersalRule::Boussinesq => format!(
-            "Loads spread as under a strip on an elastic half space, cut off at {} vertical to 1 horizontal and scaled to \
-             the whole force.",
-            bridge.dispersal.slope
-        ),
-    });
+    c.assumptions.push(note::Fill::Dispersal { rule: bridge.dispersal.rule, slope: bridge.dispersal.slope }.into());
 }
 
 #[cfg(test)]
@@ -580,7 +363,6 @@ mod tests {
     #[test]
     fn a_particle_larger_than_the_cover_is_deep_is_told() {
         assert_eq!(wedged(0.40, 0.478), None);
-        let said = wedged(0.5, 0.478).unwrap();
-        assert!(said.contains("0.500") && said.contains("0.478"), "{said}");
+        assert_eq!(wedged(0.5, 0.478), Some(warning::Cover::CoarseParticles { largest: 0.5, cover: 0.478 }));
     }
 }

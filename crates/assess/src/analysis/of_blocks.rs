@@ -8,6 +8,7 @@ use mechanics::limit;
 use mechanics::watch::Watch;
 use outcome::collapse::{By, FlowRule, LimitReport};
 use outcome::collapse::{Collapse, Status};
+use outcome::note;
 use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
 use outcome::warning::{self, Warning};
 use std::collections::BTreeMap;
@@ -79,7 +80,7 @@ fn dem(
     c.load_step = Some(step);
     c.limit_load = rigid.as_ref().and_then(|rigid| rigid.factor).map(|f| d.load(f));
     c.tolerance = scene.plan.tolerance;
-    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
+    c.warnings.extend(chosen.into_iter().map(Warning::from));
     super::notes::discrete_elements(&scene.plan, &mut c);
     if let Some(rigid) = rigid {
         super::notes::apart(rigid.status, &mut c);
@@ -151,45 +152,32 @@ fn limit(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collap
     by_limit::draw(d, &outcome, &mut picture);
     let mut c = blank(scene, d, By::Limit(LimitReport::default()), by_limit::status(outcome.status), picture);
     by_limit::loads(d, &outcome, unlimited, &mut c);
-    c.assumptions.push(
-        "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
-    );
-    c.warnings.extend(outcome.jammed.then(super::notes::joints::jammed));
+    c.assumptions.push(note::Blocks::Rigid.into());
+    c.warnings.extend(outcome.jammed.then(|| warning::Joints::Jammed.into()));
     if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.sliding_joints.is_empty() {
-        let message = format!(
-            "{} in the mechanism and friction is associated: the load is an upper bound",
-            super::notes::sliding(c.sliding_joints.len())
-        );
-        c.warnings.push(Warning::new(warning::ASSOCIATED_SLIDING, message));
+        c.warnings.push(warning::Joints::Sliding { joints: c.sliding_joints.len() }.into());
     }
     Ok(c)
 }
 
 /// What a reader of any of these results must know.
 fn notes(scene: &Scene, c: &mut Collapse) {
-    let unlimited: Vec<&str> = (scene.materials.iter())
-        .filter(|material| material.masonry.compressive_strength.is_none())
-        .map(|material| material.name.as_str())
-        .collect();
-    if !unlimited.is_empty() {
-        let message =
-            format!("compressive strength of {} has no limit: crushing is left out there", unlimited.join(", "));
-        c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, message));
+    let unlimited = scene.materials.iter().filter(|material| material.masonry.compressive_strength.is_none());
+    let materials: Vec<String> = unlimited.map(|material| material.name.clone()).collect();
+    if !materials.is_empty() {
+        c.warnings.push(warning::Joints::UnlimitedOf { materials }.into());
     }
     let rounding = scene.materials.iter().map(|material| material.masonry.rounding).fold(0.0, f64::max);
     if rounding > 0.0 {
-        let message = format!("contact points lie up to {:.1} mm inside the edges of the blocks", 1e3 * rounding);
-        c.warnings.push(Warning::new(warning::INSET, message));
+        c.warnings.push(warning::Joints::InsetBlocks { rounding }.into());
     }
-    if let (Some(stable), Some(bound), By::Dem(_)) = (c.last_stable_load, c.limit_load, &c.by)
-        && stable > bound
+    if let (Some(stable), Some(limit), By::Dem(_)) = (c.last_stable_load, c.limit_load, &c.by)
+        && stable > limit
     {
-        let message =
-            format!("last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m", stable / 1e3, bound / 1e3);
-        c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+        c.warnings.push(warning::Loads::AboveLimitOfBlocks { stable, limit }.into());
     }
-    c.assumptions.push("The loads act on the blocks as the file says; nothing spreads them.".into());
-    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+    c.assumptions.push(note::Blocks::LoadsOnBlocks.into());
+    c.assumptions.push(note::Barrel::Plane.into());
 }
 
 /// A result with nothing found yet.

@@ -13,6 +13,7 @@ use bridge::Bridge;
 use mechanics::limit::{self, Friction, Outcome};
 use outcome::collapse::{FlowRule, Status};
 use outcome::help::Help;
+use outcome::note::{self, Note};
 use outcome::picture::{LoadArrow, Picture, Point};
 use outcome::vehicles::Case;
 use state::{Put, State};
@@ -137,21 +138,21 @@ impl Placing {
         self.states.iter().all(State::is_quick)
     }
 
-    /// What is assumed, in words.
-    pub fn assumptions(&self) -> Vec<String> {
-        let mut said = vec![super::sweep::RIGID.to_owned()];
+    /// What is assumed.
+    pub fn assumptions(&self) -> Vec<Note> {
+        let mut said: Vec<Note> = vec![note::Moving::RigidAlone.into()];
         if let Some(driven) = self.driven() {
-            said.push(SOUGHT.to_owned());
-            said.push(driven.width(&self.states[0].bridge));
+            said.push(note::Moving::CasesAtPlaces.into());
+            said.push(driven.width(&self.states[0].bridge).into());
         }
         if continuum::wanted(&self.states[0].bridge).is_some() {
-            said.push("Layers that are a continuum in the file are weight alone here.".to_owned());
+            said.push(note::Soil::AsWeightOfPlaces.into());
         }
         if !self.helps.is_empty() {
-            said.push(format!("What may come and go is not counted where it helps: {}.", Help::all_told(&self.helps)));
+            said.push(note::State::NotCounted { helps: self.helps.clone() }.into());
         }
         if self.states[0].built[0].fill.is_some() {
-            said.push("Layers that are particles in the file take no part here.".to_owned());
+            said.push(note::Fill::ParticlesLeftOut.into());
         }
         said
     }
@@ -307,10 +308,6 @@ fn without_help(bridge: &Bridge) -> (Vec<Bridge>, Vec<Help>) {
     let weak = states.into_iter().filter(|state| !state.counts_strength());
     (weak.map(|state| state.bridge).collect(), helps)
 }
-
-/// What is said of a vehicle.
-const SOUGHT: &str = "At every place that case of the vehicle counts that carries least, as in a sweep: which axles and uniform loads stand, \
-                      which axle is the critical one, and which weights help.";
 
 /// What is said of the factors on loads of the file.
 const NOMINAL: &str = "nominal: the loads as the file gives them, without factors of a rule";

@@ -4,6 +4,7 @@ use super::{AnalysisError, by_limit};
 use bridge::{Bridge, Method, Strip};
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit::{Ground, Section};
+use outcome::note::{self, Note};
 use outcome::statics::{Reaction, Seat, Statics, Weight};
 use structure::discretise::{Discretised, Origin};
 
@@ -165,19 +166,9 @@ fn springing(bridge: &Bridge, span: usize, voussoir: usize) -> String {
     if bridge.spans.len() == 1 { side.to_owned() } else { format!("span {}, {side}", span + 1) }
 }
 
-fn assumptions(bridge: &Bridge) -> Vec<String> {
-    let mut list = vec![
-        "Weights and reactions are those of one metre of the barrel between its spandrel walls, without factors and without loads; totals are \
-         these times the width of the barrel."
-            .to_owned(),
-        "Reactions at rest are those of elastic blocks on rigid supports whose joints open nowhere: one of many states in which the bridge \
-         stands. A support that gives, or a centring that was struck late, changes thrust and eccentricity, the vertical sum stays."
-            .to_owned(),
-    ];
-    if bridge.spandrel_wall.is_some() {
-        list.push("Spandrel walls stand on the edges of the barrel and are not among these weights.".to_owned());
-    }
-    list
+fn assumptions(bridge: &Bridge) -> Vec<Note> {
+    let walls = bridge.spandrel_wall.is_some().then_some(note::Barrel::WallsNotWeighed);
+    [note::Barrel::AtRest, note::Barrel::ElasticReactions].into_iter().chain(walls).map(Note::from).collect()
 }
 
 #[cfg(test)]

@@ -17,8 +17,9 @@ use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Least, Level, Starts, Sweeper};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
+use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 use structure::discretise::{Discretised, bridge_length, dispersal};
 
 /// Where the first load's reference point stands [m].
@@ -110,38 +111,25 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     Ok(found)
 }
 
-/// What a sweep of rigid blocks alone says of them.
-pub(super) const RIGID: &str = "Rings are rigid: deformable joints carry less, flat rings under long loads by more than half \
-                                (docs/verification/deformable-joints.md); method = \"path\" in [analysis] follows them too.";
-
 fn notes(found: &mut Sweep, rows: &[Row]) {
     if !found.is_deformable() {
-        found.assumptions.push(RIGID.to_owned());
+        found.assumptions.push(note::Moving::RigidAlone.into());
     }
     let open = found.positions_not_converged();
     if open > 0 {
-        let bound = found.worst().and_then(SweepPoint::bound);
-        let bound = bound.map_or(String::new(), |most| format!("; the load factor is at most {most:.4}"));
-        let message = format!("{open} of {} positions were not answered{bound}, and is not known", found.points.len());
-        found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
+        let at_most = found.worst().and_then(SweepPoint::bound);
+        let told = warning::Loads::PositionsOpen { positions: open, of: found.points.len(), at_most };
+        found.warnings.push(told.into());
     }
     if found.step > 0.0 {
-        found.assumptions.push(format!(
-            "Positions lie {:.3} m apart; the worst one is then sought to a hundredth of that.",
-            found.step
-        ));
+        found.assumptions.push(note::Moving::Positions { apart: found.step }.into());
     }
     if rows.iter().flat_map(|row| &row.cases).any(|case| case.level) {
-        found.assumptions.push(format!(
-            "Cases up to {DILATANCY} times the least factor are answered without dilation too, from the end point of the one beside them in \
-             groups of {CHUNK}, and the worst one from every start; the least counts. Others keep dilatant friction, which gives more."
-        ));
+        found.assumptions.push(note::Moving::WithoutDilation { times: DILATANCY, group: CHUNK }.into());
     }
     let proven = rows.iter().flat_map(|row| &row.cases).filter(|case| case.proven).count();
     if proven > 0 {
-        found.assumptions.push(format!(
-            "For {proven} cases no largest factor was found, but one above the least of the others is proven to be carried, and stands in its place."
-        ));
+        found.assumptions.push(note::Moving::Proven { cases: proven }.into());
     }
 }
 

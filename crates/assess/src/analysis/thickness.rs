@@ -8,6 +8,7 @@ use mechanics::limit;
 use mechanics::watch::{CancelToken, Progress, Watch, Wish};
 use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, ThicknessReport};
+use outcome::note;
 use std::cell::RefCell;
 use structure::discretise::{Discretised, discretise};
 
@@ -56,7 +57,7 @@ pub fn thickness(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Ana
         Method::Path => return Err(AnalysisError::NotByPath("the least thickness")),
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("the least thickness")),
     };
-    c.assumptions.push("Rings are thinned on the same intrados; the loads of the file rest on them.".into());
+    c.assumptions.push(note::Blocks::Thinned.into());
     Ok(c)
 }
 

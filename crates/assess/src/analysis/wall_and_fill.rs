@@ -5,7 +5,8 @@ use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{Collapse, Combination, Component, Status};
-use outcome::warning::{self, Warning};
+use outcome::note::{self, Note};
+use outcome::warning;
 
 /// Analyses the strip between the walls, then that of the walls, and adds up what they carry by their widths: the
 /// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
@@ -26,15 +27,11 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
     let walls = strip(bridge, Strip::Wall, kept[1], watch)?;
     let mut sum = combination(&found, &walls, [bridge.width - wall.thickness, wall.thickness]);
     if bridge.loads.iter().any(|load| load.block.is_some()) {
-        sum.assumptions.push(BRICKS_LOADED.to_owned());
+        sum.assumptions.push(note::Barrel::BricksLoaded.into());
     }
     if let (Some(total), Some(load)) = (sum.headline, walls.carried()) {
-        let message = format!(
-            "the walls carry {:.0} % of the sum of both strips on {:.0} % of the width",
-            100.0 * load * wall.thickness / total,
-            100.0 * wall.thickness / bridge.width
-        );
-        found.warnings.push(Warning::new(warning::STRIPS_ADDED, message));
+        let (share, width_share) = (load * wall.thickness / total, wall.thickness / bridge.width);
+        found.warnings.push(warning::Loads::StripsAdded { share, width_share }.into());
     }
     found.combination = Some(sum);
     if walls.status.exit_code() > found.status.exit_code() {
@@ -43,9 +40,6 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
     found.wall_strip = Some(Box::new(walls));
     Ok(found)
 }
-
-/// Said where a block stands on the fill.
-const BRICKS_LOADED: &str = "Blocks bring the loads onto the fill; on the walls the loads are forces on bricks.";
 
 pub(super) fn strip(
     bridge: &Bridge,
@@ -92,17 +86,9 @@ fn combination(fill: &Collapse, wall: &Collapse, widths: [f64; 2]) -> Combinatio
     };
     let components = vec![component(Strip::Fill, fill, widths[0]), component(Strip::Wall, wall, widths[1])];
     let sum = |load: fn(&Component) -> Option<f64>| components.iter().map(|c| Some(load(c)? * c.width)).sum();
-    let mut assumptions = vec![
-        "The strips act side by side without a force between them, and both reach their loads at the same time, \
-         whatever their displacements (a rough estimate: Rouxinol, Providência and Lemos, section 3.5)."
-            .to_string(),
-        "Loads are the same in every metre of the width; what the barrel gains as a shell, and what walls lose by leaning \
-         outwards, is left out."
-            .to_string(),
-    ];
-    for c in components.iter().filter(|c| c.headline.is_none()) {
-        assumptions.push(format!("No load was found to be carried by the strip \"{}\": there is no sum.", c.strip));
-    }
+    let mut assumptions = vec![note::Barrel::StripsSideBySide.into(), note::Barrel::StripsUniform.into()];
+    let without = components.iter().filter(|c| c.headline.is_none());
+    assumptions.extend(without.map(|c| Note::from(note::Barrel::NoSum { strip: c.strip })));
     Combination {
         collapse_load: sum(|c| c.collapse_load),
         last_stable_load: sum(|c| c.last_stable_load),

@@ -96,12 +96,3 @@ pub fn shortened(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Vec<Shortened
     }
     Ok(found)
 }
-
-/// What is said of a strip that was shortened.
-pub fn told(part: &ShortenedFacts) -> String {
-    format!(
-        "A uniform load may be shorter: \"{}\" of {:.2} m does most harm where {:.2} m of it act, and its factor is that of this part. Write \
-         whole_length = true in [[load]] where it cannot be shorter.",
-        part.name, part.of_m, part.length_m
-    )
-}

@@ -1,12 +1,13 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
-use super::shortened::{as_shortened, shortened, told};
+use super::shortened::{as_shortened, shortened};
 use crate::analysis::{self, AnalysisError, Places, by_weight_alone};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, ShortenedFacts, UltimateFacts};
 use outcome::help::Help;
+use outcome::note::{self, Note};
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 
@@ -79,15 +80,9 @@ pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimat
     let Some(bare) = bare else { return Ok(Some(found)) };
     let Some(lower) = moved(&bare, watch)? else { return Ok(None) };
     let [with, without] = [&found, &lower].map(|one| one.facts.load_factor);
-    let told = |factor: Option<f64>| factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
-    let message = format!(
-        "factor on the loads of the file: {} by weight alone, {} with soil that yields, its lower bound; the lower one counts",
-        told(without),
-        told(with),
-    );
     // A bridge that does not stand by weight alone has no factor: that is the lower end.
     let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
-    counts.facts.warnings.push(Warning::new(warning::STRENGTH_RANGE, message));
+    counts.facts.warnings.push(warning::Yielding::StrengthInSweep { bare: without, with }.into());
     Ok(Some(counts))
 }
 
@@ -142,12 +137,15 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
-    facts.assumptions.extend(parts.iter().map(told));
+    let shorter = |part: &ShortenedFacts| -> Note {
+        note::Moving::Shorter { load: part.name.clone(), of: part.of_m, length: part.length_m }.into()
+    };
+    facts.assumptions.extend(parts.iter().map(shorter));
     facts.shortened = parts;
     // What the sweep says of help that is not counted, the case by itself says again.
     let again = |warning: &&Warning| {
-        let of_help = [warning::PRESSURE_RANGE, warning::HELP_NOT_COUNTED].contains(&warning.code);
-        !of_help || sweep.warnings.iter().all(|told| told.code != warning.code)
+        let of_help = [warning::PRESSURE_RANGE, warning::HELP_NOT_COUNTED].contains(&warning.code());
+        !of_help || sweep.warnings.iter().all(|told| told.code() != warning.code())
     };
     facts.warnings = sweep.warnings.iter().chain(collapse.warnings.iter().filter(again)).cloned().collect();
     facts.not_counted = match &moved {
@@ -194,9 +192,7 @@ pub fn movement(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Anal
     own.plan.analysis = Analysis::SupportMovement;
     let mut found = analysis::collapse(&own, None, watch)?;
     if yields {
-        found.assumptions.push(
-            "Support movements know fill as weight alone: the continuum of the file is taken as that here, with dispersal by rule.".into(),
-        );
+        found.assumptions.push(note::Soil::AsWeightOfMovements.into());
     }
     Ok(found)
 }

@@ -112,10 +112,7 @@ fn safety(rule: &Rule, own: &PlanFacts) -> SafetyFacts {
 fn apart(found: &VehicleSweep) -> Option<Warning> {
     let second = found.discrete_elements.as_ref()?;
     let (carried, limit) = (second.adequacy?, second.limit?);
-    let message = format!(
-        "the governing vehicle: discrete elements carry an adequacy factor of {carried:.3}, limit analysis {limit:.3}; the smaller one counts"
-    );
-    (carried > limit + second.step).then(|| Warning::new(warning::ABOVE_LIMIT, message))
+    (carried > limit + second.step).then(|| warning::Loads::VehicleAboveLimit { carried, limit }.into())
 }
 
 /// What discrete elements say of the governing case.

@@ -118,6 +118,12 @@ fn taken(a: &Evidence) -> Vec<Taken> {
     if a.asked.limits.adequacy_factor.is_some() && included != 1.0 {
         list.push(told(format!("loads of the file carry a factor of {included}"), "by load_factor_included", false));
     }
+    if a.asked.limits.adequacy_factor.is_some() {
+        let whole = a.bridge.loads.iter().filter(|load| load.whole_length);
+        list.extend(whole.map(|load| {
+            told(format!("{} on its whole length", load.name), "not shortened where that does more harm", false)
+        }));
+    }
     if let Some(source) = &a.asked.limits.skew_source {
         list.push(told(format!("skew confirmed by {source}"), "the model is square", false));
     }

@@ -167,10 +167,10 @@ fn qualifications(a: &Evidence) -> Vec<String> {
     let stages =
         [a.facts.vehicles.made().map(|facts| &facts.warnings), a.facts.ultimate.made().map(|facts| &facts.warnings)];
     let mut list: Vec<String> = Vec::new();
-    for Warning { code, message } in stages.into_iter().flatten().flatten() {
-        let title = findings::Card::of(code, warning::CARDS).map_or(message.as_str(), |card| card.title);
+    for code in stages.into_iter().flatten().flatten().map(Warning::code) {
+        let title = findings::Card::of(code, warning::CARDS).map_or(code, |card| card.title);
         let line = format!("{title} ({code})");
-        if !BESIDE.contains(code) && !list.contains(&line) {
+        if !BESIDE.contains(&code) && !list.contains(&line) {
             list.push(line);
         }
     }

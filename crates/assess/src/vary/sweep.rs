@@ -41,7 +41,7 @@ fn of_vehicles(found: &VehicleSweep) -> Outcome {
     Outcome {
         status: found.status().word().to_owned(),
         numbers,
-        warnings: found.warnings.iter().map(|warning| warning.code.to_owned()).collect(),
+        warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
         message: None,
     }
 }
@@ -59,7 +59,7 @@ fn of_loads(found: &Sweep) -> Outcome {
     Outcome {
         status: found.ended().word().to_owned(),
         numbers,
-        warnings: found.warnings.iter().map(|warning| warning.code.to_owned()).collect(),
+        warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
         message: None,
     }
 }

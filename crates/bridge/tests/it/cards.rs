@@ -6,7 +6,7 @@ use std::path::Path;
 use bridge::explain::cards;
 use bridge::read;
 
-use crate::files::{GOOD, show_all};
+use crate::files::{ASSESS, GOOD, show_all};
 
 /// Codes in quotes in the sources, cards left out.
 fn codes_raised(folder: &Path, found: &mut BTreeSet<String>) {
@@ -52,6 +52,10 @@ fn every_card_bites() {
             "B003" => vec![vec![b'#'; 2 << 20]],
             // A text of two hundred letters stands on no card.
             "B110" => vec![GOOD[0].replacen("name = \"", &format!("name = \"{}", "x".repeat(201)), 1).into_bytes()],
+            "P034" => {
+                let cover = "[[cover]]\nlayer = \"fill\"\nthickness = \"3.6 m\"\ndensity = \"1900 kg/m^3\"\n";
+                vec![format!("{ASSESS}\n{cover}").into_bytes()]
+            }
             // Nor one that cannot be seen.
             "B111" => vec![GOOD[0].replacen("name = \"", "name = \"\u{202e}", 1).into_bytes()],
             // Nor two thousand loads.

@@ -26,9 +26,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let found = found?;
     let mut report = source.report(status(&found));
     report.fields = found.object();
-    for (code, message) in found.warnings() {
-        report.warn(&mut desk.screen, code, &message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings());
     let mut files: Vec<figures::File> = results::tables([("cases", table(&found))]).collect();
     let mut draw = |name: &str, svg: &str| {
         files.extend(figures::both(name, svg).map_err(|error| results::not_drawn(folder.path(), &error))?);

@@ -21,7 +21,7 @@ pub fn update(found: &Update, out: &str) -> String {
     list(&mut page, "Found in the records", found.records.findings.iter().map(outcome::records::Finding::words));
     let done = found.records.done.iter().map(|done| format!("{} {}: {}", done.run, done.channel, done.what));
     list(&mut page, "Done to the records", done);
-    list(&mut page, "This assumes", found.assumptions.iter().cloned());
+    list(&mut page, "This assumes", found.assumptions.iter().map(ToString::to_string));
     let _ = writeln!(page, "\nResults are in {out}");
     page
 }

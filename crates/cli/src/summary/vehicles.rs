@@ -89,7 +89,7 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
         };
         let _ = writeln!(page, "  by discrete elements     {words}");
     }
-    Page { body: page, assumptions: found.assumptions.clone(), place: format!("Results are in {out}") }
+    Page { body: page, assumptions: outcome::note::words(&found.assumptions), place: format!("Results are in {out}") }
 }
 
 /// The factors of rigid blocks and of deformable joints.

@@ -223,6 +223,14 @@ fn flattering_limits_and_widths_are_refused_or_doubted() {
         answer["warnings"].to_string().contains("P032")
     };
     assert!(edge("100 kN") && !edge("25 kN/m"));
+    // So is an axle, which spreads over 1.8 + 1.5 + 0.5 m here, and cover through which nothing is left of it.
+    let doubted = |cover: &str, width: &str, code: &str| {
+        let axle = AXLE.replace("effective_width = \"3 m\"", &format!("effective_width = \"{width}\""));
+        stage.write("bridge.toml", bridge("0.45", cover) + &axle + "[assess]\nsource = \"a\"\n");
+        stage.object(&["check", "bridge.toml"]).0["warnings"].to_string().contains(code)
+    };
+    assert!(doubted("0.40", "4.5 m", "P032") && !doubted("0.40", "3 m", "P032"));
+    assert!(doubted("4.00", "3 m", "P034") && !doubted("0.40", "3 m", "P034"));
     for (old, new) in [("2200 kg/m^3", "22000 kg/m^3"), ("\"8 MPa\"", "\"8 GPa\"")] {
         let (answer, ending) = assessed(&stage, &(bridge("0.45", "0.40").replacen(old, new, 1) + AXLE));
         assert_eq!(ending.code, Some(2), "{new}: {answer}");

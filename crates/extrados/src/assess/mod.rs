@@ -140,19 +140,19 @@ impl Assessed {
         let stage = self.assessment.governing_stage();
         for (of, warning) in self.assessment.facts.warnings() {
             // Where a load goes is told of the position that governs.
-            let elsewhere = stage.is_some_and(|stage| stage != of) && warning::OF_A_POSITION.contains(&warning.code);
+            let elsewhere = stage.is_some_and(|stage| stage != of) && warning::OF_A_POSITION.contains(&warning.code());
             if !elsewhere && !all.contains(warning) {
                 all.push(warning.clone());
             }
         }
         let missing = &self.assessment.verdict.strength.missing;
         if !missing.is_empty() {
-            all.push(Warning::new(warning::STRENGTH_OPEN, missing.join("; ")));
+            all.push(warning::Command::StrengthOpen { missing: missing.clone() }.into());
         }
         let failed = self.appendix.stages.iter().filter(|stage| matches!(stage.state, StageState::Failed(_)));
-        all.extend(
-            failed.map(|stage| Warning::new(warning::STAGE_FAILED, format!("stage {}: {}", stage.name, stage.state))),
-        );
+        all.extend(failed.map(|stage| -> Warning {
+            warning::Command::StageFailed { stage: stage.name.to_string(), state: stage.state.to_string() }.into()
+        }));
         all
     }
 }

@@ -338,13 +338,14 @@ fn the_page_of_the_library_names_what_there_is() {
 #[test]
 fn a_sweep_names_the_method_that_it_uses() {
     use extrados::bridge::Method;
+    use extrados::results::note::Moving;
     let project = project("case-1.toml");
     for (method, told) in [(Method::Dem, true), (Method::Fe, true), (Method::Limit, false), (Method::Path, false)] {
         assert_eq!(extrados::sweeps(method), !told);
     }
     let options = SweepOptions { step: Some(5.0), ..SweepOptions::default() };
     let Swept::Loads(found) = sweep(&project, &options, &mut Unwatched).expect("a sweep") else { panic!("no loads") };
-    assert!(found.assumptions.iter().any(|said| said.contains("not by method \"dem\"")), "{:?}", found.assumptions);
+    assert!(found.assumptions.contains(&Moving::InsteadOf { method: Method::Dem }.into()), "{:?}", found.assumptions);
 }
 
 /// Blocks that are listed: the same load as by the bridge that they are of.

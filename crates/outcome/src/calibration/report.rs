@@ -1,7 +1,7 @@
 //! A report as it grows: what is taken in, and what is said of it.
 
 use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, TargetStrength, Verdict};
-use crate::warning::{self, Warning};
+use crate::warning;
 use bridge::{Bridge, Modulus};
 
 /// The wanted friction angle is met within this [rad]: half a degree.
@@ -68,29 +68,15 @@ impl CalibrationReport {
     pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
             self.verdict = Verdict::Undetermined;
-            let message = "no sample rested and gave way under every confining pressure";
-            self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
+            self.warnings.push(warning::Calibration::NothingSheared.into());
             return None;
         };
         if found.left_out > 0 {
-            let message = format!(
-                "{} {} not count in the strength",
-                findings::words::counted(found.left_out, "sample"),
-                findings::words::verb(found.left_out, "does", "do")
-            );
-            self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
+            self.warnings.push(warning::Calibration::NotSheared { samples: found.left_out }.into());
         }
         if !reached || !wanted.met_by(&found) {
             self.verdict = Verdict::Undetermined;
-            let message = format!(
-                "with contacts of {:.1} degrees and {:.1} kPa the fill has {:.1} degrees and {:.1} kPa, which is the nearest to what is \
-                 wanted",
-                found.contact.friction_angle.to_degrees(),
-                found.contact.cohesion / 1e3,
-                found.friction_angle.mean.to_degrees(),
-                found.cohesion.mean / 1e3
-            );
-            self.warnings.push(Warning::new(warning::STRENGTH_OUT_OF_REACH, message));
+            self.warnings.push(warning::Calibration::StrengthOutOfReach { found: found.clone() }.into());
         }
         let contact = found.contact;
         self.strength = Some(Sheared { wanted, found, reached, check: None });
@@ -100,21 +86,11 @@ impl CalibrationReport {
     /// Takes in the strength of other packings.
     pub fn strength_checked(mut self, again: Option<Strength>) -> CalibrationReport {
         let Some(sheared) = &mut self.strength else { return self };
-        let apart = match (&again, sheared.reached) {
-            (None, _) => Some("no sample of the other seeds could be sheared".to_owned()),
-            (Some(again), true) if !sheared.wanted.checked_by(again) => Some(format!(
-                "other packings have {:.1} degrees (standard error {:.1}) and {:.1} kPa (standard error {:.1})",
-                again.friction_angle.mean.to_degrees(),
-                again.friction_angle.standard_error.to_degrees(),
-                again.cohesion.mean / 1e3,
-                again.cohesion.standard_error / 1e3
-            )),
-            _ => None,
-        };
-        sheared.check = again;
-        if let Some(message) = apart {
+        let apart = again.as_ref().is_none_or(|again| sheared.reached && !sheared.wanted.checked_by(again));
+        sheared.check.clone_from(&again);
+        if apart {
             self.verdict = Verdict::Undetermined;
-            self.warnings.push(Warning::new(warning::STRENGTH_CHECK_APART, message));
+            self.warnings.push(warning::Calibration::StrengthApart { again }.into());
         }
         self
     }
@@ -122,12 +98,9 @@ impl CalibrationReport {
     /// Warns of samples that do not count.
     pub fn leave_out(&mut self, measured: &Measured) {
         if measured.left_out > 0 {
-            let (out, all) = (measured.left_out, measured.samples.len());
-            let message = format!(
-                "{out} of {all} samples do not count at {:.4} times the stiffness of the file",
-                measured.multiple
-            );
-            self.warnings.push(Warning::new(warning::LEFT_OUT, message));
+            let (samples, of) = (measured.left_out, measured.samples.len());
+            let told = warning::Calibration::LeftOut { samples, of, multiple: measured.multiple };
+            self.warnings.push(told.into());
         }
     }
 }
@@ -190,18 +163,10 @@ impl CalibrationReport {
         match check {
             None => {
                 self.verdict = Verdict::Undetermined;
-                let message = "no sample of the other seeds could be pressed to the last load step";
-                self.warnings.push(Warning::new(warning::CHECK_APART, message));
+                self.warnings.push(warning::Calibration::NotChecked.into());
             }
             Some(check) if (check.mean / wanted - 1.0).abs() > CHECKED => {
-                let message = format!(
-                    "other packings have {:.1} MPa ({:+.1} %, standard error {:.1} MPa) where {:.1} MPa is wanted",
-                    check.mean / 1e6,
-                    100.0 * (check.mean / wanted - 1.0),
-                    check.standard_error / 1e6,
-                    wanted / 1e6
-                );
-                self.warnings.push(Warning::new(warning::CHECK_APART, message));
+                self.warnings.push(warning::Calibration::Apart { again: check, wanted }.into());
             }
             Some(_) => {}
         }
@@ -211,16 +176,7 @@ impl CalibrationReport {
     /// Says how far stiffness alone reaches.
     pub fn out_of_reach(mut self, wanted: f64, [low, high]: [At; 2]) -> CalibrationReport {
         self.verdict = Verdict::Undetermined;
-        let message = format!(
-            "a modulus of {:.1} MPa is out of reach: from {:.3} to {:.1} times the stiffness of the file the fill has {:.1} to \
-             {:.1} MPa",
-            wanted / 1e6,
-            low.multiple,
-            high.multiple,
-            low.modulus / 1e6,
-            high.modulus / 1e6
-        );
-        self.warnings.push(Warning::new(warning::OUT_OF_REACH, message));
+        self.warnings.push(warning::Calibration::OutOfReach { wanted, ends: [low, high] }.into());
         self.reach = Some([low, high]);
         self
     }

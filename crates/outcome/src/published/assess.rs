@@ -5,6 +5,7 @@ use crate::assessment::Assessment;
 use crate::checked::{Checked, Comparison, governing};
 use crate::collapse::Collapse;
 use crate::condition::Condition;
+use crate::note;
 use crate::statics::Statics;
 
 /// The result of an assessment; its status is that of the command.
@@ -85,7 +86,7 @@ fn statics(found: &Statics) -> Object {
             depth_m: one.depth,
             pressure_mpa: one.pressure.map(|pressure| 1e-6 * pressure),
         }),
-        assumptions: found.assumptions,
+        assumptions: note::words(&found.assumptions),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{Object, kilo, list, not_counted, object, warnings};
 use crate::collapse::Collapse;
+use crate::note;
 use bridge::{Analysis, Method, Strip};
 
 /// The word for a method.
@@ -178,10 +179,10 @@ pub fn collapse(c: &Collapse) -> Object {
             headline_total_kn: both.headline.map(kilo),
             last_stable_total_kn: both.last_stable_load.map(kilo),
             total_kn: both.collapse_load.map(kilo),
-            assumptions: both.assumptions,
+            assumptions: note::words(&both.assumptions),
         }),
         wall_strip?: c.wall_strip.as_deref().map(collapse),
-        assumptions: c.assumptions,
+        assumptions: note::words(&c.assumptions),
         warnings: warnings(&c.warnings),
         tolerance: c.tolerance,
         seed: c.seed,

@@ -1,6 +1,7 @@
 //! `extrados.respond/1`, and its tables.
 
 use super::{Object, list, object, row};
+use crate::note;
 use crate::passage::{Passage, RowKind, SensorRecord, StepLog};
 
 /// The result of a train's passage; its status is that of the command. `reason` tells why the run ended early, where it did.
@@ -36,7 +37,7 @@ pub fn passage(passage: &Passage) -> Object {
             axles_above: moment.axles.len(),
             yielding_elements: moment.yielding.iter().filter(|yields| **yields).count(),
         }),
-        assumptions: passage.assumptions,
+        assumptions: note::words(&passage.assumptions),
     }
 }
 

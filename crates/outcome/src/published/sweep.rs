@@ -1,6 +1,7 @@
 //! `extrados.sweep/1`.
 
 use super::{Object, kilo, list, not_counted, object, warnings};
+use crate::note;
 use crate::sweep::{Sweep, SweepPoint};
 
 /// The result of a sweep over a bridge of the given name and width [m].
@@ -33,7 +34,7 @@ pub fn sweep(bridge: &str, width: f64, sweep: &Sweep) -> Object {
         positions_not_converged: sweep.positions_not_converged(),
         step_m: sweep.step,
         positions: list(&sweep.points, position),
-        assumptions: sweep.assumptions,
+        assumptions: note::words(&sweep.assumptions),
         warnings: warnings(&sweep.warnings),
     }
 }

@@ -1,6 +1,7 @@
 //! `extrados.update/1`, and its tables.
 
 use super::{Object, list, object, row, said};
+use crate::note;
 use crate::update::{SearchLine, UncertaintyFrom, Update};
 use calibrate::Found;
 use calibrate::search::sweep::Sweep;
@@ -56,7 +57,7 @@ pub fn update(update: &Update) -> Object {
         }),
         records: records(update),
         load_positions: update.times.len(),
-        assumptions: update.assumptions,
+        assumptions: note::words(&update.assumptions),
     }
 }
 

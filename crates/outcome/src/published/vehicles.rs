@@ -1,6 +1,7 @@
 //! `extrados.vehicle-sweep/1`, and its tables.
 
 use super::{Object, Quoted, collapse, each, from_one, kilo, list, not_counted, object, row, said, warnings};
+use crate::note;
 use crate::vehicles::{Case, SectionEnvelope, Swept, VehicleSweep, Weights};
 use rules::Source;
 
@@ -51,7 +52,7 @@ pub fn vehicle_sweep(found: &VehicleSweep) -> Object {
             reason?: c.reason,
         }),
         collapse?: found.collapse.as_deref().map(collapse),
-        assumptions: found.assumptions,
+        assumptions: note::words(&found.assumptions),
         warnings: warnings(&found.warnings),
     }
 }

@@ -21,7 +21,7 @@ use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, FiniteReport, Status};
 use outcome::picture::{Motion, Step};
-use outcome::warning::{self, Warning};
+use outcome::warning::Warning;
 pub use slides::Sliding;
 use structure::discretise::ring_mesh::{RingMesh, ring_mesh};
 use structure::discretise::{Discretised, discretise};
@@ -75,8 +75,8 @@ pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Col
     let mut c = run.report(bridge, status);
     c.load_step = Some(load_step);
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
-    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
-    notes::finite(bridge, &d, &parts.words, sliding, &mut c);
+    c.warnings.extend(chosen.into_iter().map(Warning::from));
+    notes::finite(bridge, &d, parts.deform.clone(), sliding, &mut c);
     Ok(c)
 }
 

@@ -6,6 +6,7 @@ use mechanics::blocks::Stiffness;
 use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Elastic, Material, Plane, Solid};
 use mechanics::fem::{Element, Kinematics, Model, Section};
+use outcome::note::FiniteStones;
 use structure::discretise::Discretised;
 use structure::discretise::laws;
 use structure::discretise::ring_mesh::RingMesh;
@@ -20,8 +21,8 @@ pub struct Parts {
     stone: Elastic,
     density: f64,
     joint: Mortar,
-    /// What was assumed of them.
-    pub words: String,
+    /// What of them deforms.
+    pub deform: FiniteStones,
 }
 
 /// Joints and stones from the file's contact law. A stiffness of joint and blocks together leaves the joint what the stones do not take.
@@ -37,24 +38,15 @@ pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
     let modulus = bridge.masonry.elastic_modulus;
     let shear = modulus.map(|modulus| modulus / (2.0 * (1.0 + ratio)));
     let split = (modulus, own(law.normal, modulus), own(law.shear, shear));
-    let (stone, normal, tangential, words) = match split {
+    let (stone, normal, tangential, deform) = match split {
         (Some(modulus), Some(normal), Some(tangential)) => {
-            let words = format!(
-                "Stones deform with {:.1} GPa; joints take the rest of the contacts' stiffness: {:.3} and {:.3} GPa/m.",
-                modulus / 1e9,
-                normal / 1e9,
-                tangential / 1e9
-            );
-            (Elastic { modulus, ratio }, normal, tangential, words)
+            let deform = FiniteStones::Deform { modulus, joints: [normal, tangential] };
+            (Elastic { modulus, ratio }, normal, tangential, deform)
         }
         _ => {
             let (normal, tangential) = (law.normal.at(length), law.shear.at(length));
-            let words = format!(
-                "Joints of {:.3} and {:.3} GPa/m do the deforming; stones are {RIGID} times as stiff.",
-                normal / 1e9,
-                tangential / 1e9
-            );
-            (Elastic { modulus: RIGID * length * normal.max(tangential), ratio }, normal, tangential, words)
+            let deform = FiniteStones::Stiff { joints: [normal, tangential], times: RIGID };
+            (Elastic { modulus: RIGID * length * normal.max(tangential), ratio }, normal, tangential, deform)
         }
     };
     let joint = Mortar {
@@ -65,7 +57,7 @@ pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
         // The comparison with rigid blocks asks for joints that cannot slide; the assumptions of the result say so.
         shear: Shear::Panel { strength: f64::MAX, when_open: true },
     };
-    Parts { stone, density: bridge.masonry.density, joint, words }
+    Parts { stone, density: bridge.masonry.density, joint, deform }
 }
 
 /// Distance between neighbouring voussoirs' centres, in the mean [m].

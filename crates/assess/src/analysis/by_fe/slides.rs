@@ -101,7 +101,7 @@ method = "fe"
     fn joints_that_would_slide_are_told_and_the_limit_load_leads() {
         let slippery = found(12.0);
         assert_eq!(slippery.status, Status::Collapsed);
-        let told = |code: &str| slippery.warnings.iter().find(|w| w.code == code).map(|w| w.message.clone());
+        let told = |code: &str| slippery.warnings.iter().find(|w| w.code() == code).map(|w| w.message());
         let (slides, above) = (told(warning::HELD_AGAINST_SLIDING).unwrap(), told(warning::ABOVE_LIMIT).unwrap());
         assert!(slides.contains("4 do, by up to 1.39 times") && slides.contains("from 54.00 kN/m on"), "{slides}");
         assert!(above.contains("111.57") && above.contains("78.85"), "{above}");
@@ -111,6 +111,6 @@ method = "fe"
     #[test]
     fn joints_that_hold_are_not_told() {
         let rough = found(35.0);
-        assert!(rough.warnings.iter().all(|w| w.code != warning::HELD_AGAINST_SLIDING), "{:?}", rough.warnings);
+        assert!(rough.warnings.iter().all(|w| w.code() != warning::HELD_AGAINST_SLIDING), "{:?}", rough.warnings);
     }
 }

@@ -171,7 +171,7 @@ fn a_strength_that_discs_do_not_have_is_out_of_reach() {
     }
     let found = calibrate_fill(&bridge, &mut Unwatched).unwrap();
     assert_eq!(found.verdict, Verdict::Undetermined);
-    assert!(found.warnings.iter().any(|w| w.code == "A163"), "{:?}", found.warnings);
+    assert!(found.warnings.iter().any(|w| w.code() == "A163"), "{:?}", found.warnings);
     let strength = found.strength.as_ref().unwrap();
     let angle = strength.found.friction_angle.mean.to_degrees();
     assert!(!strength.reached && strength.check.is_some());

@@ -1,10 +1,11 @@
 //! Notes on fill and backing that yield as a continuum.
 
 use crate::analysis::by_bounds::bears_first;
-use bridge::{Bridge, Confinement, ContinuumPlan, FillEnds};
+use bridge::Bridge;
 use outcome::collapse::{Collapse, Status};
+use outcome::note::{self, Note};
 use outcome::soil::ContinuumReport;
-use outcome::warning::{self, Warning};
+use outcome::warning::{Warning, Yielding};
 use structure::discretise::{Discretised, continuum};
 
 /// Notes on bounds of the load.
@@ -14,195 +15,64 @@ pub fn continuum(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     let warnings = [
         range(&report, c),
         apart(&report, c),
-        bears(c),
+        bears_first(&c.picture).then_some(Yielding::BearsFirst),
         walls(&report, c),
-        left_out(&report),
+        (report.left_out > 1e-9).then_some(Yielding::BeyondEnds { share: report.left_out }),
         falls(&report, c),
         open(c),
     ];
-    c.warnings.extend(warnings.into_iter().flatten());
-    c.assumptions.push(
-        "Rigid blocks as built beside soil that yields: nothing deforms before collapse. Friction of joints is \
-         associated: where joints slide in the mechanism the bounds are those of joints that dilate."
-            .into(),
-    );
-    c.assumptions.push(strength(&report, plan));
-    c.assumptions.extend(dilating(&report));
-    c.assumptions.extend(iterated(&report));
-    c.assumptions.push(
-        "Wheels and beams stand on the upper face of the soil on rigid plates that sink, slide and turn freely; pressures stay \
-         uniform; nothing disperses by a rule. Layers above the soil weigh and do nothing else."
-            .into(),
-    );
-    c.assumptions.push(ends(plan));
-    c.assumptions.push(match plan.confinement {
-        Confinement::PlaneStrain => {
-            "Spandrel walls hold the fill sideways: what they bear is not checked, and a wall that leans or slides lowers \
-             the load."
-        }
-        Confinement::SpandrelWalls => {
-            "Spandrel walls hold the fill sideways by their weight alone, in panels of about a metre: no more than they bear \
-             before they tilt about their outer toe or slide on their bed. Friction of the fill on rings is not counted across the \
-             bridge."
-        }
-    }
-    .into());
+    c.warnings.extend(warnings.into_iter().flatten().map(Warning::from));
+    let (mobilised, dilatancy_angle) = (report.mobilised_share, report.dilatancy_angle);
+    let strength = note::Soil::Strength {
+        mobilised,
+        dilatancy_angle: (plan.dilatancy_angle > 0.0).then_some(dilatancy_angle),
+        interface_angle: plan.interface_friction_angle,
+    };
+    let associated = report.associated.map(|bounds| note::Soil::Associated { bounds });
+    let iterated = report.iterated.map(|load| note::Soil::Iterated { load, dilatancy_angle });
+    let ends = note::Soil::Ends { extent: plan.extent, ends: plan.ends };
+    let told = [note::Soil::Bounds, strength].into_iter().chain(associated).chain(iterated);
+    let told = told.chain([note::Soil::Plates, ends, note::Soil::Confined { by: plan.confinement }]);
+    c.assumptions.extend(told.map(Note::from));
 }
 
 /// What a method says that knows no continuum.
-pub fn as_weight(bridge: &Bridge) -> Option<String> {
-    continuum::wanted(bridge)?;
-    Some(
-        "The file has fill or backing as a continuum: this method takes it as weight, with dispersal by rule. Limit analysis takes it for \
-         what it is."
-            .into(),
-    )
+pub fn as_weight(bridge: &Bridge) -> Option<Note> {
+    continuum::wanted(bridge).map(|_| note::Soil::AsWeight.into())
 }
 
-fn told(load: f64) -> String {
-    format!("{:.2}", load / 1e3)
+fn range(report: &ContinuumReport, c: &Collapse) -> Option<Yielding> {
+    let load = c.last_stable_load.filter(|_| report.shares[1] > 0.0)?;
+    Some(Yielding::StrengthRange { load, share: report.mobilised_share, range: report.range, shares: report.shares })
 }
 
-fn range(report: &ContinuumReport, c: &Collapse) -> Option<Warning> {
-    let load = told(c.last_stable_load.filter(|_| report.shares[1] > 0.0)?);
-    let [least, most] = report.shares.map(|share| 100.0 * share);
-    let own = format!("{load} kN/m with the {:.0} % of the file", 100.0 * report.mobilised_share);
-    let message = match report.range {
-        Some([low, high]) => format!(
-            "{} to {} kN/m where {least:.0} to {most:.0} % of the soil's strength is mobilised; {own}",
-            told(low),
-            told(high)
-        ),
-        None => format!("no load was found that is carried with {least:.0} % of the soil's strength; {own}"),
-    };
-    Some(Warning::new(warning::STRENGTH_RANGE, message))
-}
-
-fn apart(report: &ContinuumReport, c: &Collapse) -> Option<Warning> {
+fn apart(report: &ContinuumReport, c: &Collapse) -> Option<Yielding> {
     let limit = c.limit().filter(|_| c.status == Status::Collapsed)?;
     let (lower, upper) = (limit.lower_bound?, limit.upper_bound?);
-    if upper <= report.wanted_ratio * lower {
-        return None;
-    }
-    let broken = report.rounds.last().is_some_and(|(_, lower, upper)| lower.is_none() || upper.is_none());
-    let remedy = match broken {
-        true => "the programs of the next mesh were not solved",
-        false => "`elements` in [continuum] allows more triangles",
-    };
-    let (apart, carried) = match report.bound_ratio {
-        Some(ratio) => (format!("{ratio:.3} times the lower one"), "the lower bound is carried all the same"),
-        None => {
-            (format!("{} kN/m and the lower one zero", told(upper)), "no load is known to be carried beside the weight")
-        }
-    };
-    let message = format!(
-        "the upper bound is {apart} after {} triangles, {:.3} times was wanted; {carried}. {remedy}",
-        report.elements, report.wanted_ratio
-    );
-    Some(Warning::new(warning::BOUNDS_APART, message))
+    let solved = report.rounds.last().is_none_or(|(_, lower, upper)| lower.is_some() && upper.is_some());
+    let (ratio, triangles, wanted) = (report.bound_ratio, report.elements, report.wanted_ratio);
+    (upper > wanted * lower).then_some(Yielding::Apart { ratio, upper, triangles, wanted, solved })
 }
 
-fn bears(c: &Collapse) -> Option<Warning> {
-    let message = "the soil fails under the load and the rings stay: the load is what the soil bears, and the arch may carry \
-                   more of a load that is spread further";
-    bears_first(&c.picture).then(|| Warning::new(warning::SOIL_BEARS_FIRST, message))
+fn walls(report: &ContinuumReport, c: &Collapse) -> Option<Yielding> {
+    let (wall, plane_strain) = (report.wall?, report.plane_strain?);
+    let upper = c.collapse_load.filter(|upper| *upper < plane_strain)?;
+    let (ends, resists, tilts) = (wall.ends, wall.resists, wall.tilts);
+    Some(Yielding::WallsGive { upper, plane_strain, ends, resists, tilts })
 }
 
-fn walls(report: &ContinuumReport, c: &Collapse) -> Option<Warning> {
-    let (wall, free) = (report.wall?, report.plane_strain?);
-    let upper = c.collapse_load.filter(|upper| *upper < free)?;
-    let resists = wall.resists / 1e3 / (wall.ends[1] - wall.ends[0]);
-    let message = format!(
-        "at most {} kN/m where the walls hold the fill, {} kN/m in plane strain; from {:.1} to {:.1} m a wall {}",
-        told(upper),
-        told(free),
-        wall.ends[0],
-        wall.ends[1],
-        match wall.tilts {
-            true => format!("tilts outwards: it resists {resists:.2} kNm/m"),
-            false => format!("slides outwards: it resists {resists:.2} kN/m"),
-        }
-    );
-    Some(Warning::new(warning::WALLS_GIVE_FIRST, message))
-}
-
-fn left_out(report: &ContinuumReport) -> Option<Warning> {
-    let message =
-        || format!("{:.1} % of the loads stands beyond the ends of the fill and is left out", 100.0 * report.left_out);
-    (report.left_out > 1e-9).then(|| Warning::new(warning::GROUND_LOAD, message()))
-}
-
-fn falls(report: &ContinuumReport, c: &Collapse) -> Option<Warning> {
+fn falls(report: &ContinuumReport, c: &Collapse) -> Option<Yielding> {
     let share = report.permanent_share.filter(|_| c.status == Status::UnstableUnderSelfWeight)?;
-    let message =
-        format!("a mechanism proves that rings and soil carry no more than {:.1} % of their own weight", 100.0 * share);
-    Some(Warning::new(warning::SOIL_FALLS, message))
+    Some(Yielding::Falls { share })
 }
 
 /// What is known of the load where only one of the programs was solved.
-fn open(c: &Collapse) -> Option<Warning> {
+fn open(c: &Collapse) -> Option<Yielding> {
     let limit = c.limit().filter(|_| c.status == Status::NotConverged)?;
-    let message = match (limit.lower_bound, limit.upper_bound) {
-        (None, Some(upper)) => {
-            let least = limit.continuum.as_ref().and_then(|report| report.carried_share);
-            let least =
-                least.map_or(String::new(), |share| format!(", {:.1} % of it are carried", 100.0 * share.min(1.0)));
-            format!(
-                "no stresses were found that carry all of the weight{least}: the load is at most {} kN/m, and not known",
-                told(upper)
-            )
-        }
-        (Some(lower), None) => {
-            format!("no mechanism was found: {} kN/m are carried, and how much more is not known", told(lower))
-        }
-        _ => return None,
-    };
-    Some(Warning::new(warning::BOUNDS_APART, message))
-}
-
-fn strength(report: &ContinuumReport, plan: &ContinuumPlan) -> String {
-    let dilates = match plan.dilatancy_angle > 0.0 {
-        true => format!("for a dilatancy angle of {:.1} degrees", report.dilatancy_angle.to_degrees()),
-        false => "for soil that does not dilate".to_owned(),
-    };
-    let slides = match plan.interface_friction_angle {
-        Some(angle) => format!("{:.1} degrees", angle.to_degrees()),
-        None => "two thirds of its friction angle".to_owned(),
-    };
-    format!(
-        "Soil yields by Mohr and Coulomb in plane strain with {:.0} % of the cohesion and of the tangent of the friction \
-         angle that the file gives, reduced after Davis {dilates}; between soil and masonry it slides at {slides}, reduced \
-         alike, and carries no tension.",
-        100.0 * report.mobilised_share,
-    )
-}
-
-fn dilating(report: &ContinuumReport) -> Option<String> {
-    let [low, high] = report.associated?;
-    Some(format!(
-        "Soil that dilates by its friction angle, at the same share of its strength, would carry {} to {} kN/m.",
-        told(low),
-        told(high)
-    ))
-}
-
-fn iterated(report: &ContinuumReport) -> Option<String> {
-    let load = told(report.iterated?);
-    Some(format!(
-        "An iteration in which soil keeps its whole strength and dilates by {:.1} degrees settles at {load} kN/m on a coarser mesh: an \
-         estimate and no bound, which does not lead.",
-        report.dilatancy_angle.to_degrees()
-    ))
-}
-
-fn ends(plan: &ContinuumPlan) -> String {
-    format!(
-        "The fill reaches {} behind the outer springings on rigid ground; its ends {}.",
-        plan.extent.map_or("twice its height or over the abutments".to_owned(), |extent| format!("{extent:.2} m")),
-        match plan.ends {
-            FillEnds::Slide => "slide along smooth walls",
-            FillEnds::Hold => "are held by rough walls",
-            FillEnds::Free => "are free",
-        }
-    )
+    let carried_share = limit.continuum.as_ref().and_then(|report| report.carried_share);
+    match (limit.lower_bound, limit.upper_bound) {
+        (None, Some(upper)) => Some(Yielding::UpperAlone { upper, carried_share }),
+        (Some(lower), None) => Some(Yielding::LowerAlone { lower }),
+        _ => None,
+    }
 }

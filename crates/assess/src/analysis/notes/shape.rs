@@ -1,65 +1,44 @@
 //! What a result must say of springings, piers, abutments and hollow spandrels.
 
 use bridge::Bridge;
-use outcome::warning::{self, Warning};
+use outcome::note;
+use outcome::warning;
 use structure::discretise::springings::are_level;
 
 /// Whether the spandrels between the walls are what is analysed, and not a wall.
-pub fn warnings(bridge: &Bridge, is_fill: bool) -> Vec<Warning> {
+pub fn warnings(bridge: &Bridge, is_fill: bool) -> Vec<warning::Cover> {
     let mut found = Vec::new();
     let cover = &bridge.cover;
-    for (k, void) in cover.voids.iter().enumerate().filter(|_| is_fill) {
-        let ([from, to], [left, right]) = (void.range, void.carried_to);
-        found.push(Warning::new(
-            warning::VOIDS,
-            format!(
-                "void {} from {from:.2} m to {to:.2} m: what lies over it is carried to {left:.2} m and {right:.2} m; its roof is not checked",
-                k + 1
-            ),
-        ));
+    if is_fill {
+        found.extend(cover.voids.iter().enumerate().map(|(number, void)| warning::Cover::Void {
+            number,
+            range: void.range,
+            carried_to: void.carried_to,
+        }));
+        let walls = cover.internal_walls.map(|of| (true, of.share, of.density));
+        let backing = cover.backing.filter(|of| of.width_share < 1.0).map(|of| (false, of.width_share, of.density));
+        let mean = |(walls, share, density)| warning::Cover::MeanOverWidth { walls, share, density };
+        found.extend(walls.into_iter().chain(backing).map(mean));
     }
-    let shares = cover.internal_walls.map(|walls| ("internal walls", walls.share, walls.density));
-    let backing = cover.backing.filter(|backing| backing.width_share < 1.0);
-    let shares = shares.into_iter().chain(backing.map(|backing| ("backing", backing.width_share, backing.density)));
-    found.extend(shares.filter(|_| is_fill).map(|(what, share, density)| {
-        let message = format!(
-            "{what} over {:.0} % of the width: {density:.0} kg/m³ on the mean of every metre of the barrel",
-            100.0 * share
-        );
-        Warning::new(warning::MEAN_OVER_WIDTH, message)
-    }));
-    for (side, abutment) in ["left", "right"].iter().zip(&bridge.abutments) {
+    for (right, abutment) in [false, true].into_iter().zip(&bridge.abutments) {
         let Some(body) = &abutment.body else { continue };
-        let message = format!(
-            "the {side} abutment stands on the ground with friction at {:.1} degrees; soil behind it presses with {:.2} of its vertical \
-             stress, and no passive pressure is counted",
-            body.ground_friction_angle.to_degrees(),
-            body.earth_coefficient
-        );
-        found.push(Warning::new(warning::MOVABLE_ABUTMENT, message));
+        let (friction_angle, earth_coefficient) = (body.ground_friction_angle, body.earth_coefficient);
+        found.push(warning::Cover::Movable { right, friction_angle, earth_coefficient });
     }
     found
 }
 
 /// What was assumed of supports.
-pub fn assumptions(bridge: &Bridge) -> Vec<String> {
+pub fn assumptions(bridge: &Bridge) -> Vec<note::Barrel> {
+    let level = are_level(bridge);
     let mut list = Vec::new();
     if bridge.spans.len() > 1 {
-        let level = if are_level(bridge) {
-            "All springings are at one level"
-        } else {
-            "Springings lie at the levels of the file"
-        };
-        list.push(format!("{level}; piers stand on fixed foundations that carry no tension."));
-    } else if !are_level(bridge) {
-        list.push("The springings lie at the levels of the file.".to_owned());
+        list.push(note::Barrel::Springings { level });
+    } else if !level {
+        list.push(note::Barrel::SpringingsOfOneSpan);
     }
     if bridge.piers.iter().any(|pier| pier.across.is_some() || pier.footings.iter().any(|step| step.across.is_some())) {
-        list.push(
-            "Piers weigh by their width across the bridge over that of the barrel, cutwaters by their area. Where they are wider, their joints \
-             have the strength of the barrel's width; where they are narrower, of their own."
-                .to_owned(),
-        );
+        list.push(note::Barrel::PiersAcross);
     }
     list
 }
@@ -82,18 +61,15 @@ mod tests {
             earth_coefficient: 0.33,
             earth_density: None,
         });
-        let codes = |b: &Bridge, is_fill| -> Vec<&str> { warnings(b, is_fill).iter().map(|one| one.code).collect() };
+        let codes =
+            |b: &Bridge, is_fill| -> Vec<&str> { warnings(b, is_fill).iter().map(warning::Cover::code).collect() };
         assert_eq!(codes(&b, true), [warning::VOIDS, warning::MEAN_OVER_WIDTH, warning::MOVABLE_ABUTMENT]);
         assert_eq!(codes(&b, false), [warning::MOVABLE_ABUTMENT]);
-        assert!(warnings(&b, false)[0].message.contains("the right abutment"));
+        assert!(matches!(warnings(&b, false)[0], warning::Cover::Movable { right: true, .. }));
         let span = b.spans[0].clone();
         (b.spans, b.piers) = (vec![span.clone(), span], vec![bridge::Pier::plain(2.0, 2.0, 3.0, 3)]);
-        assert!(assumptions(&b).join("").contains("All springings are at one level"));
+        assert_eq!(assumptions(&b), [note::Barrel::Springings { level: true }]);
         (b.piers[0].step, b.piers[0].across) = (0.1, Some([10.0; 2]));
-        let told = assumptions(&b).join("");
-        assert!(
-            told.contains("Springings lie at the levels of the file") && told.contains("cutwaters by their area"),
-            "{told}"
-        );
+        assert_eq!(assumptions(&b), [note::Barrel::Springings { level: false }, note::Barrel::PiersAcross]);
     }
 }

@@ -16,9 +16,10 @@ use super::AnalysisError;
 use bridge::Bridge;
 use bridge::passage::PassagePath;
 use mechanics::watch::Watch;
+use outcome::note::{InPassage, Note};
 use outcome::passage::SensorRecord;
 use outcome::passage::{Part, Passage, PassageStatus};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 use thiserror::Error;
 
 /// Why a passage cannot be set up.
@@ -91,36 +92,23 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let plan = &setup.plan;
     let mut warnings = solution.warnings;
     if let (PassageStatus::NotConverged, Some(reason)) = (solution.status, &solution.reason) {
-        warnings.push(Warning::new(warning::BROKEN_PASSAGE, reason.clone()));
+        warnings.push(warning::Service::BrokenPassage { reason: reason.clone() }.into());
     }
     if plan.tolerance > LOOSE {
-        let message = format!(
-            "a step counts as converged at an out-of-balance force of {:.1e} of the applied forces",
-            plan.tolerance
-        );
-        warnings.push(Warning::new(warning::LOOSE_PASSAGE, message));
+        warnings.push(warning::Service::Loose { tolerance: plan.tolerance }.into());
     }
-    let mut assumptions: Vec<String> = setup.assumptions.iter().cloned().chain(solution.assumptions).collect();
+    let mut assumptions: Vec<Note> = setup.assumptions.iter().cloned().chain(solution.assumptions).collect();
     if plan.path == PassagePath::Condensed && !solve::condenses(setup) {
-        let why = "a transient analysis, large displacements and sensors of stress need them";
-        assumptions.push(format!(
-            "all degrees of freedom were solved at every position in place of the condensed path: {why}"
-        ));
+        assumptions.push(InPassage::AllFreedoms.into());
     }
     if bridge.spandrel_wall.is_some() {
-        let message = "the strip of finite elements lies between the spandrel walls: their stiffness, and their parting from the barrel, is left out";
-        warnings.push(Warning::new(warning::WALLS_LEFT_OUT, message));
+        warnings.push(warning::Service::WallsLeftOut.into());
     }
     let open_joints = kept(&solution.log).map(|step| step.open_joints).max().unwrap_or(0);
     let plastic_points = kept(&solution.log).map(|step| step.plastic_points).max().unwrap_or(0);
     let locking_elements = kept(&solution.log).map(|step| step.locking_elements).max().unwrap_or(0);
     if locking_elements > 0 {
-        let message = format!(
-            "up to {} of the fill {} as a whole: plain elements then carry more than the fill does, on a coarse mesh by a tenth",
-            findings::words::counted(locking_elements, "element"),
-            findings::words::verb(locking_elements, "flows", "flow")
-        );
-        warnings.push(Warning::new(warning::LOCKING_FILL, message));
+        warnings.push(warning::Service::Locking { elements: locking_elements }.into());
     }
     let solved = solution.values.first().map_or(0, Vec::len);
     let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| SensorRecord {

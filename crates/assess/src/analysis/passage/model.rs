@@ -8,6 +8,7 @@ use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{self, Cone, Elastic, Material, Plane, Solid, Strength};
 use mechanics::fem::{Element, Kinematics, Model, Section, Support};
 use mechanics::ids::NodeId;
+use outcome::note::{InPassage, JointShear, Note};
 use structure::discretise::mesh::{Meshed, Role, Substance};
 
 /// Stiffness of the contact of fill with masonry over that of an element of fill next to it.
@@ -138,61 +139,31 @@ fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
     })
 }
 
-/// What the model assumes, in words.
-pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
+/// What the model assumes.
+pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<Note> {
     let JointLaw::Contact(contact) = contact(bridge, meshed) else { return Vec::new() };
-    let mut told: Vec<String> = vec![
-        "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear elastic, of \
-         elements with incompatible modes; soil that yields is of plain four-node elements."
-            .into(),
-        format!(
-            "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, {}; stones reach to \
-             the middle of the joints.",
-            shear(bridge)
-        ),
-        format!(
-            "Fill touches masonry through {:.1} GPa/m, friction {:.2}, and {}.",
-            contact.normal / 1e9,
-            contact.friction,
-            if contact.separation { "parts from it without tension" } else { "slides along it but never parts from it" }
-        ),
-        "The base of piers, abutments and the fill behind them is fixed; the side boundaries hold the fill horizontally.".into(),
-        "Self-weight is carried by the finished bridge, without the centring's stages, and taken off the records.".into(),
+    let (stiffness, friction, parts) = (contact.normal, contact.friction, contact.separation);
+    let mut told = vec![
+        InPassage::PlaneStrain,
+        InPassage::Mortar { shear: shear(bridge) },
+        InPassage::FillContact { stiffness, friction, parts },
+        InPassage::Base,
+        InPassage::SelfWeight,
     ];
     if bridge.piers.iter().any(|pier| pier.across.is_some() || !pier.footings.is_empty()) {
-        told.push(
-            "Piers weigh by their mean width across the bridge and have the stiffness of the barrel's width; steps of their footings are part of \
-             the fixed base."
-                .into(),
-        );
+        told.push(InPassage::Piers);
     }
     if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
-        told.push(
-            "Abutments of blocks are elastic here and held by the fixed base: they neither slide nor tilt.".into(),
-        );
+        told.push(InPassage::Abutments);
     }
-    told.extend(told_of_elements(bridge));
-    told
+    told.into_iter().map(Note::from).chain(told_of_elements(bridge)).collect()
 }
 
-/// What carries shear in joints, in words.
-fn shear(bridge: &Bridge) -> String {
+/// What carries shear in joints.
+fn shear(bridge: &Bridge) -> JointShear {
     match bridge.service.mortar.shear_strength {
-        Some(strength) => format!(
-            "beside panels that shear like stone up to {:.3} MPa whatever presses on them, where springs have lifted off too",
-            strength / 1e6
-        ),
-        None => {
-            let of = |joint: &Joint| {
-                format!("tan {:.1}° and {:.1} kPa", joint.friction_angle.to_degrees(), joint.cohesion / 1e3)
-            };
-            let (joint, rings) = (of(&bridge.joint), of(&bridge.ring_joint));
-            let between = if rings == joint { String::new() } else { format!(" ({rings} between rings)") };
-            format!(
-                "and shear like stone up to friction and cohesion of [joint], {joint}{between}: nothing where they have opened, friction \
-                 alone once they have"
-            )
-        }
+        Some(strength) => JointShear::Panels(strength),
+        None => JointShear::Friction([bridge.joint, bridge.ring_joint].map(|of| (of.friction_angle, of.cohesion))),
     }
 }
 

@@ -8,6 +8,7 @@ use bridge::Bridge;
 use bridge::passage::{MOST_POSITIONS, Passage, PassagePlan, default_sensors};
 use mechanics::fem::Mesh;
 use mechanics::ids::NodeId;
+use outcome::note::{InPassage, Note};
 use structure::discretise::mesh::{Meshed, SpanSets, mesh};
 
 /// A passage that is ready to be solved.
@@ -32,8 +33,8 @@ pub struct Setup {
     pub positions: Vec<f64>,
     /// Width of the bridge that carries an axle [m].
     pub effective_width: f64,
-    /// What was assumed, in words.
-    pub assumptions: Vec<String>,
+    /// What was assumed.
+    pub assumptions: Vec<Note>,
 }
 
 /// Mesh, loads, sensors and positions of the passage that the file describes.
@@ -113,27 +114,16 @@ fn positions(plan: &PassagePlan, surface: &[[f64; 2]], wheelbase: f64) -> Result
     Ok((times, positions))
 }
 
-fn assumptions(bridge: &Bridge, asked: &Passage, loads: &TrackLoads, width: f64, pressure: f64) -> Vec<String> {
+fn assumptions(bridge: &Bridge, asked: &Passage, loads: &TrackLoads, width: f64, pressure: f64) -> Vec<Note> {
     let track = &asked.track;
-    let by = if track.effective_width.is_some() { "as the file says" } else { "the width of the barrel" };
+    let axles = asked.train.axles(bridge.gravity);
+    let heaviest = axles.iter().map(|axle| axle.force).fold(0.0, f64::max) / width;
     let spread = track.sleeper_length + 2.0 * track.ballast_depth / track.ballast_slope;
-    let heaviest = asked.train.axles(bridge.gravity).iter().map(|axle| axle.force).fold(0.0, f64::max);
-    let mut said = vec![
-        format!(
-            "an axle is carried by {width:.3} m of the bridge's width, {by}; the heaviest brings {:.2} kN/m; sleepers and ballast \
-             alone spread it over {spread:.2} m",
-            heaviest / width / 1e3
-        ),
-        format!("a sleeper presses evenly on {:.3} m of the top of the fill", loads.pressed),
-        "half of an axle bears on each rail, a beam on equal springs under its sleepers that carry tension as well; a sleeper lies \
-         in the middle of the bridge"
-            .to_owned(),
-        format!("{:.2} kPa of ballast, sleepers and rails press on the fill, a part of the self-weight", pressure / 1e3),
-    ];
-    if asked.sensors.is_empty() {
-        said.push("the file names no sensors: those of the railway paper's Table 1, on the first span".to_owned());
-    }
-    said
+    let width = InPassage::Width { width, of_file: track.effective_width.is_some(), heaviest, spread };
+    let sleeper = InPassage::Sleeper { pressed: loads.pressed };
+    let said = [width, sleeper, InPassage::Rails, InPassage::TrackWeight { pressure }];
+    let sensors = asked.sensors.is_empty().then_some(InPassage::Sensors);
+    said.into_iter().chain(sensors).map(Note::from).collect()
 }
 
 impl Setup {

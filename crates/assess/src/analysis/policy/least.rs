@@ -7,6 +7,7 @@ use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{By, Collapse, PathPressure, Permissible, Sought, Status};
 use outcome::help::{Help, WithHelp};
+use outcome::note::Size;
 use structure::blocks::Scene;
 
 /// A method: a model, a kept state of its own, an onlooker.
@@ -85,8 +86,8 @@ fn each<T>(
     led.not_counted = not_counted(&standings, lead);
     permissible(&all, &mut led);
     let own = size(&standings[lead].numbers);
-    led.warnings.extend(warned(&led.not_counted, &own, &size));
-    led.assumptions.extend(hurts(&standings, lead, &size));
+    led.warnings.extend(warned(&led.not_counted, None, own, size));
+    led.assumptions.extend(hurts(&standings, lead, size));
     Ok(Some(Found { led, all: Some(all) }))
 }
 
@@ -117,13 +118,13 @@ fn standing(helps: &[Help], found: &Collapse) -> Standing {
     Standing { helps: helps.to_vec(), size, numbers }
 }
 
-/// The number of a state with its unit.
-fn size(of: &WithHelp) -> String {
+/// The number of a state.
+fn size(of: &WithHelp) -> Size {
     match (of.headline, of.thickness_factor, of.movement) {
-        (Some(load), ..) => format!("{:.2} kN/m", load / 1e3),
-        (_, Some(factor), _) => format!("{factor:.4} of the given thickness"),
-        (.., Some(movement)) => format!("{:.1} mm", 1e3 * movement),
-        _ => format!("no load that was found ({})", of.status.word().replace('-', " ")),
+        (Some(load), ..) => Size::Load(load),
+        (_, Some(factor), _) => Size::Thickness(factor),
+        (.., Some(movement)) => Size::Movement(movement),
+        _ => Size::NoLoad(of.status),
     }
 }
 

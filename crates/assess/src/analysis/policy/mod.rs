@@ -17,6 +17,7 @@ pub(super) use vehicles::moved;
 
 use bridge::{Analysis, Bridge, Method};
 use outcome::help::{Help, NotCounted, WithHelp};
+use outcome::note::{self, Note, Size};
 use outcome::warning::{self, Warning};
 
 /// Help that changes a result by less than this share makes no difference, and is not told.
@@ -107,33 +108,24 @@ fn not_counted(all: &[Standing], lead: usize) -> NotCounted {
     NotCounted { left_out: left_out.collect(), with_help }
 }
 
-/// What is told of help that is left out; fill pressure by itself has words of its own (A195). `size` says a number with its unit.
-fn warned(found: &NotCounted, own: &str, size: &dyn Fn(&WithHelp) -> String) -> Option<Warning> {
+/// What is told of help that is left out of the bridge, or of a vehicle on it; fill pressure by itself has words of its own (A195). `own`
+/// is what leads.
+fn warned(found: &NotCounted, vehicle: Option<&str>, own: Size, size: fn(&WithHelp) -> Size) -> Option<Warning> {
     if found.left_out.iter().all(|help| *help == Help::FillPressure) {
         return None;
     }
-    let others: Vec<String> =
-        found.with_help.iter().map(|with| format!("{} with {}", size(with), Help::all_told(&with.helps))).collect();
-    let message = format!(
-        "{own} without {}, which leads; {}: what may come and go is not counted",
-        Help::all_told(&found.left_out),
-        others.join(", ")
-    );
-    Some(Warning::new(warning::HELP_NOT_COUNTED, message))
+    let with = found.with_help.iter().map(|with| (size(with), with.helps.clone())).collect();
+    let (vehicle, left_out) = (vehicle.map(str::to_owned), found.left_out.clone());
+    Some(warning::Loads::HelpNotCounted { vehicle, own, left_out, with }.into())
 }
 
-/// What is told of help that hurts, and is counted: `of` says what the bridge comes to without it.
-fn hurts(all: &[Standing], lead: usize, size: &dyn Fn(&WithHelp) -> String) -> Option<String> {
+/// Help that hurts, and is counted.
+fn hurts(all: &[Standing], lead: usize, size: fn(&WithHelp) -> Size) -> Option<Note> {
     let counted = &all[lead].helps;
     let bare = all.iter().find(|one| one.helps.is_empty())?;
-    (is_more(bare.size, all[lead].size) && !counted.is_empty()).then(|| {
-        format!(
-            "Without {} the bridge would carry {} in place of {}.",
-            Help::all_told(counted),
-            size(&bare.numbers),
-            size(&all[lead].numbers)
-        )
-    })
+    let hurts = is_more(bare.size, all[lead].size) && !counted.is_empty();
+    let [without, with] = [bare, &all[lead]].map(|one| size(&one.numbers));
+    hurts.then(|| note::State::Counted { helps: counted.clone(), without, with }.into())
 }
 
 #[cfg(test)]

@@ -11,8 +11,9 @@ use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::help::{Help, WithHelp};
+use outcome::note::Size;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 
 /// A sweep of one state.
 type Method<'a> = &'a dyn Fn(&Bridge, Places, &mut dyn Watch) -> Result<Sweep, AnalysisError>;
@@ -80,25 +81,19 @@ fn tell(standings: &[Standing], found: &mut Sweep) {
     let lead = leading(standings);
     let Some(own) = standings.get(lead) else { return };
     found.not_counted = not_counted(standings, lead);
-    found.warnings.extend(warned(&found.not_counted, &told(&own.numbers), &told));
-    found.assumptions.extend(hurts(standings, lead, &told));
+    found.warnings.extend(warned(&found.not_counted, None, told(&own.numbers), told));
+    found.assumptions.extend(hurts(standings, lead, told));
     if let Some(with) = found.not_counted.with(Help::FillPressure) {
-        let factor = |of: &WithHelp| of.factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
-        let message = format!(
-            "factor on the loads of the file: {} by weight alone, {} with fill pressure; the lower one counts",
-            factor(&own.numbers),
-            factor(with)
-        );
-        found.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
+        let told = warning::Cover::PressureInSweep { bare: own.numbers.factor, with: with.factor };
+        found.warnings.push(told.into());
     }
 }
 
-/// The number of a state with its unit.
-fn told(of: &WithHelp) -> String {
-    match (of.factor, of.last_stable_load) {
-        (Some(factor), Some(load)) => format!("a load factor of {factor:.4} ({:.2} kN/m)", load / 1e3),
-        (Some(factor), None) => format!("a load factor of at most {factor:.4}"),
-        _ => format!("no load factor that was found ({})", of.status.word().replace('-', " ")),
+/// The number of a state.
+fn told(of: &WithHelp) -> Size {
+    match of.factor {
+        Some(factor) => Size::LoadFactor(factor, of.last_stable_load),
+        None => Size::NoLoadFactor(of.status),
     }
 }
 

@@ -9,10 +9,11 @@ use super::{Standing, State, hurts, leading, not_counted, states_of_moving, warn
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
-use outcome::help::{Help, NotCounted, WithHelp};
+use outcome::help::{Help, WithHelp};
+use outcome::note::Size;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Swept, VehicleSweep};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 
 /// A sweep of one state.
 type Method<'a> = &'a dyn Fn(&Bridge, &mut dyn Watch) -> Result<VehicleSweep, AnalysisError>;
@@ -54,7 +55,7 @@ pub fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) -> Resu
         }
         vehicle.not_counted = not_counted(&standings, lead);
         if found.governing == Some(k) {
-            found.assumptions.extend(hurts(&standings, lead, &told));
+            found.assumptions.extend(hurts(&standings, lead, told));
         }
     }
     warn(&mut found);
@@ -87,26 +88,24 @@ fn standing(helps: &[Help], vehicle: &Swept) -> Standing {
 }
 
 /// The number of a state.
-fn told(of: &WithHelp) -> String {
-    of.factor.map_or("no adequacy factor".to_owned(), |factor| format!("an adequacy factor of {factor:.3}"))
+fn told(of: &WithHelp) -> Size {
+    Size::Adequacy(of.factor)
 }
 
 /// What is told of the governing vehicle, and of all where fill presses.
 fn warn(found: &mut VehicleSweep) {
     let pressed = found.vehicles.iter().filter_map(|one| {
         let with = one.not_counted.with(Help::FillPressure)?.factor?;
-        Some(format!("{} {:.3} by weight alone, {with:.3} with fill pressure", one.code, one.factor()?))
+        Some((one.code.clone(), one.factor()?, with))
     });
-    let pressed: Vec<String> = pressed.collect();
-    if !pressed.is_empty() {
-        let message = format!("adequacy factors, of which the lower one counts: {}", pressed.join("; "));
-        found.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
+    let vehicles: Vec<_> = pressed.collect();
+    if !vehicles.is_empty() {
+        found.warnings.push(warning::Cover::PressureOfVehicles { vehicles }.into());
     }
     let Some(governing) = found.governing.and_then(|k| found.vehicles.get(k)) else { return };
-    let own = WithHelp { factor: governing.factor(), ..WithHelp::default() };
-    let NotCounted { left_out, .. } = &governing.not_counted;
-    if !left_out.is_empty() {
-        let message = warned(&governing.not_counted, &format!("{}: {}", governing.code, told(&own)), &told);
-        found.warnings.extend(message);
+    if !governing.not_counted.left_out.is_empty() {
+        let own = Size::Adequacy(governing.factor());
+        let warning = warned(&governing.not_counted, Some(&governing.code), own, told);
+        found.warnings.extend(warning);
     }
 }

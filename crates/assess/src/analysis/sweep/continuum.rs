@@ -10,8 +10,9 @@ use crate::analysis::by_bounds::moved::{self, Answer, Asked};
 use crate::analysis::parallel::Portion;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
+use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 use structure::discretise::dispersal::{self, Strip};
 
 /// A run of neighbouring axles at a position.
@@ -51,18 +52,9 @@ pub(super) fn instead(
 fn notes(found: &mut Sweep) {
     let open = found.positions_not_converged();
     if open > 0 {
-        let message = format!(
-            "no bounds were found at {}; what is carried there is not known",
-            findings::words::counted(open, "position")
-        );
-        found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
+        found.warnings.push(warning::Yielding::PositionsOpen { positions: open }.into());
     }
-    found.assumptions.push(
-        "Fill yields as a continuum: each factor is a lower bound, with an upper one beside it, of the whole vehicle or of the \
-         neighbouring axles that govern where fill is weight alone, whichever is smaller. Places that cannot govern are answered \
-         coarsely. The worst place is one of those asked for: none is sought between them."
-            .into(),
-    );
+    found.assumptions.push(note::Soil::InSweep.into());
 }
 
 /// The whole vehicle at every position, and the axles that govern there where fill is weight.

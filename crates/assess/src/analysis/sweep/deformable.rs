@@ -11,8 +11,9 @@ use super::{CHUNK, Case, Row, Scene};
 use mechanics::path::Sweeper;
 use mechanics::watch::{CancelToken, Watch};
 use outcome::collapse::Status;
+use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 
 /// Factors of cases are not known to be better than this.
 const SAME: f64 = 1e-4;
@@ -43,8 +44,8 @@ pub(super) fn beside(
     if !deforming.stands() {
         let falls = deforming.falls();
         found.points.iter_mut().for_each(|point| unknown(point, falls));
-        let words = if falls { FALLS } else { NOT_FOUND };
-        found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, words));
+        let told = if falls { warning::Loads::FallsOnDeformableJoints } else { warning::Loads::SelfWeightNotFound };
+        found.warnings.push(told.into());
         return Ok(true);
     }
     let along = Along { scene, deforming: &deforming };
@@ -55,12 +56,6 @@ pub(super) fn beside(
     put(scene, rows, &least, found);
     Ok(whole)
 }
-
-const NOT_FOUND: &str = "the state under self-weight was not found with deformable joints: what the bridge carries is at most what rigid \
-                         blocks carry, and not known";
-
-const FALLS: &str =
-    "the bridge does not stand under its own weight on deformable joints: rigid blocks alone carry loads";
 
 fn unknown(point: &mut SweepPoint, falls: bool) {
     (point.rigid_factor, point.load_factor_at_most) = (point.load_factor, point.bound().filter(|_| !falls));
@@ -217,17 +212,7 @@ fn put(scene: &Scene<'_>, rows: &[Row], least: &[Least], found: &mut Sweep) {
     }
     let open = least.iter().filter(|least| least.broken_off).count();
     if open > 0 {
-        let message = format!(
-            "at {open} of {} positions the path of deformable joints broke off: the last state in balance counts there, and more may be \
-             carried",
-            rows.len()
-        );
-        found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, message));
+        found.warnings.push(warning::Loads::PathsBrokenOff { positions: open, of: rows.len() }.into());
     }
-    found.assumptions.push(
-        "On deformable joints the axles that govern for rigid blocks are followed at every position; of all axles, and of those that governed \
-         at the position before, it is asked there whether they carry as much, from the states of similar loads; at the worst position every \
-         run of axles is followed. The smaller factor of both methods counts. Fill acts by its weight alone there."
-            .to_owned(),
-    );
+    found.assumptions.push(note::Moving::DeformableJoints.into());
 }

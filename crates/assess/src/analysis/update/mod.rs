@@ -15,6 +15,7 @@ use bridge::edit::Document;
 use bridge::update::{self, Compared, Update as Asked};
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
 use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
+use outcome::note::{InUpdate, Note};
 use outcome::update::{Histories, ParameterPlace, RecordsUsed, Update, UpdateStatus};
 use outcome::warning::{self, Warning};
 use searches::Searches;
@@ -150,14 +151,14 @@ pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
             match Basis::at(&mut evaluator, &start) {
                 Ok(basis) => found.basis = Some(basis),
                 Err(Halt::Stopped) => found.status = UpdateStatus::Cancelled,
-                Err(Halt::Failed(failure)) => found.warnings.push(untold("the start model's fit", &words(&failure))),
+                Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::StartFit, words(&failure))),
             }
             found.channels = histories(setup, &problem, &first.values, None);
             found.problem = problem;
         }
         Err(findings) => {
             let said: Vec<String> = findings.iter().map(|f| format!("{}: {}", f.place, f.message)).collect();
-            found.warnings.push(untold("the start model's fit", &said.join("; ")));
+            found.warnings.push(untold(warning::Asked::StartFit, said.join("; ")));
         }
     }
     (found.evaluations, found.computed) = (1, 1);
@@ -184,7 +185,7 @@ fn tell(
     match searches::identify(evaluator, basis, point) {
         Ok(told) => found.identifiability = Some(told),
         Err(Halt::Stopped) => return Err(()),
-        Err(Halt::Failed(failure)) => found.warnings.push(untold("identifiability", &words(&failure))),
+        Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Identifiability, words(&failure))),
     }
     // A model that leaves more of a history than the stated noise is not as exact as the noise.
     let likelihood = searches::likelihood(&task.asked.plan);
@@ -199,7 +200,7 @@ fn tell(
         match searches::linearised(&task.asked.plan, evaluator, basis, point, &problem) {
             Ok(report) => found.linearised = Some(report),
             Err(Halt::Stopped) => return Err(()),
-            Err(Halt::Failed(failure)) => found.warnings.push(untold("intervals", &words(&failure))),
+            Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Intervals, words(&failure))),
         }
     }
     if !task.asked.plan.posterior {
@@ -207,15 +208,15 @@ fn tell(
     }
     match searches::posterior(&task.asked.plan, evaluator, basis, &problem, clock) {
         Ok(Ok(report)) => found.posterior = Some(report),
-        Ok(Err(message)) => found.warnings.push(untold("the posterior", &message)),
+        Ok(Err(message)) => found.warnings.push(untold(warning::Asked::Posterior, message)),
         Err(Halt::Stopped) => return Err(()),
-        Err(Halt::Failed(failure)) => found.warnings.push(untold("the posterior", &words(&failure))),
+        Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Posterior, words(&failure))),
     }
     Ok(())
 }
 
-fn untold(what: &str, why: &str) -> Warning {
-    Warning::new(warning::UNTOLD, format!("{what} could not be told: {why}"))
+fn untold(what: warning::Asked, why: String) -> Warning {
+    warning::Service::Untold { what, why }.into()
 }
 
 fn words(failure: &Failure) -> String {
@@ -297,55 +298,36 @@ fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Opti
     problem.channels().iter().enumerate().map(one).collect()
 }
 
-fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<String> {
+fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<Note> {
     let setup = model.setup();
-    let how = match (problem.misfit().compare, problem.misfit().slices) {
-        (Compare::Histories, _) => "Whole histories are compared, by full passages.",
-        (Compare::Peaks, true) => {
-            "Peaks are compared. Searches look for the model's at the places where a full passage has them, and at both neighbours, by \
-             static slices; where a search ends is verified by a full passage."
-        }
-        (Compare::Peaks, false) => "Peaks are compared, by full passages throughout.",
+    let compared = match (problem.misfit().compare, problem.misfit().slices) {
+        (Compare::Histories, _) => InUpdate::Histories,
+        (Compare::Peaks, true) => InUpdate::PeaksBySlices,
+        (Compare::Peaks, false) => InUpdate::Peaks,
     };
-    let mut said = vec![
-        how.to_owned(),
-        "Weights are found once, at the start model, and held. A parameter on a bound is never called converged."
-            .to_owned(),
-        format!("An axle is carried by {:.3} m of the bridge's width; every peak goes with it.", setup.effective_width),
-        match plan.common_gain_deviation {
-            0.0 => "Axle loads and that width count as exact (`common_gain_deviation = 0`): no interval holds an error of theirs.".to_owned(),
-            deviation => format!(
-                "What is found goes with the axle loads of the file and that width. Both together are taken to be known to {} % (standard \
-                 deviation, `common_gain_deviation`): one gain for all channels and all runs, which every interval holds.",
-                (1e5 * deviation).round() / 1e3
-            ),
-        },
-    ];
-    if model.moves() {
-        said.push("A parameter moves mesh or loads: both are made anew for every evaluation.".to_owned());
-    }
-    said.extend(setup.assumptions.iter().cloned());
-    said
+    let gain = match plan.common_gain_deviation {
+        0.0 => InUpdate::NoCommonGain,
+        deviation => InUpdate::CommonGain { deviation },
+    };
+    let said = [compared, InUpdate::Weights, InUpdate::Width { width: setup.effective_width }, gain];
+    let anew = model.moves().then_some(InUpdate::MadeAnew);
+    said.into_iter().chain(anew).map(Note::from).chain(setup.assumptions.iter().cloned()).collect()
 }
 
 /// What a reader should look at before using the numbers.
 fn warn(found: &mut Update) {
     let mut said = Vec::new();
-    let synthetic: Vec<&str> =
-        found.records.runs.iter().filter(|run| run.synthetic.is_some()).map(|run| run.name.as_str()).collect();
-    if !synthetic.is_empty() {
-        let message = format!("records that were computed and not measured: {}", synthetic.join(", "));
-        said.push(Warning::new(warning::SYNTHETIC, message));
+    let synthetic = found.records.runs.iter().filter(|run| run.synthetic.is_some());
+    let records: Vec<String> = synthetic.map(|run| run.name.clone()).collect();
+    if !records.is_empty() {
+        said.push(warning::Service::Synthetic { records });
     }
     if let Some(best) = found.found() {
-        for parameter in best.parameters.iter().filter(|parameter| parameter.at_bound) {
-            let message = format!("{} stands on a bound of its range and has not converged", parameter.name);
-            said.push(Warning::new(warning::AT_BOUND, message));
-        }
+        let at_bound = best.parameters.iter().filter(|parameter| parameter.at_bound);
+        said.extend(at_bound.map(|one| warning::Service::AtBound { parameter: one.name.clone() }));
         if !best.wandered.is_empty() {
-            let message = format!("peaks outside the slices of the search: {}", best.wandered.join(", "));
-            said.push(Warning::new(warning::WANDERED, message));
+            said.push(warning::Service::Wandered { peaks: best.wandered.clone() });
         }
     }
-    found.warnings.extend(said);
+    found.warnings.extend(said.into_iter().map(Warning::from));
 }

@@ -7,6 +7,7 @@
 use super::cracked::{Lines, most_loaded};
 use crate::vehicles::Chosen;
 use bridge::{Bridge, Carriageway, Sideways};
+use outcome::note;
 use outcome::vehicles::Across;
 use rules::{EffectiveWidth, Rule, Ways};
 
@@ -40,13 +41,12 @@ pub fn room(bridge: &Bridge, chosen: &Chosen) -> (usize, f64) {
 /// What a vehicle is wider than its wheels are apart [m] (HB: 3.5 m, wheels over 3.0 m).
 const BODY: f64 = 0.5;
 
-/// What is said of forces across the bridge.
-pub fn across_told(bridge: &Bridge) -> &'static str {
+/// What is done with forces across the bridge.
+pub fn sideways(bridge: &Bridge) -> note::Sideways {
     let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
-    if sideways.eccentricity(bridge.gravity).0 > 0.0 {
-        "centrifugal and side forces count by the load that they move across the bridge, and not as forces on walls, parapets and piers"
-    } else {
-        "curvature and wind are left out"
+    match sideways.eccentricity(bridge.gravity).0 > 0.0 {
+        true => note::Sideways::Counted,
+        false => note::Sideways::LeftOut,
     }
 }
 

@@ -12,6 +12,7 @@ use crate::analysis::parallel::Portion;
 use crate::vehicles::{BesideLane, Chosen, named_beside};
 use bridge::{Bridge, SweepPlan};
 use mechanics::watch::Watch;
+use outcome::note;
 use outcome::vehicles::{Swept, Weights};
 use rules::Rule;
 
@@ -75,19 +76,15 @@ pub fn loaded(
 }
 
 /// What is assumed of lanes beside, in words.
-pub fn told(vehicles: &[Chosen]) -> Vec<String> {
-    let each = vehicles.iter().filter_map(|chosen| {
+pub fn told(vehicles: &[Chosen]) -> impl Iterator<Item = note::Moving> {
+    vehicles.iter().filter_map(|chosen| {
         let (lane, rule) = (chosen.beside.as_ref()?, chosen.acting.beside.as_ref()?);
-        Some(format!(
-            "In the lanes beside {} stands {} with {} of its factored loads, wherever it is worst: on the width that both share it counts as \
-             {:.2} times the vehicle, by 1/λ = 1/λ₁ + 1/λ₂ of what each carries by itself, a lower bound ({}, {}).",
-            chosen.vehicle.code,
-            lane.code,
-            rule.share,
-            lane.share,
-            rule.source.text,
-            rule.source.confidence.word()
-        ))
-    });
-    each.collect()
+        Some(note::Moving::LanesBeside {
+            vehicle: chosen.vehicle.code.clone(),
+            beside: lane.code.clone(),
+            loads: rule.share,
+            times: lane.share,
+            source: rule.source.clone(),
+        })
+    })
 }

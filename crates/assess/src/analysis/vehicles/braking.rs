@@ -1,5 +1,6 @@
 //! The worst of several runs of the same vehicles: with and without braking and traction, with and without what helps the bridge.
 
+use outcome::note::{self, Sideways};
 use outcome::sweep::Ended;
 use outcome::vehicles::VehicleSweep;
 use outcome::warning;
@@ -25,14 +26,9 @@ pub fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
 }
 
 /// Of runs with and without braking and traction, the worst for each vehicle.
-pub fn worst(share: f64, across: &str, runs: &[VehicleSweep]) -> VehicleSweep {
+pub fn worst(share: f64, sideways: Sideways, runs: &[VehicleSweep]) -> VehicleSweep {
     let (_, mut found) = worst_of(runs);
-    found.warnings.retain(|warning| warning.code != warning::NO_LONGITUDINAL);
-    found.assumptions.push(format!(
-        "Braking and traction: {:.0} % of every axle and uniform load acts along the bridge at the surface as well, to the right, to the left or \
-         not at all, whichever is worst for a vehicle; all of it reaches the rings, and none the ground before and behind. Of forces across \
-         the bridge: {across}.",
-        100.0 * share
-    ));
+    found.warnings.retain(|warning| warning.code() != warning::NO_LONGITUDINAL);
+    found.assumptions.push(note::Moving::Braking { share, sideways }.into());
     found
 }

@@ -12,6 +12,7 @@ use crate::vehicles::{Chosen, Refused, chosen};
 use bridge::{Bridge, Directions, SweepPlan};
 use mechanics::limit::{Effect, Friction, Ground, Level, Starts, Status, Sweeper};
 use mechanics::watch::Unwatched;
+use outcome::note;
 use outcome::vehicles::{Case, Direction, Weights};
 use rules::Rule;
 use structure::discretise::Discretised;
@@ -103,10 +104,9 @@ impl Driven {
         format!("factors: {}", told.join(", "))
     }
 
-    /// Which width carries an axle, in words.
-    pub fn width(&self, bridge: &Bridge) -> String {
-        let across = self.foot(bridge).across;
-        format!("{:.2} m of the barrel carry an axle: {}.", across.axles, across.told())
+    /// Which width carries an axle.
+    pub fn width(&self, bridge: &Bridge) -> note::Moving {
+        note::Moving::Width { across: self.foot(bridge).across }
     }
 }
 

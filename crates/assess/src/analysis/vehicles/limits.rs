@@ -4,34 +4,29 @@ use super::across;
 use crate::vehicles::Chosen;
 use bridge::Bridge;
 use outcome::vehicles::VehicleSweep;
-use outcome::warning::{self, Warning};
-use rules::{Confidence, Ways};
+use outcome::warning::{self, Braking, Lanes, TooLong, Warning};
+use rules::{Confidence, Source, Ways};
 
 /// Warnings of what vehicles rest on and of what is left out. `beyond`: load models left out because of their spans.
-pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[String]) -> Vec<Warning> {
+pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[TooLong]) -> Vec<Warning> {
     let mut list = Vec::new();
     // Vehicles with the same source together.
-    let mut doubtful: Vec<(String, Vec<&str>)> = Vec::new();
-    for chosen in vehicles {
-        let source = &chosen.source;
-        if !matches!(source.confidence, Confidence::Read) {
-            let note = if source.note.is_empty() { String::new() } else { format!("; {}", source.note) };
-            let said = format!("({}): {}{note}", source.confidence.word(), source.text);
-            match doubtful.iter_mut().find(|(known, _)| *known == said) {
-                Some((_, codes)) => codes.push(&chosen.vehicle.code),
-                None => doubtful.push((said, vec![&chosen.vehicle.code])),
-            }
+    let mut sources: Vec<(Vec<String>, Source)> = Vec::new();
+    for chosen in vehicles.iter().filter(|chosen| chosen.source.confidence != Confidence::Read) {
+        let (code, source) = (chosen.vehicle.code.clone(), &chosen.source);
+        let same = |known: &Source| {
+            (known.confidence, &known.text, &known.note) == (source.confidence, &source.text, &source.note)
+        };
+        match sources.iter_mut().find(|(_, known)| same(known)) {
+            Some((codes, _)) => codes.push(code),
+            None => sources.push((vec![code], source.clone())),
         }
     }
-    let doubtful: Vec<String> =
-        doubtful.into_iter().map(|(said, codes)| format!("{} {said}", codes.join(", "))).collect();
-    if !doubtful.is_empty() {
-        let message = format!("axles and distances that were not read in their standard: {}", doubtful.join(". "));
-        list.push(Warning::new(warning::VEHICLE_NOT_READ, message));
+    if !sources.is_empty() {
+        list.push(warning::Vehicles::NotRead { sources }.into());
     }
     if !beyond.is_empty() {
-        let message = format!("spans of this bridge are too long for load models of the rule: {}", beyond.join("; "));
-        list.push(Warning::new(warning::SPAN_TOO_LONG, message));
+        list.push(warning::Vehicles::SpanTooLong { models: beyond.to_vec() }.into());
     }
     if bridge.carriageway.as_ref().is_none_or(|asked| asked.lanes.is_none() || asked.edge_distance.is_none()) {
         let mut ways: Vec<Ways> = Vec::new();
@@ -40,60 +35,23 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
                 ways.push(v.ways);
             }
         });
-        let told: Vec<String> = ways.into_iter().map(|ways| assumed(bridge, ways)).collect();
-        let message = format!("the file does not say where vehicles may stand across the bridge: {}", told.join("; "));
-        list.push(Warning::new(warning::ACROSS_ASSUMED, message));
+        let ways = ways.into_iter().map(|ways| assumed(bridge, ways)).collect();
+        list.push(warning::Vehicles::AcrossAssumed { ways }.into());
     }
     list.extend(crate::analysis::caveats::skew(bridge));
     let rail = vehicles.iter().any(|v| v.ways == Ways::Rail);
-    let words = match bridge.sweep.as_ref().filter(|plan| plan.braking_given) {
-        Some(plan) => {
-            let reason = plan.braking_reason.as_ref().map_or(String::new(), |reason| format!(" ({reason})"));
-            format!("the file writes braking = 0{reason}")
-        }
-        None if rail => "braking and traction of trains are left out".to_owned(),
-        None => "braking is left out".to_owned(),
+    let braking = match bridge.sweep.as_ref().filter(|plan| plan.braking_given) {
+        Some(plan) => Braking::Written(plan.braking_reason.clone()),
+        None if rail => Braking::OfTrains,
+        None => Braking::OfRoad,
     };
-    list.push(Warning::new(
-        warning::NO_LONGITUDINAL,
-        format!("loads stand vertically: {words}; {}", across::across_told(bridge)),
-    ));
+    list.push(warning::Vehicles::NoLongitudinal { braking, sideways: across::sideways(bridge) }.into());
     list
 }
 
 /// What was assumed of lanes and edges.
-fn assumed(bridge: &Bridge, ways: Ways) -> String {
-    let (lanes, apart) = across::lanes(bridge, ways);
+fn assumed(bridge: &Bridge, ways: Ways) -> Lanes {
     let given = bridge.carriageway.clone().unwrap_or_default();
-    let (what, abreast) = match ways {
-        Ways::Road => ("vehicles on a road", "abreast"),
-        Ways::Rail => ("trains", "on tracks"),
-    };
-    let lanes = match (given.lanes, lanes) {
-        (Some(_), _) => String::new(),
-        (None, 1) => format!("{what}: one at a time"),
-        (None, count) => format!("{what}: up to {count} {abreast}, {apart} m apart"),
-    };
-    let edge = match given.edge_distance {
-        Some(_) => "",
-        None => "none nearer to the edge than its load spreads",
-    };
-    [lanes.as_str(), edge].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
-}
-
-/// How vehicles stand across the bridge, in words.
-pub fn across(found: &VehicleSweep) -> String {
-    let mut list: Vec<(String, Vec<&str>)> = Vec::new();
-    for v in &found.vehicles {
-        let told = v.across.told();
-        match list.iter_mut().find(|(known, _)| *known == told) {
-            Some((_, codes)) => codes.push(&v.code),
-            None => list.push((told, vec![&v.code])),
-        }
-    }
-    let each = list.iter().map(|(told, codes)| match list.len() {
-        1 => told.clone(),
-        _ => format!("{told} ({})", codes.join(", ")),
-    });
-    format!("{}.", each.collect::<Vec<_>>().join("; "))
+    let abreast = given.lanes.is_none().then(|| across::lanes(bridge, ways));
+    Lanes { ways, abreast, open_edge: given.edge_distance.is_none() }
 }

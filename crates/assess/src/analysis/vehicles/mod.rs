@@ -48,9 +48,10 @@ use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::{Bridge, JointContact, Method};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
+use outcome::note::{self, Governing, Note};
 use outcome::sweep::Ended;
 use outcome::vehicles::{Case, Swept, VehicleSweep};
-use outcome::warning::{self, Warning};
+use outcome::warning::{self, OpenPositions, RecalledFactor, Warning};
 use rules::{Acting, Confidence, Rule, Source};
 use structure::discretise::DiscretiseError;
 
@@ -82,7 +83,7 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
             break;
         }
     }
-    Ok(braking::worst(share, across::across_told(bridge), &runs))
+    Ok(braking::worst(share, across::sideways(bridge), &runs))
 }
 
 /// Moves vehicles with one share of their loads along the bridge.
@@ -158,7 +159,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
         found.collapse = Some(Box::new(run));
     }
     notes(bridge, &vehicles, &mut found);
-    found.assumptions.extend(beside::told(&vehicles));
+    found.assumptions.extend(beside::told(&vehicles).map(Note::from));
     found.warnings.extend(taken);
     Ok(found)
 }
@@ -194,22 +195,13 @@ pub(super) fn case_by_itself(
 
 fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     let rule = &found.rule;
-    let uncertain = uncertain(rule, &found.vehicles);
-    if !uncertain.is_empty() {
-        found.warnings.push(Warning::new(
-            warning::RECALLED_FACTOR,
-            format!(
-                "factors of rule \"{}\" that must be confirmed in their source: {}",
-                rule.code,
-                uncertain.join(", ")
-            ),
-        ));
+    let factors = uncertain(rule, &found.vehicles);
+    if !factors.is_empty() {
+        found.warnings.push(warning::Vehicles::Recalled { rule: rule.code.clone(), factors }.into());
     }
     for chosen in vehicles.iter().filter(|chosen| !rule.ways.contains(&chosen.ways)) {
-        found.warnings.push(Warning::new(
-            warning::RULE_FOR_OTHER_WAYS,
-            format!("rule \"{}\" is not made for vehicle \"{}\"", rule.code, chosen.vehicle.code),
-        ));
+        let (rule, vehicle) = (rule.code.clone(), chosen.vehicle.code.clone());
+        found.warnings.push(warning::Vehicles::OtherWays { rule, vehicle }.into());
     }
     found.warnings.extend(not_converged(&found.vehicles));
     // What is to be said of the governing case is to be said of the sweep.
@@ -219,96 +211,65 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     found.warnings.extend(limits::of_vehicles(bridge, vehicles, found, &beyond));
     found.warnings.extend(near_the_limit(found));
     let slides = found.vehicles.iter().filter(|v| v.without_dilation.is_some()).count();
-    found.assumptions = vec![
-        "The adequacy factor multiplies all loads of the vehicle together; weights stay as they are.".into(),
-        of_weights(found),
-        format!(
-            "Positions lie {:.3} m apart; the worst one is then sought to a hundredth of that. Between positions the factor changes \
-             steadily.",
-            found.step
-        ),
-        "Uniform loads that may be left out stand on any run of half spans; those of a lane spread over its width, others over that of \
-         an axle."
-            .into(),
-        "Across the bridge vehicles stand where they load a metre of its width most: ".to_owned() + &limits::across(found),
-        "Concurrent values at critical joints are those of elastic blocks whose joints open nowhere, under the vehicle with its factors."
-            .to_owned()
-            + &sections::outside(found.vehicles.iter().flat_map(|v| &v.sections)),
-    ];
+    let assumed = [note::Moving::Adequacy].into_iter().chain(of_weights(found)).chain([
+        note::Moving::PositionsOfVehicles { apart: found.step },
+        note::Moving::UniformLoads,
+        note::Moving::Across { vehicles: found.vehicles.iter().map(|v| (v.code.clone(), v.across.clone())).collect() },
+        sections::outside(found.vehicles.iter().flat_map(|v| &v.sections)),
+    ]);
+    found.assumptions = assumed.map(Note::from).collect();
     if found.vehicles.iter().any(|v| v.by_interior_point > 0) {
-        found.assumptions.push(format!(
-            "Where cases had to be left to the slower method, those were not answered whose upper bound, by the mechanisms met before, lies \
-             more than {} times above the least factor at the position, and as many times more as such bounds lay too high at the position \
-             before.",
-            search::FAR_ABOVE
-        ));
+        found.assumptions.push(note::Moving::FarAbove { times: search::FAR_ABOVE }.into());
     }
     if slides > 0 {
-        found.assumptions.push(format!(
-            "For {} joints slide in cases up to twice the least factor: the three worst of these were answered again \
-             without dilation, and the least factor counts.",
-            findings::words::counted(slides, "vehicle")
-        ));
+        found.assumptions.push(note::Moving::Sliding { vehicles: slides }.into());
     }
     found.warnings.extend(told::broken_off(&found.vehicles));
-    found.assumptions.push(told::assumed(&found.vehicles));
+    found.assumptions.push(told::assumed(&found.vehicles).into());
     if found.discrete_elements.is_some() && bridge.plan.contact != Some(JointContact::Distributed) {
-        found.warnings.push(super::notes::of_two_points());
+        found.warnings.push(warning::Joints::TwoPoints.into());
     }
-    if let Some(inset) = found.discrete_elements.as_ref().and_then(|c| c.inset) {
-        found.assumptions.push(format!(
-            "Discrete elements bear on contact points {:.0} mm inside the edges of the blocks, where the thrusts of limit analysis at \
-             its hinges would crush the masonry.",
-            1e3 * inset
-        ));
+    if let Some(by) = found.discrete_elements.as_ref().and_then(|c| c.inset) {
+        found.assumptions.push(note::Moving::Inset { by }.into());
     }
     if bridge.continuum.is_some() {
-        found.assumptions.push(
-            "Fill yields as a continuum: at up to 49 positions of each drive the whole vehicle, and what governs there with fill as weight \
-             and dispersal, stand on it over the width to which axles disperse; then every combination of weights at the worst of these \
-             positions, and the positions left out beside it. Factors are lower bounds, and the smaller of both models counts; elsewhere \
-             fill is weight. One wheel by itself is not asked."
-                .into(),
-        );
+        found.assumptions.push(note::Soil::InSweepOfVehicles.into());
     }
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
-        found.assumptions.push("Fill presses against movement as [fill_pressure] says.".into());
+        found.assumptions.push(note::Fill::PressesInSweep.into());
     }
-    let mut factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
-    for (models, acting) in by_acting(&found.vehicles) {
-        factors.push(format!("on loads of {models}: live load {}, impact {}", acting.live_load.value, acting.told()));
-    }
-    found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
+    let factors = rule.listed().iter().map(|(name, f)| ((*name).to_owned(), f.value)).collect();
+    let acting = by_acting(&found.vehicles).into_iter().map(|(models, acting)| (models, acting.clone())).collect();
+    let told = note::Moving::Rule { code: rule.code.clone(), factors, acting };
+    found.assumptions.push(told.into());
 }
 
 /// What is to be said of vehicles with positions that were not answered.
 fn not_converged(all: &[Swept]) -> Option<Warning> {
-    let told = |of: &Swept| {
-        let bound = of.adequacy_at_most.map_or(String::new(), |most| format!(", its factor at most {most:.3}"));
-        format!("{} ({} of {}{bound})", of.code, of.positions_not_converged, of.envelope.len())
+    let told = |of: &Swept| OpenPositions {
+        code: of.code.clone(),
+        open: of.positions_not_converged,
+        of: of.envelope.len(),
+        at_most: of.adequacy_at_most,
     };
-    let open: Vec<String> = all.iter().filter(|of| of.positions_not_converged > 0).map(told).collect();
-    (!open.is_empty()).then(|| {
-        let message =
-            format!("positions were not answered, and adequacy factors are not known: of {}", open.join(", "));
-        Warning::new(warning::POSITIONS_NOT_CONVERGED, message)
-    })
+    let vehicles: Vec<_> = all.iter().filter(|of| of.positions_not_converged > 0).map(told).collect();
+    (!vehicles.is_empty()).then(|| warning::Vehicles::PositionsOpen { vehicles }.into())
 }
 
 /// Factors that are recalled and not read, each with its value: the rule's, then those on the loads of the vehicles.
-fn uncertain(rule: &Rule, vehicles: &[Swept]) -> Vec<String> {
+fn uncertain(rule: &Rule, vehicles: &[Swept]) -> Vec<RecalledFactor> {
     let recalled = |source: &Source| source.confidence == Confidence::Recalled;
     let own = rule.listed().into_iter().filter(|(name, f)| *name != "live load" && recalled(&f.source));
-    let mut list: Vec<String> = own.map(|(name, f)| format!("{name} {}", f.value)).collect();
+    let mut list: Vec<_> = own.map(|(name, f)| RecalledFactor::Named(name.to_owned(), f.value)).collect();
     for (models, acting) in by_acting(vehicles) {
         if recalled(&acting.live_load.source) {
-            list.push(format!("live load {} ({models})", acting.live_load.value));
+            list.push(RecalledFactor::LiveLoad(acting.live_load.value, models.clone()));
         }
         if acting.sources().into_iter().any(recalled) {
-            list.push(format!("impact {} ({models})", acting.told()));
+            list.push(RecalledFactor::Impact(Box::new(acting.clone()), models.clone()));
         }
         if let Some(beside) = acting.beside.as_ref().filter(|beside| recalled(&beside.source)) {
-            list.push(format!("{} of {} in the lanes beside ({models})", beside.share, beside.vehicles.join(", ")));
+            list.push(RecalledFactor::Beside(beside.share, beside.vehicles.clone(), models));
         }
     }
     list
@@ -332,40 +293,25 @@ fn near_the_limit(found: &VehicleSweep) -> Option<Warning> {
     let governing = &found.vehicles.get(found.governing?)?.code;
     let second = found.discrete_elements.as_ref()?;
     let share = second.adequacy? / second.limit?;
-    let near: Vec<String> = found
-        .vehicles
-        .iter()
-        .filter_map(|v| Some((v, v.adequacy?)))
-        .filter(|(v, adequacy)| v.code != *governing && *adequacy >= 1.0 && adequacy * share < 1.0)
-        .map(|(v, adequacy)| format!("{} ({adequacy:.2}, then {:.2})", v.code, adequacy * share))
-        .collect();
-    (!near.is_empty()).then(|| {
-        let message = format!(
-            "discrete elements carry {share:.2} of the limit load of {governing}; with that share these would not be met: {}",
-            near.join(", ")
-        );
-        Warning::new(warning::NEAR_THE_LIMIT, message)
-    })
+    let met = found.vehicles.iter().filter_map(|v| Some((v.code.clone(), v.adequacy?)));
+    let near = met.filter(|(code, adequacy)| code != governing && *adequacy >= 1.0 && adequacy * share < 1.0);
+    let vehicles: Vec<_> = near.collect();
+    (!vehicles.is_empty())
+        .then(|| warning::Vehicles::NearTheLimit { governing: governing.clone(), share, vehicles }.into())
 }
 
 /// Which factors on weights were tried, and which govern.
-fn of_weights(found: &VehicleSweep) -> String {
-    let [first, ..] = &found.weights[..] else { return String::new() };
-    if found.weights.len() == 1 {
-        return format!("Dead load has one set of factors, also where it helps: {}.", first.told());
+fn of_weights(found: &VehicleSweep) -> Option<note::Moving> {
+    let combinations = found.weights.len();
+    if combinations == 1 {
+        return Some(note::Moving::OneWeight { weights: found.weights[0] });
     }
     let least = found.governing.and_then(|k| found.vehicles.get(k)).or(found.vehicles.first());
-    let governs = match least.and_then(|v| v.weights.map(|w| (v, w))) {
-        Some((v, w)) if v.adequacy.is_some() => format!("{} governs with {}", v.code, w.told()),
-        Some((v, w)) if v.status == Status::UnstableUnderSelfWeight => {
-            format!("with {} the bridge does not stand", w.told())
-        }
-        Some((v, _)) => format!("{} is not answered everywhere", v.code),
-        None => "no combination governs".to_owned(),
+    let governing = match least.and_then(|v| v.weights.map(|w| (v, w))) {
+        Some((v, weights)) if v.adequacy.is_some() => Governing::Vehicle { code: v.code.clone(), weights },
+        Some((v, weights)) if v.status == Status::UnstableUnderSelfWeight => Governing::Falls { weights },
+        Some((v, _)) => Governing::Unanswered { code: v.code.clone() },
+        None => Governing::Nothing,
     };
-    format!(
-        "Weights that help have the rule's favourable factor: each of {} combinations of adverse and favourable factors on masonry, fill and \
-         surfacing was tried at every position, and the least adequacy factor counts ({governs}).",
-        found.weights.len()
-    )
+    (combinations > 1).then_some(note::Moving::EveryWeight { combinations, governing })
 }

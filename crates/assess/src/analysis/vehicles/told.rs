@@ -2,8 +2,9 @@
 //! give assume and leave open.
 
 use bridge::{Bridge, Load, LoadKind};
+use outcome::note;
 use outcome::vehicles::{Case, Direction, Swept};
-use outcome::warning::{self, Warning};
+use outcome::warning::{self, BrokenPath, Warning};
 
 /// Vehicle, adequacy factor, direction and the places of what stands on the bridge `loaded` with the case.
 pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
@@ -45,35 +46,22 @@ fn axles(first: usize, last: usize, loads: &[Load]) -> String {
 pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
     let told = |one: &Swept| {
         let own = one.deformable.as_ref()?;
-        match (own.stands, own.broken_off) {
-            (false, _) if own.falls => Some(format!("{}: the blocks fall under their own weight", one.code)),
-            (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
-            (true, 0) => None,
-            (true, count) => {
-                Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len()))
-            }
-        }
+        let path = match (own.stands, own.broken_off) {
+            (false, _) if own.falls => BrokenPath::Falls,
+            (false, _) => BrokenPath::NotFound,
+            (true, 0) => return None,
+            (true, open) => BrokenPath::Positions { open, of: one.envelope.len() },
+        };
+        Some((one.code.clone(), path))
     };
-    let told: Vec<String> = all.iter().filter_map(told).collect();
-    (!told.is_empty()).then(|| {
-        let message = format!(
-            "on deformable joints: {}. The last state in balance counts where a path broke off, and more may be carried",
-            told.join("; ")
-        );
-        Warning::new(warning::PATHS_BROKEN_OFF, message)
-    })
+    let vehicles: Vec<_> = all.iter().filter_map(told).collect();
+    (!vehicles.is_empty()).then(|| warning::Vehicles::PathsBrokenOff { vehicles }.into())
 }
 
 /// What following deformable joints assumes, or that they were not followed.
-pub(super) fn assumed(all: &[Swept]) -> String {
-    if all.iter().all(|one| one.deformable.is_none()) {
-        return crate::analysis::sweep::RIGID.to_owned();
+pub(super) fn assumed(all: &[Swept]) -> note::Moving {
+    match all.iter().all(|one| one.deformable.is_none()) {
+        true => note::Moving::RigidAlone,
+        false => note::Moving::DeformableJointsOfVehicles,
     }
-    "On deformable joints what governs for rigid blocks is followed at every position, up to four times the least factor of rigid blocks; \
-     of all that may stand there, and of what governs beside it, it is asked whether it carries as much, from the states of similar loads. \
-     At the worst position axles, uniform loads, factors on weights and critical axle are varied one after the other, and each is followed. \
-     The smaller adequacy factor of \
-     both methods counts. States in service are sought in what governs for rigid blocks and in all that may stand there, at every position, and in what is varied at the worst one: \
-     other runs of axles may come to them under less load. They are told where they are met below the least factor of rigid blocks. Fill acts by its weight alone there."
-        .to_owned()
 }

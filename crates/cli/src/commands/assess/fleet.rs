@@ -166,18 +166,26 @@ fn default_for(folder: &Path) -> PathBuf {
     Path::new("out").join(format!("{}-fleet", name.unwrap_or_else(|| "bridges".to_owned())))
 }
 
-/// Bridge files of a folder: every .toml that is no block model and no list of vehicles, not looked for in folders below.
+/// Bridge files of a folder: every .toml that is no block model and no file of vehicles or rule, not looked for in folders below.
 fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = fs::read_dir(folder).map_err(|error| Failure::unreadable(folder, &error))?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.is_file() && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
-    files.retain(|path| read_text(path).map_or(true, |text| !bridge::is_block_file(&text)));
+    files.retain(|path| {
+        read_text(path).map_or(true, |text| !bridge::is_block_file(&text) && !is_beside_a_bridge(&text))
+    });
     files.sort();
     if files.is_empty() {
         let message = format!("the folder {} holds no bridge file (.toml)", folder.display());
         return Err(Failure::input("F101", message, "put one file for each bridge into it"));
     }
     Ok(files)
+}
+
+/// Whether a text is a file of vehicles or a rule, which stands beside the bridge file that names it.
+fn is_beside_a_bridge(text: &str) -> bool {
+    let begins = |what: &str| text.lines().any(|line| line.trim_start().starts_with(what));
+    !begins("[bridge]") && (begins("[[vehicle]]") || begins("[factors."))
 }
 
 /// The folder of a bridge below that of the fleet: its file's name without the ending, and with it where two differ by that or by

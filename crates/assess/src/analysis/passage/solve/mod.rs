@@ -18,6 +18,7 @@ use mechanics::fem::{Kinematics, Model, Outcome, State, Status, Step};
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::note::Note;
 use outcome::passage::{Influence, Moment, Part, PassageStatus, StepLog};
 use outcome::warning::Warning;
 use std::borrow::Cow;
@@ -47,7 +48,7 @@ pub struct Solution {
     /// Influence lines, where they were computed.
     pub influence: Option<Influence>,
     /// What the solver assumed, in words.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }

@@ -1,0 +1,134 @@
+//! What a result assumes, as data: each kind of note has its numbers [SI] and, beside them, the one sentence that says it. Files keep the
+//! data; the published formats and the reports print the sentence, and nothing reads it back.
+
+mod barrel;
+mod blocks;
+mod defect;
+mod fill;
+mod passage;
+mod soil;
+mod state;
+mod update;
+mod vehicles;
+
+pub use barrel::Barrel;
+pub use blocks::{Blocks, Bond, FiniteStones};
+pub use defect::{DefectNote, place_of_defect, words_of_defect};
+pub use fill::Fill;
+pub use passage::{InPassage, JointShear};
+pub use soil::Soil;
+pub use state::{Size, State};
+pub use update::InUpdate;
+pub use vehicles::{Governing, Moving, Sideways};
+
+use serde::{Deserialize, Serialize};
+
+/// Notes of one subject: `Name { number [unit]: Type } => "sentence", its arguments;`. The sentence is the documentation too.
+macro_rules! notes {
+    ($(#[$meta:meta])* $Subject:ident {
+        $($(#[$about:meta])* $Name:ident $({ $($field:ident $([$($unit:tt)+])? : $Type:ty),* })? => $words:literal $(, $part:expr)*;)*
+    }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+        pub enum $Subject {
+            $($(#[$about])* #[doc = $words] $Name $({ $(#[doc = concat!(stringify!($field) $(, " [", stringify!($($unit)+), "]")?)] $field: $Type,)* })?,)*
+        }
+
+        impl std::fmt::Display for $Subject {
+            fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                match self { $($Subject::$Name $({ $($field),* })? => write!(to, $words $(, $part)*),)* }
+            }
+        }
+    };
+}
+
+/// What has several subjects, each of which is a kind of it.
+macro_rules! subjects {
+    ($(#[$meta:meta])* pub enum $Name:ident { $($(#[$about:meta])* $Subject:ident,)* }) => {
+        $(#[$meta])*
+        pub enum $Name { $($(#[$about])* $Subject($Subject),)* }
+
+        impl std::fmt::Display for $Name {
+            fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                match self { $($Name::$Subject(one) => one.fmt(to),)* }
+            }
+        }
+
+        $(impl From<$Subject> for $Name {
+            fn from(one: $Subject) -> $Name {
+                $Name::$Subject(one)
+            }
+        })*
+    };
+}
+
+pub(crate) use {notes, subjects};
+
+subjects! {
+    /// An assumption or a caveat of a result.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub enum Note {
+        /// Supports, spans, cracks, walls and what a plane model leaves out.
+        Barrel,
+        /// Blocks and joints, by the method.
+        Blocks,
+        /// Defects of rings.
+        DefectNote,
+        /// Fill, backing, water, road and dispersal.
+        Fill,
+        /// Trains that pass.
+        InPassage,
+        /// Model updating.
+        InUpdate,
+        /// Loads and vehicles that move.
+        Moving,
+        /// Fill that yields as a continuum.
+        Soil,
+        /// What helps a bridge and may come and go.
+        State,
+    }
+}
+
+/// The sentences of notes.
+pub fn words(notes: &[Note]) -> Vec<String> {
+    notes.iter().map(Note::to_string).collect()
+}
+
+/// A load as sentences have it [kN/m].
+pub(crate) fn kilo(load: f64) -> String {
+    format!("{:.2}", load / 1e3)
+}
+
+/// "a, b, c".
+pub(crate) fn listed<T: std::fmt::Display>(all: impl IntoIterator<Item = T>) -> String {
+    all.into_iter().map(|one| one.to_string()).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::help::Help;
+
+    #[test]
+    fn notes_are_data_in_files_and_sentences_for_readers() {
+        let notes: [Note; 4] = [
+            Blocks::FrictionNonAssociated { associated_load: Some(12_345.0) }.into(),
+            Barrel::Cracks { strips: vec![2.0, 2.5] }.into(),
+            State::Counted { helps: vec![Help::Water], without: Size::Load(2e4), with: Size::Load(1e4) }.into(),
+            InPassage::Mortar { shear: JointShear::Friction([(0.5, 1e3), (0.5, 0.0)]) }.into(),
+        ];
+        let kept = serde_json::to_string(&notes).unwrap();
+        assert_eq!(serde_json::from_str::<Vec<Note>>(&kept).unwrap(), notes);
+        let [friction, cracks, counted, mortar] = notes.map(|note| note.to_string());
+        assert!(friction.ends_with("2006); the associated load is 12.35 kN/m."), "{friction}");
+        assert!(
+            cracks.starts_with("Longitudinal cracks through the barrel leave strips of 2.00 m, 2.50 m: each"),
+            "{cracks}"
+        );
+        assert_eq!(counted, "Without water in the fill the bridge would carry 20.00 kN/m in place of 10.00 kN/m.");
+        assert!(
+            mortar.contains("[joint], tan 28.6° and 1.0 kPa (tan 28.6° and 0.0 kPa between rings): nothing"),
+            "{mortar}"
+        );
+    }
+}

@@ -1,0 +1,23 @@
+//! Model updating.
+
+use super::notes;
+
+notes! {
+    /// What an update assumes.
+    InUpdate {
+        Histories => "Whole histories are compared, by full passages.";
+        /// Peaks, by slices.
+        PeaksBySlices => "Peaks are compared. Searches look for the model's at the places where a full passage has them, and at both \
+                          neighbours, by static slices; where a search ends is verified by a full passage.";
+        /// Peaks, by full passages.
+        Peaks => "Peaks are compared, by full passages throughout.";
+        Weights => "Weights are found once, at the start model, and held. A parameter on a bound is never called converged.";
+        Width { width [m]: f64 } => "An axle is carried by {width:.3} m of the bridge's width; every peak goes with it.";
+        NoCommonGain => "Axle loads and that width count as exact (`common_gain_deviation = 0`): no interval holds an error of theirs.";
+        CommonGain { deviation: f64 } =>
+            "What is found goes with the axle loads of the file and that width. Both together are taken to be known to {} % (standard \
+             deviation, `common_gain_deviation`): one gain for all channels and all runs, which every interval holds.",
+            (1e5 * deviation).round() / 1e3;
+        MadeAnew => "A parameter moves mesh or loads: both are made anew for every evaluation.";
+    }
+}
