@@ -172,7 +172,8 @@ fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.is_file() && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     files.retain(|path| {
-        read_text(path).map_or(true, |text| !bridge::is_block_file(&text) && !is_beside_a_bridge(&text))
+        read_text(path)
+            .map_or(true, |text| !bridge::is_block_file(&text) && !is_beside_a_bridge(&String::from_utf8_lossy(&text)))
     });
     files.sort();
     if files.is_empty() {
