@@ -65,19 +65,19 @@ pub fn assessment(a: &Assessment) -> Object {
         }),
         statics?: a.statics.as_ref().map(statics),
         sensitivity?: facts.sensitivity.made(),
-        service?: facts.service.made().map(|facts| told(facts, &facts.assumptions, &facts.warnings)),
+        service?: facts.service.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
         collapse?: facts.ultimate.made().and_then(|facts| of(&facts.collapse)),
         shortened?: facts.ultimate.made().map(|facts| &facts.shortened),
-        vehicles?: facts.vehicles.made().map(|facts| told(facts, &facts.assumptions, &facts.warnings)),
-        cases?: facts.cases.made().map(|facts| told(facts, &facts.assumptions, &facts.warnings)),
+        vehicles?: facts.vehicles.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
+        cases?: facts.cases.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
         support_movement?: facts.movement.made().and_then(|facts| of(&facts.collapse)),
         update?: facts.update.made().and_then(|facts| facts.update.as_deref()).map(update),
     }
 }
 
-/// Facts with the sentences of their notes; a warning is a pair, code and sentence.
-fn told(facts: &impl Serialize, assumptions: &[Note], warnings: &[Warning]) -> Value {
-    let mut value = json!(facts);
+/// What was found as it is kept, but for its notes: assumptions are sentences, a warning is a pair of code and sentence.
+pub fn with_sentences(found: &impl Serialize, assumptions: &[Note], warnings: &[Warning]) -> Value {
+    let mut value = json!(found);
     value["assumptions"] = json!(note::words(assumptions));
     value["warnings"] = warnings.iter().map(|warning| json!([warning.code(), warning.message()])).collect();
     value
@@ -172,7 +172,7 @@ mod tests {
         let (note, warning) = (note::Moving::Adequacy, Joints::TwoPoints);
         let (assumptions, warnings) = (vec![note.clone().into()], vec![warning.clone().into()]);
         let facts = VehicleFacts { assumptions, warnings, ..VehicleFacts::default() };
-        let value = told(&facts, &facts.assumptions, &facts.warnings);
+        let value = with_sentences(&facts, &facts.assumptions, &facts.warnings);
         assert_eq!(value["assumptions"], json!([note.to_string()]));
         assert_eq!(value["warnings"], json!([["A176", warning.to_string()]]));
     }
