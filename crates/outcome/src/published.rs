@@ -15,7 +15,7 @@ mod validation;
 mod vary;
 mod vehicles;
 
-pub use assess::{assessment, checks_table};
+pub use assess::{assessment, checks_table, with_sentences};
 pub use calibration::{calibration, calibration_curves, calibration_moduli};
 pub use collapse::{collapse, strip};
 pub use particles::{particle_contacts, particles};

@@ -102,7 +102,10 @@ impl Answer {
     /// Of the passage of a train.
     pub fn passage(project: &Project, found: Passage) -> Answer {
         let head = ("extrados.respond/1", found.status.word());
-        let passage = if found.status == PassageStatus::Cancelled { Value::Null } else { json!(found) };
+        let passage = match found.status {
+            PassageStatus::Cancelled => Value::Null,
+            _ => published::with_sentences(&found, &found.assumptions, &found.warnings),
+        };
         let made = Answer::new(project, head, published::passage(&found), &found.warnings, written::passage(&found));
         Answer { passage, ..made }
     }

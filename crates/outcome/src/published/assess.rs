@@ -5,8 +5,11 @@ use crate::assessment::Assessment;
 use crate::checked::{Checked, Comparison, governing};
 use crate::collapse::Collapse;
 use crate::condition::Condition;
-use crate::note;
+use crate::note::{self, Note};
 use crate::statics::Statics;
+use crate::warning::Warning;
+use serde::Serialize;
+use serde_json::{Value, json};
 
 /// The result of an assessment; its status is that of the command.
 pub fn assessment(a: &Assessment) -> Object {
@@ -62,14 +65,22 @@ pub fn assessment(a: &Assessment) -> Object {
         }),
         statics?: a.statics.as_ref().map(statics),
         sensitivity?: facts.sensitivity.made(),
-        service?: facts.service.made(),
+        service?: facts.service.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
         collapse?: facts.ultimate.made().and_then(|facts| of(&facts.collapse)),
         shortened?: facts.ultimate.made().map(|facts| &facts.shortened),
-        vehicles?: facts.vehicles.made(),
-        cases?: facts.cases.made(),
+        vehicles?: facts.vehicles.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
+        cases?: facts.cases.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
         support_movement?: facts.movement.made().and_then(|facts| of(&facts.collapse)),
         update?: facts.update.made().and_then(|facts| facts.update.as_deref()).map(update),
     }
+}
+
+/// What was found as it is kept, but for its notes: assumptions are sentences, a warning is a pair of code and sentence.
+pub fn with_sentences(found: &impl Serialize, assumptions: &[Note], warnings: &[Warning]) -> Value {
+    let mut value = json!(found);
+    value["assumptions"] = json!(note::words(assumptions));
+    value["warnings"] = warnings.iter().map(|warning| json!([warning.code(), warning.message()])).collect();
+    value
 }
 
 /// Weights and reactions at rest, per metre of width.
@@ -148,4 +159,21 @@ pub fn checks_table(checked: &[Checked]) -> String {
         }
     }
     csv
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::facts::VehicleFacts;
+    use crate::warning::Joints;
+
+    #[test]
+    fn facts_are_published_with_sentences() {
+        let (note, warning) = (note::Moving::Adequacy, Joints::TwoPoints);
+        let (assumptions, warnings) = (vec![note.clone().into()], vec![warning.clone().into()]);
+        let facts = VehicleFacts { assumptions, warnings, ..VehicleFacts::default() };
+        let value = with_sentences(&facts, &facts.assumptions, &facts.warnings);
+        assert_eq!(value["assumptions"], json!([note.to_string()]));
+        assert_eq!(value["warnings"], json!([["A176", warning.to_string()]]));
+    }
 }
