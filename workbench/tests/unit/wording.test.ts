@@ -9,8 +9,8 @@ test("powers of units are raised, and nothing else", () => {
 });
 
 test("the assumption about rigid rings, as the engine words it, names a table of the page", () => {
-  const source = readFileSync(join(__dirname, "../../../crates/assess/src/analysis/sweep.rs"), "utf8");
-  const rigid = /const RIGID: &str = "((?:[^"\\]|\\[\s\S])*)";/.exec(source)![1]!.replace(/\\\n\s*/g, "").replace(/\\"/g, '"');
+  const source = readFileSync(join(__dirname, "../../../crates/outcome/src/note/vehicles.rs"), "utf8");
+  const rigid = /RigidAlone => "((?:[^"\\]|\\[\s\S])*)";/.exec(source)![1]!.replace(/\\\n\s*/g, "").replace(/\\"/g, '"');
   expect(rigid).toMatch(/^Rings are rigid/);
   const said = plainly(rigid);
   expect(said).toContain("“Deformable joints”, in the table of methods under Load");
