@@ -70,8 +70,8 @@ def test_emcee_recovers_moduli_from_peaks():
         sampler.random_state = random.get_state()
         # From elsewhere, so that the chain has to find it.
         start = numpy.array([16.0, 150.0]) * (1 + 0.03 * random.standard_normal((8, 2)))
-        sampler.run_mcmc(start, 40)
-        samples = sampler.get_chain(discard=16, flat=True)
+        sampler.run_mcmc(start, 50)
+        samples = sampler.get_chain(discard=20, flat=True)
 
         # The posterior by another road: the straight line of the model about the truth, from central differences.
         slopes = []
