@@ -4,7 +4,7 @@
 //! terms as the scatter justifies by Schwarz's criterion. Points further from the curve than five times the scatter are left
 //! out and told, and the fit is made again without them.
 
-use super::{SectionError, faces};
+use super::{SectionError, faces, ground};
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use outcome::section::{Circle, Face, Section, Surveyed};
@@ -38,7 +38,7 @@ const LEVEL: f64 = 0.005;
 /// Points nearer than this in both directions are one that was given twice [m]: less than any survey resolves.
 const SAME: f64 = 1e-5;
 
-/// Share of the points that may be slips; what leaves out more is another line, as that of the ground under a whole scan.
+/// Share of the points that may be slips; what leaves out more is another line, as that of a parapet in a whole scan.
 const MOST_LEFT_OUT: f64 = 0.1;
 
 /// How far a curve is drawn out to the face of an abutment [m].
@@ -47,8 +47,8 @@ const FARTHEST: f64 = 0.15;
 /// Rounds of refitting.
 const ROUNDS: usize = 30;
 
-/// Fits a curve to the points of a section [m], in any order. A point that is given twice counts once, and upright faces of abutments below the
-/// springings are left out.
+/// Fits a curve to the points of a section [m], in any order. A point that is given twice counts once; the ground under the arch and upright faces of
+/// abutments below the springings are left out.
 ///
 /// # Errors
 /// Too few points, or points that lie on no arch between level springings.
@@ -59,7 +59,13 @@ pub fn fit(points: &[[f64; 2]]) -> Result<Section, SectionError> {
     if all.len() < FEWEST {
         return Err(too_few(all.len()));
     }
+    let (all, ground) = ground::part(&all);
     let (points, faces) = faces::cut(&all);
+    if !ground.is_empty() && faces.is_empty() {
+        return Err(SectionError::NoArch {
+            why: "it holds the ground under the arch, and no faces of abutments are told from it",
+        });
+    }
     let (circle, _) = robust_circle(&points).ok_or(SectionError::NoArch { why: "they lie on a straight line" })?;
     let polar = Polar { centre: circle.centre };
     let seen = in_order(&polar, &points)
@@ -79,7 +85,10 @@ pub fn fit(points: &[[f64; 2]]) -> Result<Section, SectionError> {
         }
     }
     let curve = polar.up_to(curve.ok_or(too_few(0))?, &faces);
-    Ok(Section { repeated, faces, ..section(&polar, &curve, &seen, &kept)? })
+    let mut found = section(&polar, &curve, &seen, &kept)?;
+    let deviation = |at: [f64; 2]| curve.deviation(polar.of(at));
+    found.points.extend(ground.into_iter().map(|at| Surveyed { at, deviation: deviation(at), is_left_out: true }));
+    Ok(Section { repeated, faces, ..found })
 }
 
 /// Points without those that are given again, from left to right.

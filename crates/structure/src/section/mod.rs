@@ -2,6 +2,7 @@
 
 mod faces;
 mod fit;
+mod ground;
 mod read;
 mod write;
 
