@@ -14,6 +14,7 @@ TIMES = {"seconds", "cached", "key", "wall_seconds"}
 LONG = {
     *("examples/bridgemill/whole.toml", "examples/bridgemill/case-4.toml"),
     *("examples/prestwood/particles.toml", "examples/prestwood/continuum.toml", "examples/skew-railway/bridge.toml"),
+    *("examples/bridgemill/continuum.toml", "examples/defects/bridge.toml"),
 }
 
 

@@ -23,7 +23,7 @@ def _timed(work) -> float:
 
 
 def test_a_loop_in_python_costs_what_it_costs_in_rust(root):
-    path, count = root / "examples/tiny/bridge.toml", 60
+    path, count = root / "examples/tiny/bridge.toml", 30
     bridge = extrados.Bridge.read(path)
 
     def in_python() -> float:

@@ -1,6 +1,7 @@
 //! Every load model and rule that comes with the program.
 
 use crate::{LoadModel, Problem, Rule, Vehicle, read_load_model, read_rule};
+use std::sync::OnceLock;
 
 /// Load models and rules.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -29,8 +30,17 @@ pub const FILES: [&[File]; 2] = [
     files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025", "en-1991-2", "aashto-mbe"),
 ];
 
-/// Reads the library. A test reads it too, so that complaints reach users only from files of their own.
+/// The library, read once in a process: reading takes 10 ms, and every bridge that is read asks for it. A test reads it too, so that
+/// complaints reach users only from files of their own.
+///
+/// # Errors
+/// Everything that is wrong with its files.
 pub fn library() -> Result<Library, Vec<Problem>> {
+    static LIBRARY: OnceLock<Result<Library, Vec<Problem>>> = OnceLock::new();
+    LIBRARY.get_or_init(read).clone()
+}
+
+fn read() -> Result<Library, Vec<Problem>> {
     let (mut library, mut problems) = (Library::default(), Vec::new());
     for (name, text) in FILES[0] {
         match read_load_model(&format!("{name}.toml"), text) {

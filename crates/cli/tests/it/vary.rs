@@ -218,9 +218,10 @@ fn everything_that_is_wrong_is_said_at_once_and_nothing_is_started() {
 
 #[test]
 fn too_many_runs_are_counted_and_refused_unless_allowed() {
-    let stage = stage("many");
+    let stage = Stage::with_example("vary-many", "tiny");
+    let file = "bridge/bridge.toml";
     let set = ["--set", "joint.friction_angle=20deg..40deg:2", "--set", "masonry.density=-10%..+10%:2"];
-    let words = [&["vary", FILE, "--grid", "--method", "limit", "--out", "o"], &set[..]].concat();
+    let words = [&["vary", file, "--grid", "--method", "limit", "--out", "o"], &set[..]].concat();
     let (answer, ending) = stage.object(&[&words[..], &["--most-runs", "3"]].concat());
     assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F115")), "{}", ending.stderr);
     let message = answer["errors"][0]["message"].as_str().unwrap_or_default();
@@ -231,7 +232,7 @@ fn too_many_runs_are_counted_and_refused_unless_allowed() {
     let huge = ["joint.friction_angle", "joint.cohesion", "masonry.density", "bridge.width", "span.rise", "span.span"];
     let huge: Vec<String> = huge.iter().map(|path| format!("--set={path}=x1..x1.1:1000")).collect();
     let huge: Vec<&str> = huge.iter().map(String::as_str).filter(|word| !word.contains("cohesion")).collect();
-    let (answer, _) = stage.object(&[&["vary", FILE, "--grid", "--method", "limit", "--out", "o"], &huge[..]].concat());
+    let (answer, _) = stage.object(&[&["vary", file, "--grid", "--method", "limit", "--out", "o"], &huge[..]].concat());
     assert_eq!(answer["errors"][0]["code"], "F115", "{answer}");
 }
 

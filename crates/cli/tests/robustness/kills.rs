@@ -142,7 +142,7 @@ fn run(name: &str, works: &[Work], times: u64, seed: u64) -> Tally {
 #[test]
 fn robustness_a_few_runs_are_killed() {
     let few = [WORKS[1], WORKS[3], WORKS[7]];
-    run("robustness-few-kills", &few, 4, 11).settle("Runs that were disturbed");
+    run("robustness-few-kills", &few, 2, 11).settle("Runs that were disturbed");
 }
 
 /// Every command that writes results.

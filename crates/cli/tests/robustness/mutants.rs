@@ -388,7 +388,7 @@ fn run(name: &str, cases: u64, seed: u64) -> Tally {
 
 #[test]
 fn robustness_a_few_files_are_mutated() {
-    run("robustness-few-mutants", 120, 7).settle("Files that were mutated");
+    run("robustness-few-mutants", 60, 7).settle("Files that were mutated");
 }
 
 /// Thousands of files, as many of each kind as its weight says.
