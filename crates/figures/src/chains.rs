@@ -32,7 +32,6 @@ pub fn force_chains(picture: &Picture) -> Option<String> {
     let extent = draw::extent(picture).filter(|_| largest > 0.0)?;
 
     let mut sheet = Sheet::new("chains");
-    draw::define_hatch(&mut sheet);
     let second = format!("Force chains in the fill at {}", crate::panels::load(picture, at));
     let top = sheet.title(&picture.title, &second);
     let frame = draw::frame(extent, top, draw::TALLEST);
@@ -111,8 +110,7 @@ fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: &Snapshot) {
     for (k, shape) in picture.shapes.iter().enumerate() {
         let spots = view.spots(&outline(picture, Some(state), k));
         if shape.held {
-            let fill = draw::fill(sheet, shape);
-            sheet.polygon(&spots, Pen::shape(&fill, INK, HAIR).class("support"));
+            sheet.hatched(&spots, Pen::line(INK, HAIR).class("support"));
         } else {
             sheet.polygon(&spots, Pen::shape("#fbf8f1", FAINT, HAIR).class("block"));
         }

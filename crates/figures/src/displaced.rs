@@ -37,7 +37,6 @@ pub fn displacement(picture: &Picture) -> Option<String> {
         return None;
     }
     let mut sheet = Sheet::new("displacement");
-    draw::define_hatch(&mut sheet);
     let second = format!("Displacement since the bridge came to rest under {}", words::force(rest.load));
     let mut y = sheet.title(&picture.title, &second);
     for (n, &k) in panels.iter().enumerate() {
@@ -112,8 +111,7 @@ fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: &Snapshot, c
     for (k, shape) in picture.shapes.iter().enumerate() {
         let spots = view.spots(&outline(picture, Some(state), k));
         if shape.held {
-            let fill = draw::fill(sheet, shape);
-            sheet.polygon(&spots, Pen::shape(&fill, INK, 0.75).class("support"));
+            sheet.hatched(&spots, Pen::line(INK, 0.75).class("support"));
         } else {
             sheet.polygon(&spots, Pen::shape(&colour(free), INK, width).class("block"));
             free += 1;

@@ -21,7 +21,6 @@ pub(crate) const FIGURE: Figure = Figure {
 /// title where there are no blocks.
 pub fn bridge_as_drawn(picture: &Picture) -> String {
     let mut sheet = Sheet::new("bridge");
-    draw::define_hatch(&mut sheet);
     let top = sheet.title(&picture.title, "The bridge as drawn");
     let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };
     let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);

@@ -12,17 +12,14 @@ pub const LOAD: &str = "#a02020";
 /// Outline of the bridge as built, behind something.
 pub const FAINT: &str = "#b0b0b0";
 
-const HATCH: &str = "<pattern id=\"NAME-hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" fill=\"#e6e6e6\"/><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#8a8a8a\" stroke-width=\"1.2\"/></pattern>";
-
 /// Fill of a block by its role: all light, and told apart by their grey.
-pub fn fill(sheet: &Sheet, shape: &Shape) -> String {
+fn fill(shape: &Shape) -> &'static str {
     match shape.role.as_str() {
-        _ if shape.held => format!("url(#{}-hatch)", sheet.name()),
-        "voussoir" => "#f2e8d5".into(),
-        "pier" => "#e2dccd".into(),
-        "backing" => "#d9d9d2".into(),
-        "wall" => "#e7ded2".into(),
-        _ => "#ece6da".into(),
+        "voussoir" => "#f2e8d5",
+        "pier" => "#e2dccd",
+        "backing" => "#d9d9d2",
+        "wall" => "#e7ded2",
+        _ => "#ece6da",
     }
 }
 
@@ -39,22 +36,17 @@ pub fn outline_width(shapes: &[Shape], view: &View) -> f64 {
     (0.09 * middle).clamp(0.15, THIN)
 }
 
-/// Puts the hatching of supports into the sheet.
-pub fn define_hatch(sheet: &mut Sheet) {
-    let svg = HATCH.replace("NAME", sheet.name());
-    sheet.define(&svg);
-}
-
 /// The blocks, filled by role, at their exaggerated places; supports first so that moving blocks lie over them.
 pub fn blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
     let width = outline_width(shapes, view);
     sheet.open("blocks");
     for held in [true, false] {
         for (k, shape) in shapes.iter().enumerate().filter(|(_, s)| s.held == held) {
-            let class = if held { "support" } else { "block" };
-            let fill = fill(sheet, shape);
-            let pen = Pen::shape(&fill, INK, if held { THIN } else { width }).class(class);
-            sheet.polygon(&view.spots(&place(k)), pen);
+            let spots = view.spots(&place(k));
+            match held {
+                true => sheet.hatched(&spots, Pen::line(INK, THIN).class("support")),
+                false => sheet.polygon(&spots, Pen::shape(fill(shape), INK, width).class("block")),
+            }
         }
     }
     sheet.close();
@@ -287,9 +279,8 @@ impl Sign {
             Sign::Load => sheet.arrow([x, y - 7.0], [x, y + 6.0], Pen::line(LOAD, MEDIUM)),
             Sign::AsBuilt => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(FAINT, MEDIUM)),
             Sign::Support => {
-                let hatch = format!("url(#{}-hatch)", sheet.name());
-                let area = Area { left: x - 10.0, right: x + 10.0, top: y - 5.0, bottom: y + 5.0 };
-                sheet.rectangle(area, Pen::shape(&hatch, INK, HAIR));
+                let (left, right, top, bottom) = (x - 10.0, x + 10.0, y - 5.0, y + 5.0);
+                sheet.hatched(&[[left, top], [right, top], [right, bottom], [left, bottom]], Pen::line(INK, HAIR));
             }
             Sign::Thrust => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(THRUST, crate::sheet::THICK)),
             Sign::Compression => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(INK, 1.1)),

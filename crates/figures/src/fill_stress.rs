@@ -34,7 +34,6 @@ pub fn fill_stress(picture: &Picture) -> Option<String> {
     let fill = averaged(picture, state, radius, share);
 
     let mut sheet = Sheet::new("fill-stress");
-    draw::define_hatch(&mut sheet);
     let second = format!("Stress in fill and masonry at {}, compression positive", load(picture, at));
     let mut y = sheet.title(&picture.title, &second);
     type Measure = fn([f64; 3]) -> f64;
@@ -57,12 +56,13 @@ pub fn fill_stress(picture: &Picture) -> Option<String> {
                 discs::draw(sheet, view, picture, place, |p| soil.of(of_fill[p]).into());
                 let width = draw::outline_width(&picture.shapes, view);
                 for (k, shape) in picture.shapes.iter().enumerate() {
-                    let colour = if shape.held { draw::fill(sheet, shape) } else { stone.of(of_blocks[k]) };
-                    let class = if shape.held { "support" } else { "block" };
-                    sheet.polygon(
-                        &view.spots(&outline(picture, Some(state), k)),
-                        Pen::shape(&colour, INK, width).class(class),
-                    );
+                    let spots = view.spots(&outline(picture, Some(state), k));
+                    match shape.held {
+                        true => sheet.hatched(&spots, Pen::line(INK, width).class("support")),
+                        false => {
+                            sheet.polygon(&spots, Pen::shape(&stone.of(of_blocks[k]), INK, width).class("block"));
+                        }
+                    }
                 }
             },
         );

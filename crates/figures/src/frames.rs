@@ -81,7 +81,6 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
     let panels = panels(picture, &run.usable);
     let whole = run.extent;
     let mut sheet = Sheet::new("collapse");
-    draw::define_hatch(&mut sheet);
     let top = sheet.title(&picture.title, &format!("Collapse, displacements {}", run.how()));
     let [w, h] = whole.size();
     let columns = if panels.len() == 1 {

@@ -69,7 +69,6 @@ pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
         None => ("mechanism", "Mechanism"),
     };
     let mut sheet = Sheet::new(name);
-    draw::define_hatch(&mut sheet);
     let second = match draw::collapse_load(picture) {
         Some(load) if picture.moves_supports => format!("{what} at a support movement of {}", words::metres(load)),
         Some(load) => format!("{what} at collapse, {}", words::force(load)),

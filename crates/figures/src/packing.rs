@@ -7,7 +7,7 @@ use crate::figure::Figure;
 use crate::geometry::{Extent, View};
 use crate::panels::{blocks, fits};
 use crate::sheet::place::Room;
-use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Style};
+use crate::sheet::{Anchor, HAIR, Pen, SMALL, Sheet, Style};
 use crate::words;
 use outcome::picture::{DimensionLine, Measure, Picture, Shape};
 
@@ -24,7 +24,6 @@ const TALLEST: f64 = 330.0;
 pub fn packing(picture: &Picture) -> Option<String> {
     let extent = draw::extent(picture).filter(|_| discs::drawable(picture))?;
     let mut sheet = Sheet::new("packing");
-    draw::define_hatch(&mut sheet);
     let sizes = picture.particles.iter().map(|d| 2.0 * d.radius);
     let (least, most) = (sizes.clone().fold(f64::INFINITY, f64::min), sizes.fold(0.0, f64::max));
     let second = format!(
@@ -94,9 +93,8 @@ fn upper_face(picture: &Picture) -> Option<(Extent, f64)> {
 fn lid(sheet: &mut Sheet, view: &View, picture: &Picture) {
     let Some((extent, level)) = upper_face(picture) else { return };
     let (a, b) = (view.spot([extent.low[0], level + LID]), view.spot([extent.high[0], level]));
-    let hatch = format!("url(#{}-hatch)", sheet.name());
-    let area = Area { left: a[0], right: b[0], top: a[1], bottom: b[1] };
-    sheet.rectangle(area, Pen::shape(&hatch, INK, HAIR).class("lid"));
+    let corners = [[a[0], a[1]], [b[0], a[1]], [b[0], b[1]], [a[0], b[1]]];
+    sheet.hatched(&corners, Pen::line(INK, HAIR).class("lid"));
     let y = a[1] - 10.0;
     sheet.line([a[0], y], [b[0], y], Pen::line(INK, HAIR).class("dimension"));
     for x in [a[0], b[0]] {

@@ -48,7 +48,6 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let place = |k: usize| moved(&picture.shapes[k], state.motions[k], scale, Turn::Finite);
 
     let mut sheet = Sheet::new(&format!("stress-{snapshot}"));
-    draw::define_hatch(&mut sheet);
     let at = if picture.moves_supports {
         format!("a support movement of {}", words::metres(state.load))
     } else {
@@ -79,9 +78,8 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     sheet.open_clipped("blocks", "room", frame);
     discs::pale(&mut sheet, &view, picture, Some(state));
     let width = draw::outline_width(&picture.shapes, &view);
-    for (k, shape) in picture.shapes.iter().enumerate().filter(|(_, s)| s.held) {
-        let fill = draw::fill(&sheet, shape);
-        sheet.polygon(&view.spots(&place(k)), Pen::shape(&fill, INK, 0.75).class("support"));
+    for (k, _) in picture.shapes.iter().enumerate().filter(|(_, s)| s.held) {
+        sheet.hatched(&view.spots(&place(k)), Pen::line(INK, 0.75).class("support"));
     }
     for k in free() {
         let colour = scale_of_stress.of(compression(k) / 1e6);

@@ -22,7 +22,6 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     }
     let built = as_built(&picture.shapes)?;
     let mut sheet = Sheet::new("thrust");
-    draw::define_hatch(&mut sheet);
     // Discrete elements are in equilibrium at the last stable load; limit analysis at collapse itself.
     let at_rest = picture.last_stable.and_then(|k| picture.snapshots.get(k)).map(|s| s.load);
     let second = match (at_rest, draw::collapse_load(picture)) {

@@ -51,7 +51,6 @@ fn thinned(usable: &[usize], last_stable: Option<usize>) -> Vec<usize> {
 /// One frame, of the same size as all others.
 fn frame(picture: &Picture, run: &Frames, snapshot: usize) -> String {
     let mut sheet = Sheet::new("frame");
-    draw::define_hatch(&mut sheet);
     let top = sheet.title(&picture.title, &format!("Displacements {}", run.how()));
     let area = draw::frame(run.extent, top, TALLEST);
     let view = View::fit(run.extent, area);

@@ -4,6 +4,7 @@
 //! covers no other text.
 
 pub mod font;
+mod hatch;
 mod many;
 pub mod place;
 
@@ -143,10 +144,6 @@ impl Sheet {
     pub fn new(name: &str) -> Sheet {
         Sheet { name: name.into(), body: String::new(), texts: Vec::new(), obstacles: Vec::new() }
     }
-    /// Name of the sheet.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
 
     /// An open or closed chain of points. Shapes with a coordinate that is not finite are left out.
     fn chain(&mut self, tag: &str, points: &[Spot], pen: Pen) {
@@ -218,10 +215,6 @@ impl Sheet {
     /// Ends a group.
     pub fn close(&mut self) {
         self.body.push_str("</g>\n");
-    }
-    /// Puts SVG of a definition (a pattern, a gradient) into the sheet.
-    pub fn define(&mut self, svg: &str) {
-        let _ = writeln!(self.body, "<defs>{svg}</defs>");
     }
 
     /// A text on one line, with its baseline at `at`; white behind its letters where it lies on a drawing.

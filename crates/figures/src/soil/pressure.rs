@@ -37,7 +37,6 @@ pub fn soil_pressure(picture: &Picture) -> Option<String> {
     let scale = SHARE * built.size()[0].max(built.size()[1]) / largest;
 
     let mut sheet = Sheet::new("soil-pressure");
-    draw::define_hatch(&mut sheet);
     let second = "Pressure of the fill on the blocks at the lower bound of the load";
     let top = draw::heading(&mut sheet, picture, second);
     let extent = soil::around(draw::extent(picture).unwrap_or(built), picture, 0.0);

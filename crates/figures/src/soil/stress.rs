@@ -52,7 +52,6 @@ pub fn soil_stress(picture: &Picture) -> Option<String> {
     let soil = of(picture).filter(|soil| soil.stresses.len() == soil.triangles.len())?;
     let built = as_built(&picture.shapes)?;
     let mut sheet = Sheet::new("soil-stress");
-    draw::define_hatch(&mut sheet);
     let second = match picture.thrust_lines.is_empty() {
         true => "Principal stresses in the fill at the lower bound of the load",
         false => "Principal stresses in the fill and line of thrust at the lower bound of the load",
