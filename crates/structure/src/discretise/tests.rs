@@ -3,6 +3,7 @@
 use super::*;
 use crate::samples::{bridgemill, semicircle, spans};
 use bridge::{DispersalRule, Layer, LayerKind, Load, LoadKind, Ring};
+use mechanics::blocks::Held;
 
 /// Reading of eq. 2 at the published bridge; the figures are printed to four decimals, so 1e-3 is their last digit
 /// with room for the flat faces.
