@@ -32,6 +32,9 @@ macro_rules! choice {
 
         #[allow(dead_code, reason = "not every value is written back as a word")]
         impl $name {
+            /// Every value.
+            $vis const ALL: &'static [$name] = &[$($name::$value),+];
+
             /// The word in files.
             $vis const fn word(self) -> &'static str {
                 match self { $($name::$value => $word),+ }
@@ -47,7 +50,7 @@ macro_rules! choice {
         impl $crate::choice::Choice for $name {
             const WORDS: &'static [$crate::choice::Word] =
                 &[$($crate::choice::Word { word: $word, doc: concat!($($doc),+).trim_ascii() }),+];
-            const VALUES: &'static [$name] = &[$($name::$value),+];
+            const VALUES: &'static [$name] = $name::ALL;
         }
     };
 }

@@ -36,3 +36,14 @@ pub fn planned(project: &Project, choice: &Choice) -> Result<Bridge, Refusal> {
     choice.apply(&mut bridge.plan);
     Ok(bridge)
 }
+
+/// What each method does not know of a bridge and its question, in words; none where it knows all of it (`docs/theory/methods.md`).
+#[must_use]
+pub fn not_known(bridge: &bridge::Bridge) -> Vec<(bridge::Method, Option<String>)> {
+    let of = |method: &bridge::Method| {
+        let mut own = bridge.clone();
+        own.plan.method = *method;
+        (*method, analysis::engine::can::refused(&own).err().map(|cannot| cannot.to_string()))
+    };
+    bridge::Method::ALL.iter().map(of).collect()
+}

@@ -67,7 +67,7 @@ pub use crate::built::{as_built, library, of_drawing};
 pub use crate::calibrate_fill::{CalibrateFillOptions, calibrate_fill};
 pub use crate::cases::{CaseAnswer, Cases, cases};
 pub use crate::choice::Choice;
-pub use crate::collapse::{CollapseOptions, collapse, planned};
+pub use crate::collapse::{CollapseOptions, collapse, not_known, planned};
 pub use crate::compare::{Answered, Compared, Difference, compare};
 pub use crate::files::{Disk, Files, Memory, WholeDisk};
 pub use crate::materials::with_material;

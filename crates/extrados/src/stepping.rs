@@ -27,7 +27,7 @@ impl Stepping {
     /// [`with_fill`](Self::with_fill).
     pub fn new(project: &Project, choice: &Choice) -> Result<Stepping, Refusal> {
         let bridge = planned(project, choice)?;
-        let (blocks, run) = analysis::by_dem::stepping(&bridge).map_err(|error| Refusal::not_set_up(&error))?;
+        let (blocks, run) = analysis::stepping_of_blocks(&bridge).map_err(|error| Refusal::not_set_up(&error))?;
         Ok(Stepping { bridge, blocks, run })
     }
 
@@ -49,7 +49,7 @@ impl Stepping {
 
     /// How the run ended, as results have it: broken off is not converged.
     pub fn ended(status: &dem::Status) -> Status {
-        analysis::by_dem::ended(*status).0
+        analysis::engine::dem::ended(*status).0
     }
 
     /// The load that acts now, per metre of width [N/m].

@@ -67,7 +67,10 @@ pub fn reading(document: &Document) -> Value {
     let meaning = project.meaning();
     let bridge = meaning.bridge.as_ref();
     let sections = bridge.map(|bridge| {
+        let not_known: serde_json::Map<String, Value> =
+            extrados::not_known(bridge).into_iter().map(|(method, why)| (method.word().to_owned(), why.into())).collect();
         json!({
+            "not_known": not_known,
             "loads": bridge.loads.len(), "sweep": bridge.sweep.is_some(), "passage": bridge.passage.is_some(),
             "update": meaning.update.is_some(), "assess": meaning.assess.is_some(), "vary": !meaning.vary.is_empty(),
             "cases": meaning.cases.len(), "particles": bridge.cover.layers.iter().any(|layer| layer.particles),

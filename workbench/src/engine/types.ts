@@ -50,6 +50,8 @@ export type Reading = {
     particles: boolean;
     continuum: boolean;
     method: "dem" | "limit" | "path" | "fe";
+    /** What each method does not know of the bridge, in words. */
+    not_known?: Record<string, string | null>;
     analysis: "load" | "thickness" | "support-movement";
     stiffness?: boolean;
     spans?: number;

@@ -195,6 +195,11 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
   const [busy, setBusy] = createSignal("");
   const single = () => loadAt(props.sheet.text(), 0) !== null;
   const update = (key: string, change: Partial<Row>) => setRows((list) => list.map((row) => (row.key === key ? { ...row, ...change } : row)));
+  /** Why a method cannot be asked for the bridge of the file. */
+  const refused = (row: Row): string | null => {
+    const method = (JSON.parse(row.choice) as { method: string }).method;
+    return row.text === own ? (props.sheet.reading[0]()?.sections?.not_known?.[method] ?? null) : null;
+  };
   const fresh = () => METHODS.filter((one) => one.text(props.sheet.text()) !== null).map((one): Row => ({ ...one, state: "idle", fraction: NaN, load: null, words: "", at: null }));
   createEffect(
     on([() => props.sheet.id, () => props.sheet.text()], () => {
@@ -239,14 +244,14 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
                   <td>
                     {row.title}
                     <Show when={row.at !== null}><span class="soft"> at {words(place(row.at!, system()))}</span></Show>
-                    <div class="soft">{row.state === "done" ? `${row.words}${row.text === own ? "" : `; ${ASSUMED}`}` : row.state === "failed" ? row.words : row.state === "runs" ? `${row.words} ${Number.isFinite(row.fraction) ? `${Math.round(100 * row.fraction)} %` : ""}` : row.about}</div>
+                    <div class="soft">{row.state === "done" ? `${row.words}${row.text === own ? "" : `; ${ASSUMED}`}` : row.state === "failed" ? row.words : row.state === "runs" ? `${row.words} ${Number.isFinite(row.fraction) ? `${Math.round(100 * row.fraction)} %` : ""}` : (refused(row) ?? row.about)}</div>
                   </td>
                   <td class="right num">{row.load === null ? "" : words(lineLoad(row.load * 1e3, system()))}</td>
                   <td class="right">
                     <Show
                       when={busy() === row.key}
                       fallback={
-                        <button type="button" class="btn small" disabled={busy() !== ""} onClick={() => void run(row)} aria-label={`Run ${row.title}`}>
+                        <button type="button" class="btn small" disabled={busy() !== "" || refused(row) !== null} onClick={() => void run(row)} aria-label={`Run ${row.title}`}>
                           Run
                         </button>
                       }

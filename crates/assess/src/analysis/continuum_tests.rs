@@ -190,14 +190,15 @@ fn methods_that_know_no_continuum_say_so() {
     b.joint.normal_stiffness = Some(bridge::JointStiffness::Contact(1e10));
     b.joint.shear_stiffness = Some(bridge::JointStiffness::Contact(5e9));
     let says = |c: &Collapse| c.assumptions.contains(&Soil::AsWeight.into());
-    assert!(says(&collapse_by_path(&b, None, &mut Unwatched).unwrap()));
+    assert!(says(&collapse_by(Method::Path, &b, None, &mut Unwatched).unwrap()));
     assert!(says(&thickness(&b, &mut Unwatched).unwrap()));
     assert!(!says(&collapse(&b, None, &mut Unwatched).unwrap()));
     // Asked for by the file, they are refused: a plate that sinks into the soil would not be seen.
     for analysis in [bridge::Analysis::Thickness, bridge::Analysis::SupportMovement] {
         b.plan.analysis = analysis;
         let found = collapse(&b, None, &mut Unwatched);
-        assert!(matches!(found, Err(AnalysisError::KnowsNoContinuum)), "{analysis:?}");
+        let told = found.unwrap_err().to_string();
+        assert!(told.contains("not take fill or backing as a continuum into account"), "{analysis:?}: {told}");
     }
 }
 
@@ -207,9 +208,9 @@ fn a_run_that_is_stopped_while_it_looks_for_the_range_is_no_collapse() {
     let d = structure::discretise::discretise(&b).unwrap();
     let earth = structure::discretise::continuum::earth(&b, &d).unwrap().unwrap();
     let whole = mechanics::watch::CancelToken::default();
-    assert_eq!(by_bounds::whole(&b, &d, &earth, true, &whole).unwrap().status, Status::Collapsed);
+    assert_eq!(engine::continuum::whole(&b, &d, &earth, true, &whole).unwrap().status, Status::Collapsed);
     let shorter = mechanics::watch::CancelToken::limited_to(whole.iterations() - 5);
-    assert_eq!(by_bounds::whole(&b, &d, &earth, true, &shorter).unwrap().status, Status::Cancelled);
+    assert_eq!(engine::continuum::whole(&b, &d, &earth, true, &shorter).unwrap().status, Status::Cancelled);
 }
 
 /// Sand without cohesion, shallow under a narrow load: stresses that carry any of the load are not found, and zero is told as zero, with
@@ -222,7 +223,7 @@ fn a_lower_bound_of_nothing_is_zero_and_its_gap_is_told() {
     for file in [file.clone(), file.replace("at = \"1/4 of span 1\"", "at = \"3/4 of span 1\"")] {
         let mut b = of(&file);
         b.continuum.as_mut().unwrap().elements = 300;
-        let found = by_bounds::with_strength_of_the_file(&b, &mut Unwatched).unwrap();
+        let found = engine::continuum::with_strength_of_the_file(&b, &mut Unwatched).unwrap();
         assert_eq!(found.status, Status::Collapsed);
         let limit = found.limit().unwrap();
         let (lower, upper) = (limit.lower_bound.unwrap(), limit.upper_bound.unwrap());

@@ -4,7 +4,8 @@
 //! voussoirs had a tenth of the modulus of its units. That is the ratio of Bridgemill's published joints (4.84 GPa/m over
 //! 0.31 m, units of 15 GPa), and soft for what is known of masonry: the load errs to the low side.
 
-use bridge::{Bridge, Joint, JointStiffness, Method};
+use super::state::{self, Change};
+use bridge::{Bridge, Joint, Method};
 use outcome::warning::{self, Warning};
 
 /// Modulus of the masonry as a share of that of its units.
@@ -20,14 +21,7 @@ pub(super) fn for_paths(bridge: &Bridge) -> Option<(Bridge, Option<Warning>)> {
 
 /// The bridge with a stiffness for all of its joints, where its units have a modulus.
 pub fn stiffened(bridge: &Bridge) -> Bridge {
-    let mut own = bridge.clone();
-    let Some([normal, shear]) = taken(bridge) else { return own };
-    let walls = own.spandrel_wall.iter_mut().map(|wall| &mut wall.joint);
-    for joint in [&mut own.joint, &mut own.ring_joint].into_iter().chain(walls) {
-        joint.normal_stiffness.get_or_insert(JointStiffness::Contact(normal));
-        joint.shear_stiffness.get_or_insert(JointStiffness::Contact(shear));
-    }
-    own
+    state::with(bridge, &[Change::DefaultStiffness])
 }
 
 /// What is to be said of joints whose stiffness the file does not give.
@@ -42,7 +36,7 @@ pub(super) fn note(bridge: &Bridge) -> Option<Warning> {
 }
 
 /// Normal and shear stiffness [Pa/m]; none where the modulus of the units is not known.
-fn taken(bridge: &Bridge) -> Option<[f64; 2]> {
+pub(super) fn taken(bridge: &Bridge) -> Option<[f64; 2]> {
     let modulus = SHARE * bridge.masonry.elastic_modulus?;
     let ratio = bridge.masonry.poisson_ratio.unwrap_or(POISSON_RATIO);
     let rings = bridge.spans.iter().flat_map(|span| span.rings.iter().map(move |ring| (span, ring)));
@@ -58,6 +52,7 @@ fn taken(bridge: &Bridge) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bridge::JointStiffness;
 
     #[test]
     fn joints_without_a_stiffness_take_it_from_the_modulus_and_say_so() {

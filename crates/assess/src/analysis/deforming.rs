@@ -2,9 +2,10 @@
 //!
 //! Rigid blocks bound that factor from above, so that the smaller of the two counts.
 
-use super::by_dem::contact_length;
+use super::AnalysisError;
+use super::engine::joints::contact_length;
+use super::engine::path;
 use super::service::{self, SOUGHT, Service};
-use super::{AnalysisError, by_path};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::PointForce;
 use mechanics::path::{Ground, Program, Settings, Status, Sweeper};
@@ -79,7 +80,7 @@ impl Deforming {
     /// The state under self-weight. Fill acts by its weight alone.
     pub fn new(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<Deforming, AnalysisError> {
         let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
-        let onsets = service::sought(by_path::strength(d));
+        let onsets = service::sought(path::strength(d));
         let settings = Settings { onsets, ..Settings::new(contact_length(&bridge.plan, contact)) };
         Ok(Deforming { ground: Ground::new(&d.model, &d.loading, &settings, watch)? })
     }

@@ -88,14 +88,14 @@ fn a_stalled_run_has_no_collapse_load() {
     let d = structure::discretise::discretise(&short()).unwrap();
     let program = dem::Program { increment: 1.0, limit: 1.0, resolution: None, watched: d.watched };
     let mut outcome =
-        dem::collapse(&d.model, &d.loading, &program, &by_dem::settings(&short()), None, &mut Unwatched).unwrap();
+        dem::collapse(&d.model, &d.loading, &program, &engine::dem::settings(&short()), None, &mut Unwatched).unwrap();
     outcome.collapse_factor = Some(3.0);
     for (status, collapse, stalled) in
         [(dem::Status::Stalled, None, Some(3e3)), (dem::Status::Collapsed, Some(3e3), None)]
     {
         outcome.status = status;
-        let mut c = by_dem::report(&short(), &d, &outcome, "test", &|factor| d.load(factor));
-        by_dem::loads(&outcome, &|factor| d.load(factor), &mut c);
+        let mut c = engine::dem::report(&short(), &d, &outcome, "test", &|factor| d.load(factor));
+        engine::dem::loads(&outcome, &|factor| d.load(factor), &mut c);
         assert_eq!((c.collapse_load, c.stalled_load), (collapse, stalled));
         notes::dem(&short(), &d, &mut c);
         assert_eq!(codes(&c.warnings).contains(&warning::STALLED), stalled.is_some());

@@ -1,18 +1,13 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
 mod bands;
-pub mod by_bounds;
-pub mod by_dem;
-pub mod by_fe;
-pub mod by_limit;
-pub mod by_path;
 pub mod calibrate;
 mod caveats;
 mod default_stiffness;
 mod defects;
 mod deforming;
 mod dimensions;
-mod filled;
+pub mod engine;
 mod geometry;
 mod ground;
 mod loads_acting;
@@ -26,31 +21,27 @@ pub mod placing;
 mod policy;
 mod preflight;
 mod service;
+pub mod state;
 mod statics;
-mod stiffness_study;
 mod sweep;
 mod template;
 mod thickness;
 pub mod update;
 pub mod vehicles;
 mod wall_and_fill;
-mod weight_alone;
 
-pub use by_dem::{collapse_by_dem, status as dem_status};
-pub use by_fe::collapse_by_fe;
-pub use by_limit::collapse_by_limit;
-pub use by_path::collapse_by_path;
 pub use default_stiffness::stiffened;
+pub use engine::dem::status as dem_status;
 pub use ground::ground_plan;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use policy::bare;
 pub use preflight::planned;
+pub use state::by_weight_alone;
 pub use statics::statics;
 pub use sweep::{Places, sweep};
 pub use thickness::thickness;
 pub use vehicles::vehicle_sweep;
-pub use weight_alone::by_weight_alone;
 
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
@@ -126,32 +117,13 @@ pub enum AnalysisError {
     /// A train's passage cannot be set up.
     #[error(transparent)]
     Passage(#[from] passage::PassageError),
-    #[error(
-        "finite elements make one ring between fixed abutments collapse, without walls, particles or loading blocks: write \
-         method = \"dem\" or \"limit\" for this bridge"
-    )]
-    NotOneRing,
-    #[error("finite elements increase loads and nothing else: write method = \"dem\" or \"limit\" for {0}")]
-    NotByFiniteElements(&'static str),
-    #[error(
-        "the equilibrium path follows loads on rings, piers and walls: write method = \"dem\" or \"limit\" for {0}"
-    )]
-    NotByPath(&'static str),
+    /// What the method or the question does not know.
+    #[error(transparent)]
+    Cannot(#[from] engine::can::Cannot),
     #[error("the mesh of the ring cannot be analysed: {0}")]
     Elements(mechanics::fem::ModelError),
     #[error("the equations of the ring cannot be set up: {0}")]
     Equations(mechanics::fem::FactorError),
-    #[error(
-        "finite elements of the ring and the least thickness know neither defects nor supports that moved before, and the file has \
-         one: use method \"limit\", \"path\" or \"dem\" with analysis \"load\", or leave [[defect]] and [support_movement] out"
-    )]
-    KnowsNoDefects,
-    #[error(
-        "the least thickness and support movements know fill as weight alone, and the file has fill or backing as a continuum: soil that fails \
-         under a load would not be seen, nor soil that holds a ring; leave as = \"continuum\" out of [[cover]] and [backing] to have them \
-         as weight, or use analysis \"load\""
-    )]
-    KnowsNoContinuum,
     /// A vehicle or a rule of a sweep is not known.
     #[error(transparent)]
     Vehicles(#[from] crate::vehicles::Refused),
@@ -173,7 +145,7 @@ pub(crate) const LEAST_SAMPLE: f64 = 3.0;
 /// Particles are drawn where a saved packing says where they are.
 pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
     let label = if caveats::moved(bridge).is_some() { "as its support has moved it" } else { "as built" };
-    Ok(picture::built(bridge, &filled::as_saved(bridge)?, label))
+    Ok(picture::built(bridge, &engine::dem::filled::as_saved(bridge)?, label))
 }
 
 /// Makes the analysis that the bridge's plan asks for; what may help the bridge and may come and go is not counted. `resume` is a state that
@@ -188,21 +160,11 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
 /// The same of one strip with all that the file says of the bridge, help that may come and go included: what a method finds, to be held against
 /// tests and published numbers.
 pub fn as_described(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let has_moved = bridge.plan.support_movement.is_some_and(|movement| movement.before.is_some());
-    let has_defects = has_moved || bridge.spans.iter().any(|span| !span.defects.is_empty());
-    let yields = structure::discretise::continuum::wanted(bridge).is_some();
-    let mut found = match (bridge.plan.analysis, bridge.plan.method) {
-        (Analysis::Thickness | Analysis::SupportMovement, _) if yields => Err(AnalysisError::KnowsNoContinuum),
-        (Analysis::Load, Method::Fe) | (Analysis::Thickness, _) if has_defects => Err(AnalysisError::KnowsNoDefects),
-        (Analysis::Load, Method::Limit) => by_limit::as_described(bridge, watch),
-        (Analysis::Load, Method::Fe) => by_fe::as_described(bridge, watch),
-        (Analysis::Load, Method::Path) => by_path::as_described(bridge, resume, watch),
-        (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
-            Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
-            None => by_dem::as_described(bridge, resume, watch),
-        },
-        (Analysis::Thickness, _) => thickness(bridge, watch),
-        (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
+    engine::can::refused(bridge)?;
+    let mut found = match bridge.plan.analysis {
+        Analysis::Load => engine::raising(bridge.plan.method, bridge).load(bridge, resume, watch),
+        Analysis::Thickness => thickness(bridge, watch),
+        Analysis::SupportMovement => support_movement(bridge, resume, watch),
     }?;
     found.picture.moves_supports = found.support().is_some();
     found.picture.collapse_load = found.support().map_or(found.collapse_load, |support| support.collapse);
@@ -215,10 +177,33 @@ pub fn stepping(
     bridge: &Bridge,
     watch: &mut dyn Watch,
 ) -> Result<Option<(Discretised, mechanics::dem::Stepping)>, AnalysisError> {
+    let bridge = &policy::bare(bridge);
     match fill::wanted(bridge) {
-        Some(particles) => filled::stepping(bridge, particles, watch),
-        None => by_dem::stepping(bridge).map(Some),
+        Some(particles) => engine::dem::filled::stepping(bridge, particles, watch),
+        None => engine::dem::stepping(bridge).map(Some),
     }
+}
+
+/// The same where the bridge has no fill that is particles.
+pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::dem::Stepping), AnalysisError> {
+    engine::dem::stepping(&policy::bare(bridge))
+}
+
+/// The collapse load by a method, whatever the plan's is; what may help and may come and go is not counted.
+pub fn collapse_by(
+    method: Method,
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    policy::collapse(bridge, resume, watch, &|state, resume, watch| {
+        engine::raising(method, state).load(state, resume, watch)
+    })
+}
+
+/// By limit analysis.
+pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    collapse_by(Method::Limit, bridge, None, watch)
 }
 
 /// A discretised bridge with its picture as built, particles where they were packed.

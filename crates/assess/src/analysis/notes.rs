@@ -1,6 +1,6 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
-use super::by_fe::Sliding;
+use super::engine::elements::Sliding;
 use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Plan};
 use mechanics::limit;
 use outcome::collapse::By;

@@ -7,8 +7,9 @@
 
 mod state;
 
+use super::engine::rigid;
 use super::vehicles::{Asked, Driven};
-use super::{AnalysisError, by_limit, geometry, policy};
+use super::{AnalysisError, geometry, policy};
 use bridge::Bridge;
 use mechanics::limit::{self, Friction, Outcome};
 use outcome::collapse::{FlowRule, Status};
@@ -101,7 +102,7 @@ impl Placing {
     ) -> Result<Placing, AnalysisError> {
         let (bridges, helps) = without_help(bridge);
         let states = bridges.iter().map(put_on).collect::<Result<Vec<_>, _>>()?;
-        let friction = by_limit::single(&states[0].bridge, &states[0].built[0]).friction;
+        let friction = rigid::single(&states[0].bridge, &states[0].built[0]).friction;
         Ok(Placing { states, helps, first, friction, capacity })
     }
 
@@ -232,7 +233,7 @@ impl Placing {
             Some(found) => found,
             None if put.forces.is_empty() => Carried::nothing(Status::Locks),
             None => Carried {
-                status: by_limit::status(outcome.status),
+                status: rigid::status(outcome.status),
                 factor: lesser(&outcome),
                 dilatant: outcome.associated_factor,
                 slides: false,
@@ -240,9 +241,9 @@ impl Placing {
         };
         let mut picture = Picture::default();
         if let Some(mechanism) = &outcome.mechanism {
-            by_limit::draw_mechanism(d, &outcome.interfaces, mechanism, &mut picture);
+            rigid::draw_mechanism(d, &outcome.interfaces, mechanism, &mut picture);
         }
-        picture.thrust_lines = by_limit::thrust_lines(d, &outcome.interfaces, &outcome.resultants);
+        picture.thrust_lines = rigid::thrust_lines(d, &outcome.interfaces, &outcome.resultants);
         let arrow = |at, force| LoadArrow { at: geometry::point(at), force: geometry::point(force) };
         picture.loads = put.forces.iter().map(|force| arrow(force.at, force.force)).collect();
         let strips = put.strips.iter();
@@ -252,7 +253,7 @@ impl Placing {
             factor: self.times(found.factor),
             dilatant: self.times(found.dilatant),
             bounds: [self.times(outcome.lower_bound), self.times(outcome.upper_bound)],
-            flow: by_limit::flow_rule(outcome.friction),
+            flow: rigid::flow_rule(outcome.friction),
             is_open: put.is_open,
             reference: strips.clone().map(|strip| strip.force).sum(),
             picture,
@@ -272,7 +273,7 @@ impl Placing {
         let (k, put) = self.least(position, Asked::Carefully);
         let d = &self.states[k].built[put.weights];
         let loading = mechanics::blocks::Loading { variable: put.forces, ..d.loading.clone() };
-        let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(&self.states[k].bridge) };
+        let settings = limit::Settings { friction: Friction::Associated, ..rigid::settings(&self.states[k].bridge) };
         let zone = limit::thrust_zone(&d.model, &loading, factor / self.capacity, &settings)?;
         let reach = zone.interfaces.iter().zip(&zone.reach).filter_map(|(joint, reach)| {
             let ends = reach.as_ref()?.map(geometry::point);

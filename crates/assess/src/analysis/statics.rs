@@ -1,6 +1,8 @@
 //! What a bridge weighs, part by part, and what it hands to the ground at rest.
 
-use super::{AnalysisError, by_limit};
+use super::AnalysisError;
+use super::engine::rigid;
+use super::state::{self, Change};
 use bridge::{Bridge, Method, Strip};
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit::{Ground, Section};
@@ -13,12 +15,16 @@ use structure::discretise::{Discretised, Origin};
 /// # Errors
 /// A bridge that cannot be cut into blocks.
 pub fn statics(bridge: &Bridge) -> Result<Statics, AnalysisError> {
-    let own = super::by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
-    let mut own = Bridge { loads: Vec::new(), particles: None, ..own };
-    (own.plan.method, own.plan.strip) = (Method::Limit, Strip::Fill);
-    own.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
-    let d = by_limit::prepared(&own)?;
-    let ground = Ground::new(&d.model, &d.loading, &by_limit::settings(&own))?;
+    let changes = [
+        Change::FillAsWeight,
+        Change::ParticlesAsWeight,
+        Change::NoLoads,
+        Change::Method(Method::Limit),
+        Change::Strip(Strip::Fill),
+    ];
+    let own = state::with(bridge, &changes);
+    let d = rigid::prepared(&own)?;
+    let ground = Ground::new(&d.model, &d.loading, &rigid::settings(&own))?;
     Ok(Statics {
         width: bridge.width,
         weights: weights(&own, &d),

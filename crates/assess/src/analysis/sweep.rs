@@ -9,9 +9,10 @@
 mod continuum;
 mod deformable;
 
+use super::engine::rigid;
 use super::parallel::{self, CancelToken, Stage};
 use super::vehicles::{DILATANCY, FAR_ABOVE, REFINEMENTS};
-use super::{AnalysisError, by_limit, default_stiffness, policy};
+use super::{AnalysisError, default_stiffness, policy};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Least, Level, Starts, Sweeper};
@@ -73,9 +74,9 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     let list = places.list(bridge, first);
     let own = default_stiffness::for_paths(bridge);
     let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
-    let mut d = by_limit::prepared(bridge)?;
+    let mut d = rigid::prepared(bridge)?;
     d.loading.variable.clear();
-    let settings = by_limit::single(bridge, &d);
+    let settings = rigid::single(bridge, &d);
     let dilatant = limit::Settings { friction: limit::Friction::Associated, ..settings };
     let ground = Ground::new(&d.model, &d.loading, &dilatant)?;
     let vehicle = bridge.loads.iter().any(|l| matches!(l.kind, LoadKind::Axles { .. }));
@@ -162,7 +163,7 @@ struct Answer {
 
 impl Answer {
     fn of(found: Least) -> Answer {
-        Answer { status: by_limit::status(found.status), factor: found.factor, level: found.level }
+        Answer { status: rigid::status(found.status), factor: found.factor, level: found.level }
     }
 
     fn put(self, case: &mut Case) {
@@ -262,7 +263,7 @@ impl Scene<'_> {
             if token.is_cancelled() {
                 return None;
             }
-            (case.status, case.factor, case.slides) = (by_limit::status(found.status), found.lower, found.slides);
+            (case.status, case.factor, case.slides) = (rigid::status(found.status), found.lower, found.slides);
             case.unknown = found.status == limit::Status::NotConverged;
         }
         token.step();

@@ -1,5 +1,6 @@
 //! The two strips of a bridge with spandrel walls, and their loads by their widths.
 
+use super::state::{self, Change};
 use super::{AnalysisError, collapse};
 use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
@@ -47,11 +48,8 @@ pub(super) fn strip(
     resume: Option<&[u64]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
-    let mut alone = bridge.clone();
-    alone.plan.strip = strip;
-    if strip == Strip::Wall {
-        alone.loads.iter_mut().for_each(|load| load.block = None);
-    }
+    let changes = [Change::Strip(strip), Change::LoadsThroughCover];
+    let alone = state::with(bridge, if strip == Strip::Wall { &changes } else { &changes[..1] });
     let number = u64::from(strip == Strip::Wall);
     collapse(&alone, resume, &mut Part { watch, number })
 }

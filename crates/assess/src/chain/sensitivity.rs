@@ -3,8 +3,8 @@
 
 use super::service::Scope;
 use super::{at_position, service, window};
-use crate::analysis::by_weight_alone;
 use crate::analysis::parallel;
+use crate::analysis::state::{self, Change};
 use crate::analysis::vehicles::vehicle_sweep;
 use crate::checks::{CHECKS, Check, Probe};
 use crate::evidence::Evidence;
@@ -170,7 +170,7 @@ impl Changed<'_> {
         match by {
             Probe::Itself => {}
             Probe::Vehicle => {
-                let mut alone = by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
+                let mut alone = state::with(bridge, &[Change::FillAsWeight]);
                 let plan = alone.sweep.as_mut()?;
                 plan.vehicles = vec![self.governing.load_model.clone()];
                 plan.discrete_elements = false;

@@ -3,7 +3,8 @@
 //! Standards put a uniform load on the adverse parts of a bridge alone (EN 1991-2, 4.3.2; BS 5400-2, 6.2.1): an arch is held by what stands
 //! on its far side. Parts are sought on rigid blocks, with all positions; the one that is found goes the way of the file's own loads.
 
-use crate::analysis::{self, AnalysisError, Places, by_weight_alone};
+use crate::analysis::state::{self, Change};
+use crate::analysis::{self, AnalysisError, Places};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::watch::Watch;
 use outcome::facts::ShortenedFacts;
@@ -60,8 +61,7 @@ fn least(bridge: &Bridge, span: f64, watch: &mut dyn Watch) -> Result<Option<f64
 
 /// The parts of the bridge's strips that do most harm, where they do more than the whole strips.
 pub fn shortened(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Vec<ShortenedFacts>, AnalysisError> {
-    let mut own = by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
-    own.plan.method = Method::Limit;
+    let mut own = state::with(bridge, &[Change::FillAsWeight, Change::Method(Method::Limit)]);
     let span = own.spans.iter().map(|span| span.span).fold(f64::INFINITY, f64::min);
     let mut found = Vec::new();
     for load in 0..own.loads.len() {

@@ -1,6 +1,7 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
 use super::shortened::{as_shortened, shortened};
+use crate::analysis::state::{self, Change};
 use crate::analysis::{self, AnalysisError, Places, by_weight_alone};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
@@ -30,15 +31,16 @@ const BOUNDS_IN_A_SPAN: f64 = 12.0;
 /// The bridge for limit analysis, and on deformable joints where its plan asks for them: between its walls, fill as weight, loads
 /// through the cover.
 fn of_blocks(bridge: &Bridge) -> Bridge {
-    let mut own = bridge.clone();
     let method = if gives(bridge) { Method::Path } else { Method::Limit };
-    (own.plan.analysis, own.plan.method, own.plan.strip) = (Analysis::Load, method, Strip::Fill);
-    // The file's steps and largest load are for one place.
-    (own.plan.load_step, own.plan.load_limit) = (None, None);
-    own.loads.iter_mut().for_each(|load| load.block = None);
-    own.particles = None;
-    own.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
-    own
+    let changes = [
+        Change::Analysis(Analysis::Load),
+        Change::Method(method),
+        Change::Strip(Strip::Fill),
+        Change::OpenSteps,
+        Change::LoadsThroughCover,
+        Change::ParticlesAsWeight,
+    ];
+    state::with(bridge, &changes)
 }
 
 /// Whether deformable joints are followed beside rigid blocks.
@@ -48,7 +50,8 @@ fn gives(bridge: &Bridge) -> bool {
 
 /// The loads where they stand, by the method that gives less.
 fn alone(own: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    if gives(own) { analysis::collapse_by_path(own, None, watch) } else { analysis::collapse_by_limit(own, watch) }
+    let method = if gives(own) { Method::Path } else { Method::Limit };
+    analysis::collapse_by(method, own, None, watch)
 }
 
 /// The factor on the run of axles that governs, at one position [m] of the first load, with the parts of uniform loads that govern: what is
@@ -188,8 +191,8 @@ fn with_axles(bridge: &Bridge, offset: f64, axles: [usize; 2]) -> Bridge {
 /// The movement of the file's support that makes a mechanism.
 pub fn movement(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let yields = bridge.continuum.is_some();
-    let mut own = by_weight_alone(bridge).filter(|_| yields).unwrap_or_else(|| bridge.clone());
-    own.plan.analysis = Analysis::SupportMovement;
+    let changes = [Change::Analysis(Analysis::SupportMovement), Change::FillAsWeight];
+    let own = state::with(bridge, if yields { &changes } else { &changes[..1] });
     let mut found = analysis::collapse(&own, None, watch)?;
     if yields {
         found.assumptions.push(note::Soil::AsWeightOfMovements.into());

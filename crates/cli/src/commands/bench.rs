@@ -15,7 +15,8 @@ use crate::failure::Failure;
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
-use assess::analysis::{AnalysisError, by_dem, by_limit};
+use assess::analysis::AnalysisError;
+use assess::analysis::engine::{dem as by_dem, rigid};
 use bridge::Bridge;
 use extrados::examples;
 use mechanics::contact::ContactLength;
@@ -175,7 +176,7 @@ fn path(bridge: &Bridge) -> Result<Found, AnalysisError> {
 /// The full ring of case 1 by limit analysis: blocks, program, both bounds, mechanism.
 fn limit(bridge: &Bridge) -> Result<Found, AnalysisError> {
     let d = discretise(bridge)?;
-    let settings = limit::Settings { contact_points: limit::ContactPoints::FullRing, ..by_limit::settings(bridge) };
+    let settings = limit::Settings { contact_points: limit::ContactPoints::FullRing, ..rigid::settings(bridge) };
     let found = limit::collapse_load(&d.model, &d.loading, &settings)?;
     Ok(Found {
         blocks: d.model.blocks.len(),

@@ -62,8 +62,15 @@ fn what_knows_no_defects_refuses_them() {
     let stage = Stage::with_example("defects-refused", "bridgemill");
     let text = stage.read("bridge/case-1.toml");
     stage.write("bridge/bridge.toml", format!("{text}\n[[defect]]\nkind = \"lost-mortar\"\ndepth = \"50 mm\"\n"));
-    for choice in [["--method", "fe"], ["--analysis", "thickness"]] {
-        let ending = stage.run(&["collapse", "bridge/bridge.toml", choice[0], choice[1]]);
-        assert!(ending.code == Some(2) && ending.stderr.contains("know neither defects"), "{}", ending.stderr);
+    for (flag, value, words) in [
+        ("--method", "fe", "finite elements of one ring do not know defects: write method = "),
+        (
+            "--analysis",
+            "thickness",
+            "the least thickness does not take defects into account: write analysis = \"load\"",
+        ),
+    ] {
+        let ending = stage.run(&["collapse", "bridge/bridge.toml", flag, value]);
+        assert!(ending.code == Some(2) && ending.stderr.contains(words), "{}", ending.stderr);
     }
 }

@@ -68,6 +68,26 @@ fn every_crate_and_top_folder_is_in_the_architecture() {
 }
 
 #[test]
+fn no_engine_imports_another_and_none_has_more_than_six_files() {
+    let folder = "crates/assess/src/analysis/engine";
+    let engines = ["continuum", "dem", "elements", "limit", "path"];
+    let modules = read(&root().join(folder).join("mod.rs"));
+    for engine in engines {
+        assert!(modules.contains(&format!("mod {engine};")), "{engine}");
+        let files = sources(&format!("{folder}/{engine}"));
+        assert!(files.len() <= 6, "{engine} has {} files", files.len());
+        for file in files {
+            let code = code(&file);
+            for other in engines.iter().filter(|other| **other != engine) {
+                let names = [format!("engine::{other}"), format!("super::{other}")];
+                let named = names.iter().find(|name| code.contains(name.as_str()));
+                assert!(named.is_none(), "{} names {named:?}", file.display());
+            }
+        }
+    }
+}
+
+#[test]
 fn no_crate_depends_on_one_above_it() {
     let dependencies = |name: &str| {
         let text = read(&root().join("crates").join(name).join("Cargo.toml"));

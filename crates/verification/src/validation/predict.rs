@@ -107,7 +107,7 @@ fn analysed(test: &Test, priors: &Priors, job: &Job, watch: &mut dyn Watch) -> R
     let bridge = bridge_of(&document)?;
     let found = match (job.by, job.at) {
         (Predictor::Continuum, at) if at != (Level::Expected, None) => {
-            analysis::by_bounds::with_strength_of_the_file(&bridge, watch)
+            analysis::engine::continuum::with_strength_of_the_file(&bridge, watch)
         }
         // With the help that the method counts on: the prediction is the method's.
         _ => analysis::as_described(&bridge, None, watch),

@@ -8,7 +8,7 @@ mod drawn;
 #[path = "../random/mod.rs"]
 mod random;
 
-use assess::analysis::by_bounds::bounds_alone;
+use assess::analysis::engine::continuum::bounds_alone;
 use bridge::Severity;
 use mechanics::limit::continuum::{Bounds, BoundsStatus};
 use mechanics::watch::CancelToken;

@@ -4,7 +4,7 @@
 use super::sample::Sample;
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
-use crate::analysis::by_dem::settings;
+use crate::analysis::engine::dem::settings;
 use bridge::Bridge;
 use mechanics::blocks::{Block, BlockModel, Held, LawTable, Loading, PointForce};
 use mechanics::dem::{self, Model, begin, collapse_from};

@@ -14,7 +14,7 @@ mod strength;
 #[cfg(test)]
 mod tests;
 
-use super::by_dem::require_stiffness;
+use super::engine::joints::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
 use biaxial::{Box2, contacts};
 use bridge::{Bridge, Particles, Sizes, Strip};

@@ -3,7 +3,7 @@
 use super::sample::Sample;
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
-use crate::analysis::by_dem::settings;
+use crate::analysis::engine::dem::settings;
 use bridge::{Bridge, Calibration};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
 use mechanics::dem::{self, Frame, Model, begin, collapse_from};

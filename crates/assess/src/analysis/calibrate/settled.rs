@@ -1,8 +1,8 @@
 //! The fill of a bridge at rest: packed for a seed, the ring let go, before any load.
 
-use super::super::filled::{fill, packing, without_loading_blocks};
 use super::AnalysisError;
-use crate::analysis::by_dem::settings;
+use crate::analysis::engine::dem::filled::{fill, packing, without_loading_blocks};
+use crate::analysis::engine::dem::settings;
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{LawTable, Loading, Particle};
 use mechanics::dem::{self, Model, PackingError, begin};

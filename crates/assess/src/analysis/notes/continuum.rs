@@ -1,6 +1,6 @@
 //! Notes on fill and backing that yield as a continuum.
 
-use crate::analysis::by_bounds::bears_first;
+use crate::analysis::engine::continuum::bears_first;
 use bridge::Bridge;
 use outcome::collapse::{Collapse, Status};
 use outcome::note::{self, Note};

@@ -1,7 +1,7 @@
 //! What is to be said of joints: cohesion and tension in limit analysis, joints between rings that were not described, and a ring
 //! that has none.
 
-use crate::analysis::by_fe::Sliding;
+use crate::analysis::engine::elements::Sliding;
 use bridge::{Bridge, Joint};
 use outcome::warning::{self, Warning};
 

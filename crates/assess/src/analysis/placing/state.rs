@@ -1,7 +1,8 @@
 //! One state of the bridge under what is put on it.
 
+use super::super::AnalysisError;
+use super::super::engine::rigid;
 use super::super::vehicles::{Asked, Driven, Driving};
-use super::super::{AnalysisError, by_limit};
 use super::Carried;
 use bridge::Bridge;
 use mechanics::blocks::PointForce;
@@ -59,9 +60,9 @@ impl State {
     fn on(bridges: &[Bridge]) -> Result<State, AnalysisError> {
         let (mut built, mut grounds) = (Vec::new(), Vec::new());
         for bridge in bridges {
-            let mut d = by_limit::prepared(bridge)?;
+            let mut d = rigid::prepared(bridge)?;
             d.loading.variable.clear();
-            let settings = limit::Settings { friction: Friction::Associated, ..by_limit::settings(bridge) };
+            let settings = limit::Settings { friction: Friction::Associated, ..rigid::settings(bridge) };
             grounds.push(Ground::owning(d.model.clone(), &d.loading, &settings)?);
             built.push(d);
         }
@@ -113,7 +114,7 @@ impl State {
         self.ends = ends;
         self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
         put.carried = Some(Carried {
-            status: by_limit::status(governing.status),
+            status: rigid::status(governing.status),
             factor: governing.factor,
             dilatant: governing.dilatant,
             slides: governing.slides,
@@ -149,7 +150,7 @@ impl State {
         let dilatant = found.dilatant.lower;
         let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
         self.ends[0] = found.level.or(self.ends[0].take());
-        Carried { status: by_limit::status(found.status), factor, dilatant, slides: found.dilatant.slides }
+        Carried { status: rigid::status(found.status), factor, dilatant, slides: found.dilatant.slides }
     }
 
     /// Forces and mechanism of what stands at a place.

@@ -1,5 +1,6 @@
-//! How a bridge loses what may help it.
+//! What may help a bridge, and the bridge without it.
 
+use crate::analysis::state::{self, Change};
 use bridge::{Analysis, Bridge, Joint, Method, Strip};
 use outcome::help::Help;
 
@@ -10,9 +11,8 @@ pub fn helps(bridge: &Bridge) -> Vec<Help> {
 
 /// The bridge with only some of its helps.
 pub fn with_only(bridge: &Bridge, all: &[Help], kept: &[Help]) -> Bridge {
-    let mut own = bridge.clone();
-    all.iter().filter(|help| !kept.contains(help)).for_each(|help| lose(&mut own, *help));
-    own
+    let lost: Vec<Change> = all.iter().filter(|help| !kept.contains(help)).map(|help| Change::Without(*help)).collect();
+    state::with(bridge, &lost)
 }
 
 fn has(bridge: &Bridge, help: Help) -> bool {
@@ -59,27 +59,4 @@ fn joints(bridge: &Bridge) -> Vec<Joint> {
 fn soil_tension(bridge: &Bridge) -> Vec<f64> {
     let layers = bridge.cover.layers.iter().filter(|layer| layer.continuum).filter_map(|layer| layer.tensile_strength);
     layers.chain(bridge.cover.backing.and_then(|backing| backing.tensile_strength)).collect()
-}
-
-fn lose(bridge: &mut Bridge, help: Help) {
-    match help {
-        Help::Water => {
-            bridge.cover.water = None;
-            bridge.continuum.iter_mut().for_each(|plan| plan.water_level = None);
-        }
-        Help::Movement => bridge.plan.support_movement = None,
-        Help::FillPressure => bridge.fill_pressure.iter_mut().for_each(|fill| fill.applies = false),
-        Help::Parapets => bridge.spandrel_wall.iter_mut().for_each(|wall| wall.top = None),
-        Help::Tension => {
-            each_joint(bridge, |joint| joint.tensile_strength = 0.0);
-            bridge.cover.layers.iter_mut().for_each(|layer| layer.tensile_strength = None);
-            bridge.cover.backing.iter_mut().for_each(|backing| backing.tensile_strength = None);
-        }
-        Help::Cohesion => each_joint(bridge, |joint| joint.cohesion = 0.0),
-    }
-}
-
-fn each_joint(bridge: &mut Bridge, change: fn(&mut Joint)) {
-    [&mut bridge.joint, &mut bridge.ring_joint].into_iter().for_each(change);
-    bridge.spandrel_wall.iter_mut().for_each(|wall| change(&mut wall.joint));
 }

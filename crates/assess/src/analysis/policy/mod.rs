@@ -15,6 +15,8 @@ pub(super) use least::{collapse, of_blocks};
 pub(super) use sweep::swept;
 pub(super) use vehicles::moved;
 
+use super::engine::can::{self, Feature, Knows};
+use super::state::{self, Change};
 use bridge::{Analysis, Bridge, Method};
 use outcome::help::{Help, NotCounted, WithHelp};
 use outcome::note::{self, Note, Size};
@@ -47,11 +49,9 @@ pub(super) fn states(bridge: &Bridge) -> Vec<State<Bridge>> {
 
 /// The same for loads that are moved over the bridge, which limit analysis does where the plan's method does not.
 pub(super) fn states_of_moving(bridge: &Bridge) -> Vec<State<Bridge>> {
-    let mut moving = bridge.clone();
-    moving.plan.analysis = Analysis::Load;
-    if matches!(moving.plan.method, Method::Dem | Method::Fe) {
-        moving.plan.method = Method::Limit;
-    }
+    let by_limit = can::knows(bridge.plan.method, Feature::LoadSweep) == Knows::ByLimit;
+    let method = if by_limit { Method::Limit } else { bridge.plan.method };
+    let moving = state::with(bridge, &[Change::Analysis(Analysis::Load), Change::Method(method)]);
     let mut states = states(&moving);
     states.iter_mut().for_each(|state| {
         (state.bridge.plan.analysis, state.bridge.plan.method) = (bridge.plan.analysis, bridge.plan.method);

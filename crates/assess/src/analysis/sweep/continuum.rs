@@ -5,8 +5,8 @@
 
 use super::{Case, Row, Scene};
 use crate::analysis::AnalysisError;
-use crate::analysis::by_bounds::Moving;
-use crate::analysis::by_bounds::moved::{self, Answer, Asked};
+use crate::analysis::engine::continuum::Moving;
+use crate::analysis::engine::continuum::moved::{self, Answer, Asked};
 use crate::analysis::parallel::Portion;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
@@ -122,7 +122,7 @@ fn strips(scene: &Scene<'_>, position: f64) -> Vec<Strip> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::by_bounds::Bracket;
+    use crate::analysis::engine::continuum::Bracket;
 
     fn weight() -> SweepPoint {
         SweepPoint {

@@ -3,10 +3,11 @@
 //! At every position up to three cases are followed: the run of axles that governs for rigid blocks, all axles, and the run that
 //! governed at the position before. At the worst position all runs are, once it has been sought between the positions.
 
+use super::super::AnalysisError;
 use super::super::deforming::{Asked, Bound, Deforming, Followed};
+use super::super::engine::joints::require_stiffness;
 use super::super::parallel::{self, Stage};
 use super::super::vehicles::REFINEMENTS;
-use super::super::{AnalysisError, by_dem};
 use super::{CHUNK, Case, Row, Scene};
 use mechanics::path::Sweeper;
 use mechanics::watch::{CancelToken, Watch};
@@ -39,7 +40,7 @@ pub(super) fn beside(
     found: &mut Sweep,
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
-    by_dem::require_stiffness(scene.bridge)?;
+    require_stiffness(scene.bridge)?;
     let deforming = Deforming::new(scene.bridge, scene.d, watch)?;
     if !deforming.stands() {
         let falls = deforming.falls();

@@ -3,9 +3,9 @@
 //! each drive, the least lower bound first; then every combination of weights at the worst position, and the positions on both sides of it
 //! that were left out. The smaller factor counts everywhere.
 
-use super::super::by_bounds::Moving as Body;
-use super::super::by_bounds::moved::{self, Asked};
-use super::super::by_limit;
+use super::super::engine::continuum::Moving as Body;
+use super::super::engine::continuum::moved::{self, Asked};
+use super::super::engine::rigid;
 use super::super::parallel::Portion;
 use super::twins::twins;
 use super::{AnalysisError, factored};
@@ -37,7 +37,7 @@ pub(super) fn beside(
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
     let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
-    let built: Vec<Discretised> = bridges.iter().map(by_limit::prepared).collect::<Result<_, _>>()?;
+    let built: Vec<Discretised> = bridges.iter().map(rigid::prepared).collect::<Result<_, _>>()?;
     let bodies: Vec<Body<'_>> =
         bridges.iter().zip(&built).map(|(own, d)| Body::new(own, d)).collect::<Result<_, _>>()?;
     let feet: Vec<_> = vehicles.iter().map(|v| factored::footprint(bridge, plan, rule, v)).collect();

@@ -6,9 +6,10 @@
 //! loads, factors on weights, the critical axle.
 
 use super::super::deforming::{Asked, Bound, Deforming, Followed, InService};
+use super::super::engine::joints::require_stiffness;
+use super::super::engine::rigid;
 use super::super::parallel::{self, Stage};
 use super::super::service::Service;
-use super::super::{by_dem, by_limit};
 use super::AnalysisError;
 use super::cases::{borders, reach, runs};
 use super::factored::{self, Footprint, footprint};
@@ -59,9 +60,9 @@ pub(super) fn beside(
     (swept, step): (&mut [Swept], f64),
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
-    by_dem::require_stiffness(bridge)?;
+    require_stiffness(bridge)?;
     let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
-    let built: Vec<Discretised> = bridges.iter().map(by_limit::prepared).collect::<Result<_, _>>()?;
+    let built: Vec<Discretised> = bridges.iter().map(rigid::prepared).collect::<Result<_, _>>()?;
     let mut deforming = Vec::with_capacity(built.len());
     for (own, d) in bridges.iter().zip(&built) {
         deforming.push(Deforming::new(own, d, watch)?);

@@ -6,7 +6,8 @@
 //! the edge. So the points are put there: the corners of the blocks are rounded by that much more, with the thrusts of limit
 //! analysis at its hinges.
 
-use super::super::by_dem;
+use super::super::engine;
+use super::super::state::{self, Change};
 use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
@@ -27,8 +28,8 @@ pub fn carried(
     let mut found = ByDiscreteElements { status: None, adequacy: None, limit, step: 0.0, inset: None, reason: None };
     let capacity = rule.capacity_factor();
     let Some(factor) = limit.map(|adequacy| adequacy / capacity) else { return found };
-    let mut b = case.clone();
-    b.plan.method = Method::Dem;
+    // Fill is weight, as limit analysis has it.
+    let mut b = state::with(case, &[Change::Method(Method::Dem), Change::ParticlesAsWeight]);
     if let Some(inset) = inset(&b, by_limit) {
         let mut with = b.clone();
         with.masonry.rounding += inset;
@@ -40,7 +41,7 @@ pub fn carried(
     b.plan.load_step = Some(reference * factor / STEPS);
     b.plan.load_limit = Some(1.5 * reference * factor);
     found.step = factor * capacity / STEPS;
-    match by_dem::as_described(&b, None, watch) {
+    match engine::by(Method::Dem).load(&b, None, watch) {
         Ok(c) => {
             found.status = Some(c.status);
             found.adequacy = match c.status {

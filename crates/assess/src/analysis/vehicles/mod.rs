@@ -43,7 +43,8 @@ pub use outcome::vehicles::{Extreme, SectionEnvelope};
 pub(super) use search::{DILATANCY, FAR_ABOVE, REFINEMENTS};
 
 use super::parallel::Portion;
-use super::{AnalysisError, by_limit, by_path, default_stiffness, policy};
+use super::state::{self, Change};
+use super::{AnalysisError, default_stiffness, engine, policy};
 use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::{Bridge, JointContact, Method};
 use mechanics::watch::Watch;
@@ -167,13 +168,11 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
 /// The governing case by itself, by the method that gives less.
 fn alone(bridge: &Bridge, case: &Bridge, gives: bool, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     if !gives {
-        return by_limit::as_described(case, watch);
+        return engine::raising(Method::Limit, case).load(case, None, watch);
     }
-    let mut case = case.clone();
-    (case.plan.method, case.plan.contact) = (Method::Path, bridge.plan.contact);
-    // The file's steps and largest load are of its own loads.
-    (case.plan.load_step, case.plan.load_limit) = (None, None);
-    by_path::as_described(&case, None, watch)
+    let mut case = state::with(case, &[Change::Method(Method::Path), Change::OpenSteps]);
+    case.plan.contact = bridge.plan.contact;
+    engine::by(Method::Path).load(&case, None, watch)
 }
 
 /// The adequacy factor of one case of a vehicle on another state of the bridge, by the methods of its plan; none where it finds none.

@@ -1,6 +1,6 @@
 //! Every case answered: least adequacy factors, and the worst position between the positions.
 
-use super::super::by_limit;
+use super::super::engine::rigid;
 use super::super::parallel::{self, CancelToken, Stage};
 use super::AnalysisError;
 use super::cases::{borders, drives, reach};
@@ -118,8 +118,8 @@ pub fn all(
 ) -> Result<Vec<Swept>, AnalysisError> {
     let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
     let bridge = &bridges[0];
-    let built: Vec<Discretised> = bridges.iter().map(by_limit::prepared).collect::<Result<_, _>>()?;
-    let settings = limit::Settings { friction: limit::Friction::Associated, ..by_limit::settings(bridge) };
+    let built: Vec<Discretised> = bridges.iter().map(rigid::prepared).collect::<Result<_, _>>()?;
+    let settings = limit::Settings { friction: limit::Friction::Associated, ..rigid::settings(bridge) };
     let mut grounds = Vec::with_capacity(built.len());
     for d in &built {
         grounds.push(Ground::new(&d.model, &d.loading, &settings)?);

@@ -5,7 +5,7 @@ use crate::args::Bench;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use assess::analysis::by_bounds;
+use assess::analysis::engine::continuum;
 use bridge::Bridge;
 use mechanics::limit::continuum::Bounds;
 use mechanics::watch::CancelToken;
@@ -39,7 +39,7 @@ pub fn run(arguments: &Bench) -> Result<Report, Failure> {
 }
 
 fn measured(arguments: &Bench, bridge: &Bridge) -> Result<Repeated<(Bounds, f64)>, Failure> {
-    repeated(arguments, || by_bounds::bounds_alone(bridge, &CancelToken::default()))
+    repeated(arguments, || continuum::bounds_alone(bridge, &CancelToken::default()))
 }
 
 fn told(arguments: &Bench, Repeated { least, middle, last: (bounds, _) }: &Repeated<(Bounds, f64)>) -> String {

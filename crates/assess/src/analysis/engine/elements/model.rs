@@ -1,6 +1,6 @@
 //! What stones and joints are made of: together as stiff as the contacts of discrete elements.
 
-use super::AnalysisError;
+use crate::analysis::AnalysisError;
 use bridge::Bridge;
 use mechanics::blocks::Stiffness;
 use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, Shear};

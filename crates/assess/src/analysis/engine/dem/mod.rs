@@ -1,9 +1,17 @@
-//! Collapse by discrete elements.
+//! Discrete elements: blocks, and particles where the fill is made of them, in motion.
 
-use super::geometry::{lines, moving, point, scaled};
-use super::template;
-use super::{AnalysisError, by_limit, notes, picture, policy};
-use bridge::{Bridge, ContactLength, Damping, JointContact, Plan, Strip};
+mod drawn;
+pub mod filled;
+mod movement;
+mod thickness;
+
+use crate::analysis::engine::joints::{contact_length, require_stiffness};
+use crate::analysis::engine::rings::{MovedSupport, RingThickness};
+use crate::analysis::engine::steps::program;
+use crate::analysis::engine::{Engine, rigid};
+use crate::analysis::geometry::{lines, moving, point, scaled};
+use crate::analysis::{AnalysisError, notes, picture, template};
+use bridge::{Bridge, Damping, JointContact, Method, Plan};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
@@ -13,8 +21,61 @@ use mechanics::watch::{Unwatched, Watch};
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, DemReport, Status};
 use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
-use outcome::warning::{Loads, Warning};
-use structure::discretise::{Discretised, discretise, laws};
+use outcome::warning::Warning;
+use structure::blocks::Scene;
+use structure::discretise::{Discretised, discretise, fill};
+
+/// Discrete elements.
+pub struct Dem;
+
+impl Engine for Dem {
+    fn method(&self) -> Method {
+        Method::Dem
+    }
+
+    fn joints(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
+        require_stiffness(bridge)
+    }
+
+    fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
+        self.joints(bridge)?;
+        let d = rigid::prepared(bridge)?;
+        if d.loading.variable.is_empty() {
+            return Err(AnalysisError::NoLoad);
+        }
+        fill::wanted(bridge).map_or(Ok(()), |particles| filled::ready(bridge, &d, particles))
+    }
+
+    fn load(&self, bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+        match fill::wanted(bridge) {
+            Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
+            None => collapse(bridge, resume, watch),
+        }
+    }
+
+    fn thickness(&self, rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+        thickness::found(rings, watch)
+    }
+
+    fn support_movement(
+        &self,
+        moves: &MovedSupport<'_>,
+        resume: Option<&[u64]>,
+        watch: &mut dyn Watch,
+    ) -> Result<Collapse, AnalysisError> {
+        movement::found(moves, resume, watch)
+    }
+
+    fn drawn(
+        &self,
+        scene: &Scene,
+        d: &Discretised,
+        resume: Option<&[u64]>,
+        watch: &mut dyn Watch,
+    ) -> Result<Collapse, AnalysisError> {
+        drawn::found(scene, d, resume, watch)
+    }
+}
 
 /// How the plan wants the method done.
 pub fn settings(bridge: &Bridge) -> dem::Settings {
@@ -37,37 +98,10 @@ pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
     }
 }
 
-/// Where joints press, by the plan, or by a method's own choice where that does not say.
-pub(super) fn contact_length(plan: &Plan, own: JointContact) -> mechanics::contact::ContactLength {
-    match (plan.contact.unwrap_or(own), plan.contact_length) {
-        (JointContact::Distributed, _) => dem::ContactLength::Distributed,
-        (JointContact::Points, ContactLength::Fixed) => dem::ContactLength::Fixed,
-        (JointContact::Points, ContactLength::Updated) => dem::ContactLength::Updated,
-    }
-}
-
-/// Refuses joints without stiffness.
-pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
-    if !laws::has_stiffness(&laws::law(bridge, &bridge.joint)) {
-        return Err(AnalysisError::NoStiffness { joint: "joints" });
-    }
-    if bridge.spans.iter().any(|s| s.rings.len() > 1) && !laws::has_stiffness(&laws::law(bridge, &bridge.ring_joint)) {
-        return Err(AnalysisError::NoStiffness { joint: "joints between rings" });
-    }
-    if bridge.plan.strip != Strip::Fill
-        && let Some(wall) = &bridge.spandrel_wall
-        && !laws::has_stiffness(&laws::wall(bridge, wall))
-    {
-        return Err(AnalysisError::NoStiffness { joint: "joints of the spandrel wall" });
-    }
-    Ok(())
-}
-
-/// The blocks of a bridge and a run of them in the hands of the caller: what [`collapse_by_dem`] computes, some steps at a time.
+/// The blocks of a bridge and a run of them in the hands of the caller: what [`Dem`] computes, some steps at a time.
 /// `Discretised::load` turns its factor into a load, and the blocks of its frames are those of `Discretised::model`. The bridge has nothing that may
 /// come and go.
 pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), AnalysisError> {
-    let bridge = &policy::bare(bridge);
     let (d, rigid) = increased(bridge, &mut Unwatched)?;
     let bound = rigid.factor.or(rigid.associated_factor);
     let (program, _) = program(&bridge.plan, &d, bound, &mut Vec::new())?;
@@ -83,43 +117,15 @@ pub(super) fn increased(
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
-    let rigid = uncrushed(bridge, &d, watch)?;
+    let rigid = rigid::uncrushed(bridge, &d, watch)?;
     Ok((d, rigid))
 }
 
-/// What rigid blocks carry whose joints do not crush.
-pub(super) fn uncrushed(
-    bridge: &Bridge,
-    d: &Discretised,
-    watch: &mut dyn Watch,
-) -> Result<limit::Outcome, AnalysisError> {
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
-    // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
-    // limit analysis lets a joint crush under its edge.
-    let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, d) };
-    by_limit::watched(d, &uncrushed, watch)
-}
-
-/// Raises the loads of the file in steps until the blocks collapse; what may help and may come and go is not counted.
-pub fn collapse_by_dem(
-    bridge: &Bridge,
-    resume: Option<&[u64]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, resume, watch, &as_described)
-}
-
-/// The same with all that the file says of the bridge.
-pub(super) fn as_described(
-    bridge: &Bridge,
-    resume: Option<&[u64]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
+/// Raises the loads of the file in steps until the blocks collapse.
+fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let (d, rigid) = increased(bridge, watch)?;
     if rigid.status == limit::Status::Cancelled {
-        return Ok(by_limit::cancelled(bridge, &d));
+        return Ok(rigid::cancelled(bridge, &d, By::Dem(None)));
     }
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
@@ -134,8 +140,8 @@ pub(super) fn as_described(
     c.warnings.extend(chosen.into_iter().map(Warning::from));
     notes::dem(bridge, &d, &mut c);
     notes::apart(rigid.status, &mut c);
-    if by_limit::settings(bridge).crushing {
-        let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
+    if rigid::settings(bridge).crushing {
+        let crushed = rigid::watched(&d, &rigid::single(bridge, &d), watch)?.factor;
         c.crushing_limit_load = crushed.map(load);
         notes::crushed(&mut c);
     }
@@ -143,56 +149,13 @@ pub(super) fn as_described(
 }
 
 /// The last load at rest, and the first that collapsed: a step that did neither is no collapse load.
-pub(super) fn loads(outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, c: &mut Collapse) {
+pub fn loads(outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, c: &mut Collapse) {
     c.last_stable_load = outcome.last_stable_factor.map(load);
     let next = outcome.collapse_factor.map(load);
     match outcome.status {
         dem::Status::Stalled => c.stalled_load = next,
         _ => c.collapse_load = next,
     }
-}
-
-/// The steps of a run and the size of one [N/m]. What the plan leaves open is chosen from the limit load factor
-/// `bound`, and said.
-pub(super) fn program(
-    plan: &Plan,
-    d: &Discretised,
-    bound: Option<f64>,
-    chosen: &mut Vec<Loads>,
-) -> Result<(dem::Program, f64), AnalysisError> {
-    let missing =
-        |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
-    let load_step = match (plan.load_step, bound) {
-        (Some(step), _) => step,
-        (None, Some(bound)) => {
-            let step = round_down(bound * d.reference_load / 20.0);
-            chosen.push(Loads::LoadStep { step });
-            step
-        }
-        _ => return Err(missing("load_step")),
-    };
-    let load_limit = match (plan.load_limit, bound) {
-        (Some(limit), _) => limit,
-        (None, Some(bound)) => {
-            let limit = d.counted_weight + load_step * (1.5 * bound * d.reference_load / load_step).ceil();
-            chosen.push(Loads::LoadLimit { limit });
-            limit
-        }
-        _ => return Err(missing("load_limit")),
-    };
-    let program = dem::Program {
-        increment: load_step / d.reference_load,
-        limit: (load_limit - d.counted_weight).max(0.0) / d.reference_load,
-        resolution: plan.resolution.map(|r| r / d.reference_load),
-        watched: d.watched,
-    };
-    Ok((program, load_step))
-}
-
-/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
-fn round_down(value: f64) -> f64 {
-    let decade = 10f64.powf(value.log10().floor());
-    [5.0, 2.0, 1.0].into_iter().map(|m| m * decade).find(|&v| v <= value).unwrap_or(decade)
 }
 
 /// How a run ended, for an engineer, and where it broke off.

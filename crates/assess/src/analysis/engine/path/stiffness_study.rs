@@ -1,6 +1,6 @@
 //! What a ring would carry on joints of other stiffness: nobody knows that of an old bridge well.
 
-use super::AnalysisError;
+use crate::analysis::AnalysisError;
 use mechanics::blocks::{BlockModel, Stiffness};
 use mechanics::path::{Ground, Program, Settings, Status};
 use mechanics::watch::{CancelToken, Watch};

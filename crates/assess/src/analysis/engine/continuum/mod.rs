@@ -1,13 +1,14 @@
 //! Collapse load by limit analysis where fill and backing are a continuum that yields: two bounds.
 
 mod beside;
-pub(super) mod moved;
+pub mod moved;
 
-use super::by_limit::{cancelled, draw, settings};
-use super::geometry::point;
-use super::{AnalysisError, notes, parallel, picture, template};
+use crate::analysis::engine::Engine;
+use crate::analysis::engine::rigid::{cancelled, draw, settings};
+use crate::analysis::geometry::point;
+use crate::analysis::{AnalysisError, notes, parallel, picture, template};
 use beside::Beside;
-use bridge::{Bridge, ContinuumPlan};
+use bridge::{Bridge, ContinuumPlan, Method};
 use mechanics::blocks::Held;
 use mechanics::limit::continuum::{
     Bounds, BoundsStatus, Like, Wanted, bound_elsewhere, closer_bounds, collapse_bounds, lower_like, upper_like,
@@ -22,12 +23,24 @@ use structure::discretise::continuum::{Earth, LoadedEarth, Strength, earth, load
 use structure::discretise::dispersal::Strip;
 use structure::discretise::{Discretised, discretise};
 
-/// Both bounds of the load.
-pub fn collapse_by_bounds(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    found(bridge, true, watch)
+/// Both bounds of the load on rigid blocks in soil that yields: limit analysis where the fill is a continuum.
+pub struct Continuum;
+
+impl Engine for Continuum {
+    fn method(&self) -> Method {
+        Method::Limit
+    }
+
+    fn joints(&self, _: &Bridge) -> Result<(), AnalysisError> {
+        Ok(())
+    }
+
+    fn load(&self, bridge: &Bridge, _: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+        found(bridge, true, watch)
+    }
 }
 
-/// The same with the strength of the file alone: neither the range over shares of it, nor soil that dilates.
+/// Both bounds with the strength of the file alone: neither the range over shares of it, nor soil that dilates.
 pub fn with_strength_of_the_file(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     found(bridge, false, watch)
 }
@@ -52,7 +65,7 @@ pub fn bounds_alone(bridge: &Bridge, token: &CancelToken) -> Result<(Bounds, f64
 }
 
 /// A bridge whose loads move: its blocks and its soil, which stay.
-pub(super) struct Moving<'a> {
+pub struct Moving<'a> {
     d: &'a Discretised,
     earth: Earth,
     settings: Settings,
@@ -143,7 +156,7 @@ fn like<'b>(others: &[(&'b Bracket, f64)]) -> Vec<Like<'b>> {
 
 /// Bounds of a load factor, and how they ended. Without convergence either may stand alone.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Bracket {
+pub struct Bracket {
     /// How they ended.
     pub status: Status,
     /// What is carried.
@@ -178,7 +191,7 @@ fn wanted(plan: &ContinuumPlan) -> Wanted {
     Wanted { ratio: plan.bound_ratio, elements: plan.elements, ..Wanted::default() }
 }
 
-pub(super) fn whole(
+pub(in crate::analysis) fn whole(
     bridge: &Bridge,
     d: &Discretised,
     earth: &Earth,
@@ -197,7 +210,7 @@ pub(super) fn whole(
         false => report,
     };
     let found = reported(bridge, d, &loaded, &bounds, report);
-    Ok(if !token.is_cancelled() { found } else { cancelled(bridge, d) })
+    Ok(if !token.is_cancelled() { found } else { cancelled(bridge, d, By::Limit(LimitReport::default())) })
 }
 
 fn described(d: &Discretised, plan: &ContinuumPlan, bounds: &Bounds) -> ContinuumReport {
@@ -311,7 +324,7 @@ fn moved(d: &Discretised, loaded: &LoadedEarth, bounds: &Bounds, drawn: &mut Pic
 const STILL: f64 = 0.02;
 
 /// Whether soil fails under a load before the ring does.
-pub(super) fn bears_first(picture: &Picture) -> bool {
+pub fn bears_first(picture: &Picture) -> bool {
     let Some(soil) = &picture.soil else { return false };
     let size = |p: &[f64; 2]| p[0].hypot(p[1]);
     let plates = soil.plates.iter().flat_map(|p| &p.motions).map(size).fold(0.0, f64::max);

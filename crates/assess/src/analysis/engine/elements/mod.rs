@@ -6,10 +6,12 @@ mod draw;
 mod model;
 mod slides;
 
-use super::by_dem::{program, require_stiffness};
-use super::{AnalysisError, by_limit, notes, picture, policy};
-use crate::analysis::template;
-use bridge::{Bridge, JointContact};
+use crate::analysis::engine::can::{Cannot, Feature};
+use crate::analysis::engine::joints::require_stiffness;
+use crate::analysis::engine::steps::program;
+use crate::analysis::engine::{Engine, rigid};
+use crate::analysis::{AnalysisError, notes, picture, template};
+use bridge::{Bridge, JointContact, Method};
 use draw::Shown;
 use mechanics::blocks::PointForce;
 use mechanics::dem::Program;
@@ -36,33 +38,57 @@ const CUTS: u32 = 10;
 /// hinges make a ring several times as soft, the fourth makes it a mechanism.
 const SOFT: f64 = 10.0;
 
-/// Raises the loads of the file in steps until the ring finds no balance; what may help and may come and go is not counted.
-pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, None, watch, &|state, _, watch| as_described(state, watch))
+/// Finite elements of one ring.
+pub struct Elements;
+
+impl Engine for Elements {
+    fn method(&self) -> Method {
+        Method::Fe
+    }
+
+    fn joints(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
+        require_stiffness(bridge)
+    }
+
+    fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
+        self.joints(bridge)?;
+        let d = rigid::prepared(bridge)?;
+        if d.loading.variable.is_empty() {
+            return Err(AnalysisError::NoLoad);
+        }
+        mesh(bridge, &d, false).map(|_| ())
+    }
+
+    fn load(&self, bridge: &Bridge, _: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+        collapse(bridge, watch)
+    }
 }
 
-/// The same with all that the file says of the bridge.
-pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+/// The mesh of the bridge's one ring.
+fn mesh(bridge: &Bridge, d: &Discretised, spread: bool) -> Result<RingMesh, AnalysisError> {
+    let of_ring = ring_mesh(d, bridge.service.mesh.ring_nodes, spread);
+    of_ring.ok_or_else(|| Cannot::of(Method::Fe, Feature::OtherBodies).into())
+}
+
+/// Raises the loads of the file in steps until the ring finds no balance.
+fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
-    if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
-        return Err(structure::discretise::DiscretiseError::Horizontal { what: "a ring of finite elements" }.into());
-    }
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
     let spread = bridge.plan.contact == Some(JointContact::Distributed);
-    let ring = ring_mesh(&d, bridge.service.mesh.ring_nodes, spread).ok_or(AnalysisError::NotOneRing)?;
+    let ring = mesh(bridge, &d, spread)?;
     // The same joints, anywhere in the full ring: the outermost springs stand at its edges.
     let rigid = limit::Settings {
         crushing: false,
         contact_points: limit::ContactPoints::FullRing,
-        ..by_limit::single(bridge, &d)
+        ..rigid::single(bridge, &d)
     };
-    let rigid = by_limit::watched(&d, &rigid, watch)?;
+    let rigid = rigid::watched(&d, &rigid, watch)?;
     if rigid.status == limit::Status::Cancelled {
-        return Ok(by_limit::cancelled(bridge, &d));
+        return Ok(rigid::cancelled(bridge, &d, By::Fe(FiniteReport::default())));
     }
     let mut chosen = Vec::new();
     let (program, load_step) = program(&bridge.plan, &d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;

@@ -1,6 +1,6 @@
 //! States of the ring as pictures show them: stones as blocks that move, springs as contacts, resultants of the joints.
 
-use super::super::geometry::{lines, moving, point, scaled};
+use crate::analysis::geometry::{lines, moving, point, scaled};
 use mechanics::blocks::interfaces;
 use mechanics::fem::joint::PairState;
 use mechanics::fem::{Model, State};
@@ -31,7 +31,7 @@ pub fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, fact
         load: d.load(factor),
         motions: motions(d, ring, model, &state.displacements),
         velocities: vec![[0.0; 2]; d.model.blocks.len()],
-        stresses: super::picture::stresses(d, &contacts, &loads),
+        stresses: crate::analysis::picture::stresses(d, &contacts, &loads),
         contacts,
         ..Snapshot::default()
     };

@@ -1,19 +1,16 @@
-//! Collapse load by limit analysis.
+//! Limit analysis of rigid blocks as every engine and every question asks for it: settings, the load, what is drawn of it.
 
-use super::by_bounds::collapse_by_bounds;
-use super::geometry::{between_rings, edge_at, lines, point, scaled};
-use super::template;
-use super::{AnalysisError, notes, parallel, picture, policy};
-use bridge::{Bridge, ContactPoints, Friction, Method, Plan};
+use crate::analysis::geometry::{between_rings, edge_at, lines, point, scaled};
+use crate::analysis::{AnalysisError, parallel, picture, template};
+use bridge::{Bridge, ContactPoints, Friction, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
+use mechanics::plane::Vec2;
 use mechanics::watch::{CancelToken, Watch};
-use outcome::collapse::{By, FlowRule};
-use outcome::collapse::{Collapse, LimitReport, Status};
-use outcome::collapse::{FiniteReport, PathReport};
+use outcome::collapse::{By, Collapse, FlowRule, Status};
 use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
-use structure::discretise::{Discretised, continuum, discretise, pressure};
+use structure::discretise::{Discretised, discretise, pressure};
 
 /// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
 pub fn settings(bridge: &Bridge) -> limit::Settings {
@@ -21,7 +18,7 @@ pub fn settings(bridge: &Bridge) -> limit::Settings {
 }
 
 /// The same for any plan, with or without joints that crush.
-pub(super) fn settings_of(plan: &Plan, crushing: bool) -> limit::Settings {
+pub fn settings_of(plan: &Plan, crushing: bool) -> limit::Settings {
     limit::Settings {
         friction: match plan.friction {
             Friction::Associated => limit::Friction::Associated,
@@ -49,7 +46,7 @@ pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
 }
 
 /// The blocks as limit analysis sees them: with fill that presses against movement.
-pub(super) fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
+pub fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
     // Walls and particles stand in place of the fill.
@@ -59,76 +56,9 @@ pub(super) fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     Ok(d)
 }
 
-/// The bridge with all of the fill's passive pressure mobilised.
-fn fully_pressed(bridge: &Bridge) -> Bridge {
-    let mut own = bridge.clone();
-    if let Some(fill) = &mut own.fill_pressure {
-        (fill.mobilisation, fill.cohesion_mobilisation) = (1.0, 1.0);
-    }
-    own
-}
-
-/// The load factor at which the blocks become a mechanism; what may help and may come and go is not counted.
-pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, None, watch, &|state, _, watch| as_described(state, watch))
-}
-
-/// The load factor at which the blocks become a mechanism, with all that the file says of them.
-pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    if continuum::wanted(bridge).is_some() {
-        return collapse_by_bounds(bridge, watch);
-    }
-    let d = prepared(bridge)?;
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
-    parallel::alone("limit analysis", true, watch, |token| whole(bridge, &d, token))
-}
-
 /// Result of an analysis that was cancelled before any load was found.
-pub(super) fn cancelled(bridge: &Bridge, d: &Discretised) -> Collapse {
-    let by = match bridge.plan.method {
-        Method::Limit => By::Limit(LimitReport::default()),
-        Method::Dem => By::Dem(None),
-        Method::Path => By::Path(PathReport::default()),
-        Method::Fe => By::Fe(FiniteReport::default()),
-    };
+pub fn cancelled(bridge: &Bridge, d: &Discretised, by: By) -> Collapse {
     Collapse { status: Status::Cancelled, ..template::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }
-}
-
-/// The load factor and those that stand beside it.
-fn whole(bridge: &Bridge, d: &Discretised, token: &CancelToken) -> Result<Collapse, AnalysisError> {
-    let settings = settings(bridge);
-    let walls = d.road.is_some() && settings.friction == limit::Friction::Associated;
-    let pressed = !d.loading.restraints.is_empty();
-    // The loads that are found, one after the other.
-    let count = 1 + usize::from(settings.crushing) + usize::from(pressed) + usize::from(walls);
-    let mut parts = (0..count).map(|k| token.part(k, count));
-    let mut solve = |d: &Discretised, settings: &limit::Settings| {
-        solve(d, settings, &parts.next().unwrap_or_else(|| token.clone()))
-    };
-    let outcome = solve(d, &settings)?;
-    let unlimited = match settings.crushing {
-        true => solve(d, &limit::Settings { crushing: false, ..settings })?.factor,
-        false => outcome.factor,
-    };
-    let mut c = report(bridge, d, &outcome, unlimited);
-    if pressed {
-        let mut whole = d.clone();
-        whole.loading.restraints = pressure::restraints(&fully_pressed(bridge), &d.extrados);
-        let full = solve(&whole, &settings)?.factor.map(|f| d.load(f));
-        if let By::Limit(report) = &mut c.by {
-            report.full_fill_pressure_load = full;
-        }
-        notes::pressed(bridge, &mut c);
-    }
-    // Walls of blocks lock where sliding dilates: their associated load never stands alone.
-    if walls {
-        let settings = limit::Settings { friction: limit::Friction::NonAssociated, ..settings };
-        let corrected = solve(d, &settings)?.factor.map(|f| d.load(f));
-        notes::corrected(&mut c, corrected);
-    }
-    Ok(if !token.is_cancelled() { c } else { cancelled(bridge, d) })
 }
 
 /// The same as [`solve`], watched.
@@ -138,6 +68,17 @@ pub fn watched(
     watch: &mut dyn Watch,
 ) -> Result<limit::Outcome, AnalysisError> {
     parallel::alone("limit load", false, watch, |token| solve(d, settings, token))
+}
+
+/// What rigid blocks carry whose joints do not crush.
+pub fn uncrushed(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<limit::Outcome, AnalysisError> {
+    if d.loading.variable.is_empty() {
+        return Err(AnalysisError::NoLoad);
+    }
+    // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
+    // limit analysis lets a joint crush under its edge.
+    let uncrushed = limit::Settings { crushing: false, ..single(bridge, d) };
+    watched(d, &uncrushed, watch)
 }
 
 /// The limit load of the model.
@@ -150,7 +91,7 @@ pub fn solve(
 }
 
 /// The flow rule that numbers belong to.
-pub(super) fn flow_rule(friction: limit::Friction) -> FlowRule {
+pub fn flow_rule(friction: limit::Friction) -> FlowRule {
     match friction {
         limit::Friction::NonAssociated => FlowRule::NonAssociated,
         _ => FlowRule::Associated,
@@ -166,43 +107,6 @@ pub fn status(status: limit::Status) -> Status {
         limit::Status::NotConverged => Status::NotConverged,
         limit::Status::Cancelled => Status::Cancelled,
     }
-}
-
-fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
-    let mut picture = picture::built(bridge, d, "limit analysis");
-    draw(d, outcome, &mut picture);
-    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), picture);
-    c.status = status(outcome.status);
-    loads(d, outcome, unlimited, &mut c);
-    notes::limit(bridge, d, &mut c);
-    c
-}
-
-/// Loads, bounds and residuals, with the load of joints that never crush.
-pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>, c: &mut Collapse) {
-    let load = |factor: Option<f64>| factor.map(|f| d.load(f));
-    c.collapse_load = load(outcome.factor);
-    c.last_stable_load = load(outcome.lower_bound);
-    c.limit_load = load(outcome.factor);
-    c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
-    // Both bounds must agree to this.
-    c.tolerance = 1e-6;
-    c.by = By::Limit(LimitReport {
-        friction: flow_rule(outcome.friction),
-        lower_bound: load(outcome.lower_bound),
-        upper_bound: load(outcome.upper_bound),
-        associated_load: load(outcome.associated_factor),
-        non_associated_load: None,
-        without_fill_pressure_load: None,
-        full_fill_pressure_load: None,
-        spread: outcome.spread.map(|s| s.map(|f| d.load(f))),
-        unlimited_strength_load: load(unlimited),
-        equilibrium_residual: Some(outcome.equilibrium_residual),
-        yield_violation: Some(outcome.yield_violation),
-        iterations: outcome.iterations,
-        jammed: outcome.jammed,
-        continuum: None,
-    });
 }
 
 /// A joint counts as a hinge from this share of the largest rotation: where the thrust line runs along an edge for some
@@ -291,6 +195,6 @@ fn joint_length(joint: &Interface) -> f64 {
     }
 }
 
-fn middle(joint: &Interface) -> mechanics::plane::Vec2 {
-    joint.points.iter().fold(mechanics::plane::Vec2::ZERO, |s, &p| s + p) * (1.0 / joint.points.len() as f64)
+fn middle(joint: &Interface) -> Vec2 {
+    joint.points.iter().fold(Vec2::ZERO, |s, &p| s + p) * (1.0 / joint.points.len() as f64)
 }

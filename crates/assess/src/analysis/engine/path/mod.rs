@@ -1,9 +1,12 @@
 //! Collapse along the equilibrium path: deformable joints, up to the largest load and past it.
 
-use super::by_dem::{contact_length, require_stiffness, uncrushed};
-use super::geometry::{lines, moving, point, scaled};
-use super::{AnalysisError, by_limit, default_stiffness, notes, picture, policy, service, stiffness_study, template};
-use bridge::{Bridge, JointContact};
+mod stiffness_study;
+
+use crate::analysis::engine::joints::{contact_length, require_stiffness};
+use crate::analysis::engine::{Engine, rigid};
+use crate::analysis::geometry::{lines, moving, point, scaled};
+use crate::analysis::{AnalysisError, default_stiffness, notes, picture, service, template};
+use bridge::{Bridge, JointContact, Method};
 use mechanics::blocks::Interface;
 use mechanics::contact::ContactLength;
 use mechanics::ids::Id;
@@ -26,31 +29,32 @@ const BEYOND: f64 = 1.5;
 /// Pictures of the path: as many as its result shows.
 const MOST_PICTURES: usize = 24;
 
-/// Follows the balanced states of the bridge from its own weight to its largest load; what may help and may come and go is not counted.
-pub fn collapse_by_path(
-    bridge: &Bridge,
-    resume: Option<&[u64]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, resume, watch, &as_described)
+/// Static path following.
+pub struct Path;
+
+impl Engine for Path {
+    fn method(&self) -> Method {
+        Method::Path
+    }
+
+    fn joints(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
+        require_stiffness(&default_stiffness::stiffened(bridge))
+    }
+
+    fn load(&self, bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+        collapse(bridge, resume, watch)
+    }
 }
 
-/// The same with all that the file says of the bridge.
-pub(super) fn as_described(
-    bridge: &Bridge,
-    resume: Option<&[u64]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
+/// Follows the balanced states of the bridge from its own weight to its largest load.
+fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let taken = default_stiffness::note(bridge);
     let bridge = &default_stiffness::stiffened(bridge);
-    if bridge.particles.is_some() && structure::discretise::fill::wanted(bridge).is_some() {
-        return Err(AnalysisError::NotByPath("particles"));
-    }
     require_stiffness(bridge)?;
-    let d = by_limit::prepared(bridge)?;
-    let rigid = uncrushed(bridge, &d, watch)?;
+    let d = rigid::prepared(bridge)?;
+    let rigid = rigid::uncrushed(bridge, &d, watch)?;
     if rigid.status == limit::Status::Cancelled {
-        return Ok(by_limit::cancelled(bridge, &d));
+        return Ok(rigid::cancelled(bridge, &d, By::Path(PathReport::default())));
     }
     let bound = rigid.factor.or(rigid.associated_factor);
     let given = |load: Option<f64>| load.map(|load| load / d.reference_load);
@@ -86,8 +90,8 @@ pub(super) fn as_described(
     if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
         c.assumptions.push(note::Blocks::FallOnDeformableJoints.into());
     }
-    if by_limit::settings(bridge).crushing {
-        let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
+    if rigid::settings(bridge).crushing {
+        let crushed = rigid::watched(&d, &rigid::single(bridge, &d), watch)?.factor;
         c.crushing_limit_load = crushed.map(|factor| d.load(factor));
     }
     Ok(c)
@@ -171,7 +175,7 @@ fn ended(outcome: &path::Outcome) -> Ended {
 }
 
 /// Least crushing strength of the joints [Pa].
-pub(super) fn strength(d: &Discretised) -> f64 {
+pub fn strength(d: &Discretised) -> f64 {
     d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min)
 }
 
@@ -259,7 +263,7 @@ mod tests {
     fn a_path_that_breaks_off_says_what_is_carried_and_what_is_not_known() {
         let mut b = crate::samples::bridgemill();
         b.plan.method = bridge::Method::Path;
-        let mut c = collapse_by_path(&b, None, &mut Unwatched).unwrap();
+        let mut c = collapse(&b, None, &mut Unwatched).unwrap();
         assert_eq!(broken_off(&c), None);
         c.status = Status::NotConverged;
         let load = format!("{:.2} kN/m", c.last_stable_load.unwrap() / 1e3);

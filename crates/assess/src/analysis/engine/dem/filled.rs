@@ -1,8 +1,10 @@
 //! Collapse of rings under fill that is particles: packed, let go, loaded.
 
-use super::by_dem::{loads, report, require_stiffness, settings};
-use super::template;
-use super::{AnalysisError, by_limit, notes, policy};
+use super::{loads, report, settings};
+use crate::analysis::engine::joints::require_stiffness;
+use crate::analysis::engine::rigid;
+use crate::analysis::state::{self, Change};
+use crate::analysis::{AnalysisError, notes, template};
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
 use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
@@ -66,6 +68,26 @@ pub fn collapse_filled(
     Ok(c)
 }
 
+/// Refuses what [`collapse_filled`] would refuse before it computes.
+pub(super) fn ready(bridge: &Bridge, d: &Discretised, particles: &Particles) -> Result<(), AnalysisError> {
+    let Some(region) = &d.fill else { return Err(AnalysisError::NoLoad) };
+    bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
+    fits(region, &particles.grains)?;
+    match packing(bridge, d, region, particles, &mut Stopping) {
+        Ok(_) | Err(PackingError::Stopped) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Stops a run as soon as it has begun.
+struct Stopping;
+
+impl Watch for Stopping {
+    fn look(&mut self, _: &Progress) -> Wish {
+        Wish::Stop
+    }
+}
+
 /// The same in the hands of its caller, from the first load on: the fill is packed and at rest, the loading blocks stand on it. None where
 /// the onlooker wished to stop.
 pub fn stepping(
@@ -73,7 +95,6 @@ pub fn stepping(
     particles: &Particles,
     watch: &mut dyn Watch,
 ) -> Result<Option<(Discretised, dem::Stepping)>, AnalysisError> {
-    let bridge = &policy::bare(bridge);
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoLoad) };
@@ -113,19 +134,16 @@ const NO_LOAD_STEP: AnalysisError = AnalysisError::Missing {
 /// The share that crushing takes off the limit load of the same rings under the same fill as weight.
 fn crushing_takes(bridge: &Bridge) -> Option<f64> {
     bridge.masonry.compressive_strength?;
-    let mut rigid = bridge.clone();
-    rigid.particles = None;
-    rigid.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
-    rigid.loads.iter_mut().for_each(|load| load.block = None);
-    let d = by_limit::prepared(&rigid).ok()?;
-    let crushing = by_limit::single(&rigid, &d);
-    let load = |settings: &limit::Settings| by_limit::solve(&d, settings, &CancelToken::default()).ok()?.factor;
+    let own = state::with(bridge, &[Change::ParticlesAsWeight, Change::LoadsThroughCover]);
+    let d = rigid::prepared(&own).ok()?;
+    let crushing = rigid::single(&own, &d);
+    let load = |settings: &limit::Settings| rigid::solve(&d, settings, &CancelToken::default()).ok()?.factor;
     let [with, without] = [load(&crushing)?, load(&limit::Settings { crushing: false, ..crushing })?];
     Some(1.0 - with / without)
 }
 
 /// Grows the particles, or takes those of a file.
-pub(super) fn packing(
+pub fn packing(
     bridge: &Bridge,
     d: &Discretised,
     region: &FillRegion,
@@ -158,7 +176,7 @@ pub fn as_saved(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
 }
 
 /// Refuses a packing of another region: the centres of its particles must lie in this one.
-pub(super) fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), AnalysisError> {
+pub fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), AnalysisError> {
     let astray = |g: &&[f64; 3]| !region.holds(vec2(g[0], g[1]));
     match grains.iter().find(astray) {
         None => Ok(()),
@@ -171,7 +189,7 @@ pub(super) fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), Analy
 }
 
 /// Puts the particles into the model; each belongs to the layer at its centre.
-pub(super) fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
+pub fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
     let particle = |g: &Grain| {
         let layer = region.layer_at(g.centre.y);
         // A layer's density is that of the soil, voids included; a disc stands for the soil around it.
@@ -182,7 +200,7 @@ pub(super) fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
 }
 
 /// The model without the blocks that bring loads: they come last.
-pub(super) fn without_loading_blocks(d: &Discretised) -> BlockModel {
+pub fn without_loading_blocks(d: &Discretised) -> BlockModel {
     let standing = d.origins.iter().filter(|o| !matches!(o, Origin::LoadingBlock { .. })).count();
     let blocks: Table<BlockId, Block> = d.model.blocks.iter().take(standing).cloned().collect();
     BlockModel { blocks, ..d.model.clone() }

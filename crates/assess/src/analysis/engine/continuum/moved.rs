@@ -266,7 +266,7 @@ mod tests {
 
     /// Bridgemill under soil so strong that the ring fails, and under its own soil, which fails below the load.
     fn bridgemill(cohesion: &str) -> bridge::Bridge {
-        let text = include_str!("../../../../../examples/bridgemill/continuum.toml");
+        let text = include_str!("../../../../../../examples/bridgemill/continuum.toml");
         let text = text.replace("\"10 kPa\"", cohesion);
         let read = bridge::read(text.as_bytes());
         read.bridge.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
