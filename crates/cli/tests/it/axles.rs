@@ -21,3 +21,19 @@ fn an_axle_is_told_with_its_factor_and_not_times_the_width_of_the_bridge() {
     assert!(printed.contains(&format!("{carried:.0} kN   {factor:.3} times 100 kN")), "{printed}");
     assert!(!printed.contains("over 4.00 m") && !printed.contains(&format!("{:.0} kN", 4.0 * load)), "{printed}");
 }
+
+/// Fill that is particles is weight to limit analysis, and to the second opinion beside it: discrete elements are asked of the same bridge.
+#[test]
+fn a_second_opinion_is_given_where_the_fill_is_particles() {
+    let stage = Stage::with_example("axles-particles", "bridgemill");
+    let sweep =
+        "\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\nstep = \"1 m\"\ndiscrete_elements = true\n";
+    stage.write("bridge/swept.toml", stage.read("bridge/case-3.toml") + sweep);
+    let (answer, ending) = stage.object(&["collapse", "bridge/swept.toml", "--sweep"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    let second = &answer["discrete_elements"];
+    assert_eq!((second["status"].as_str(), second["reason"].as_str()), (Some("collapsed"), None), "{second}");
+    let [limit, found] = ["limit_adequacy_factor", "adequacy_factor"].map(|key| number(second, key));
+    assert!(found > 0.8 * limit && found < 1.05 * limit, "{found} beside {limit}");
+    assert_eq!(number(&answer["governing"], "adequacy_factor"), found.min(limit));
+}
