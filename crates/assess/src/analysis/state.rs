@@ -19,8 +19,8 @@ pub enum Change {
     NoLoads,
     /// Loads reach the rings through the cover in place of standing on loading blocks.
     LoadsThroughCover,
-    /// Layers of particles as weight.
-    ParticlesAsWeight,
+    /// Layers of particles as other methods have them: they spread loads and weigh nothing.
+    NoParticles,
     /// Fill that presses, or yields as a continuum, as weight alone.
     FillAsWeight,
     /// With all of the fill's passive pressure mobilised.
@@ -56,7 +56,7 @@ fn apply(change: Change, bridge: &mut Bridge) {
         Change::OpenSteps => (bridge.plan.load_step, bridge.plan.load_limit) = (None, None),
         Change::NoLoads => bridge.loads.clear(),
         Change::LoadsThroughCover => bridge.loads.iter_mut().for_each(|load| load.block = None),
-        Change::ParticlesAsWeight => {
+        Change::NoParticles => {
             bridge.particles = None;
             bridge.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
         }

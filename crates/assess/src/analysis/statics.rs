@@ -17,7 +17,7 @@ use structure::discretise::{Discretised, Origin};
 pub fn statics(bridge: &Bridge) -> Result<Statics, AnalysisError> {
     let changes = [
         Change::FillAsWeight,
-        Change::ParticlesAsWeight,
+        Change::NoParticles,
         Change::NoLoads,
         Change::Method(Method::Limit),
         Change::Strip(Strip::Fill),

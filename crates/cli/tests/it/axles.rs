@@ -22,7 +22,7 @@ fn an_axle_is_told_with_its_factor_and_not_times_the_width_of_the_bridge() {
     assert!(!printed.contains("over 4.00 m") && !printed.contains(&format!("{:.0} kN", 4.0 * load)), "{printed}");
 }
 
-/// Fill that is particles is weight to limit analysis, and to the second opinion beside it: discrete elements are asked of the same bridge.
+/// Limit analysis knows no particles, and no more does the second opinion beside it: discrete elements are asked of the same bridge.
 #[test]
 fn a_second_opinion_is_given_where_the_fill_is_particles() {
     let stage = Stage::with_example("axles-particles", "bridgemill");

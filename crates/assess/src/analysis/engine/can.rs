@@ -48,6 +48,8 @@ pub enum Knows {
     Yes,
     /// As weight, which the result says.
     AsWeight,
+    /// As what spreads loads and weighs nothing, which the result says.
+    WithoutWeight,
     /// By limit analysis in its place, which the result says.
     ByLimit,
     /// Not at all: refused.
@@ -92,7 +94,7 @@ impl Feature {
             Feature::Rings => ("rings on one another", None),
             Feature::Spans => ("several spans", None),
             Feature::MovableAbutments => ("abutments that may move", Some("the body of [[abutment]]")),
-            Feature::LoadingBlocks => ("loading blocks", Some("`block` of [[load]]")),
+            Feature::LoadingBlocks => ("loading blocks", Some("through = \"block\" of [[load]]")),
             Feature::OtherBodies => ("bodies beside the stones of one ring", None),
         }
     }
@@ -102,16 +104,15 @@ impl Feature {
 #[must_use]
 pub const fn knows(method: Method, feature: Feature) -> Knows {
     use Feature as F;
-    use Knows::{AsWeight, ByLimit, No, Yes};
+    use Knows::{AsWeight, ByLimit, No, WithoutWeight, Yes};
     match (method, feature) {
-        (Method::Limit, F::Particles) => AsWeight,
+        (Method::Limit | Method::Path | Method::Fe, F::Particles) => WithoutWeight,
         (Method::Limit, _) => Yes,
         (Method::Path, F::Thickness | F::SupportMovement | F::DrawnBlocks) => No,
-        (Method::Path | Method::Dem, F::Continuum) | (Method::Path, F::Particles) => AsWeight,
+        (Method::Path | Method::Dem | Method::Fe, F::Continuum) => AsWeight,
         (Method::Dem | Method::Fe, F::LoadSweep | F::Vehicles) => ByLimit,
         (Method::Path | Method::Dem, _) => Yes,
         // One ring between fixed abutments, under loads that grow.
-        (Method::Fe, F::Particles | F::Continuum) => AsWeight,
         (Method::Fe, _) => No,
     }
 }
@@ -254,6 +255,7 @@ pub fn table() -> String {
         let of = |method: &Method| match knows(*method, feature) {
             Knows::Yes => "yes",
             Knows::AsWeight => "as weight",
+            Knows::WithoutWeight => "without its weight",
             Knows::ByLimit => "by limit analysis",
             Knows::No => "no",
         };

@@ -28,8 +28,8 @@ pub fn carried(
     let mut found = ByDiscreteElements { status: None, adequacy: None, limit, step: 0.0, inset: None, reason: None };
     let capacity = rule.capacity_factor();
     let Some(factor) = limit.map(|adequacy| adequacy / capacity) else { return found };
-    // Fill is weight, as limit analysis has it.
-    let mut b = state::with(case, &[Change::Method(Method::Dem), Change::ParticlesAsWeight]);
+    // The same fill as in limit analysis.
+    let mut b = state::with(case, &[Change::Method(Method::Dem), Change::NoParticles]);
     if let Some(inset) = inset(&b, by_limit) {
         let mut with = b.clone();
         with.masonry.rounding += inset;
