@@ -16,7 +16,7 @@ pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
     let tops = cover::tops(bridge, &d.extrados);
     let mut found = Vec::new();
     for (k, layer) in bridge.cover.layers.iter().enumerate() {
-        if layer.particles || layer.slabs.is_some() {
+        if d.fill.is_some() && (layer.particles || layer.slabs.is_some()) {
             continue;
         }
         let outlines = match k.checked_sub(1) {
@@ -40,7 +40,11 @@ pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
         let outlines = below(&line, &cover::above_springings(bridge, walls.height));
         found.push(Band { name: "internal walls".to_string(), size, outlines });
     }
-    let band = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
+    let band = |body| match body {
+        BackingBody::Weight | BackingBody::Continuum => true,
+        BackingBody::Particles => d.fill.is_none(),
+        BackingBody::Blocks => false,
+    };
     if let Some(backing) = bridge.cover.backing.filter(|b| band(b.body)) {
         let size = format!("to {} m above the springings", decimals(backing.height));
         found.push(Band {

@@ -1,7 +1,7 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
 use super::engine::elements::Sliding;
-use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Plan};
+use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Plan, Strip};
 use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
@@ -335,12 +335,13 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     c.assumptions.extend(backed(bridge, d).filter(|_| d.fill.is_none()));
     let weighs = bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some();
-    if weighs && d.loading.restraints.is_empty() && !soil {
+    if weighs && d.loading.restraints.is_empty() && !soil && d.fill.is_none() {
         let backing = bridge.cover.backing.is_none_or(|b| b.body != BackingBody::Blocks);
         c.warnings.push(warning::Cover::AsWeight { backing, record: crate::record::record() }.into());
     }
     if !soil {
         c.assumptions.extend(continuum::as_weight(bridge));
+        c.assumptions.extend(particles_as_weight(bridge).filter(|_| d.fill.is_none()));
     }
     if bridge.cover.road.is_some() {
         c.assumptions.push(note::Fill::Road { cover: bridge.cover.depth }.into());
@@ -354,6 +355,12 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         return;
     }
     c.assumptions.push(note::Fill::Dispersal { rule: bridge.dispersal.rule, slope: bridge.dispersal.slope }.into());
+}
+
+/// What a method says that knows no particles.
+pub(super) fn particles_as_weight(bridge: &Bridge) -> Option<Note> {
+    let bodies = bridge.plan.strip == Strip::Fill && bridge.cover.layers.iter().any(|layer| layer.particles);
+    bodies.then(|| note::Fill::ParticlesAsWeight.into())
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ mod state;
 
 use super::engine::rigid;
 use super::vehicles::{Asked, Driven};
-use super::{AnalysisError, geometry, policy};
+use super::{AnalysisError, geometry, notes, policy};
 use bridge::Bridge;
 use mechanics::limit::{self, Friction, Outcome};
 use outcome::collapse::{FlowRule, Status};
@@ -152,9 +152,7 @@ impl Placing {
         if !self.helps.is_empty() {
             said.push(note::State::NotCounted { helps: self.helps.clone() }.into());
         }
-        if self.states[0].built[0].fill.is_some() {
-            said.push(note::Fill::ParticlesLeftOut.into());
-        }
+        said.extend(notes::particles_as_weight(&self.states[0].bridge));
         said
     }
 

@@ -19,7 +19,7 @@ pub enum Change {
     NoLoads,
     /// Loads reach the rings through the cover in place of standing on loading blocks.
     LoadsThroughCover,
-    /// Layers of particles as other methods have them: they spread loads and weigh nothing.
+    /// Layers of particles, and slabs on them, as weight.
     NoParticles,
     /// Fill that presses, or yields as a continuum, as weight alone.
     FillAsWeight,

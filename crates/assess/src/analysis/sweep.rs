@@ -108,6 +108,7 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     if !yields {
         notes(&mut found, &rows);
     }
+    found.assumptions.extend(super::notes::particles_as_weight(bridge));
     found.warnings.extend(taken);
     Ok(found)
 }

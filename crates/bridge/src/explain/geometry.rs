@@ -152,8 +152,7 @@ rise = "3.0 m""#,
         title: "bodies of cover without particles",
         meaning: "Layers as blocks and backing as particles need particles around them: at least one layer of the \
                   cover must be modelled as particles.",
-        why: "Without particles the cover is weight alone. Bodies in it would carry nothing, and slabs would not even \
-              have weight.",
+        why: "Without particles the cover is weight alone. Bodies in it would carry nothing.",
         wrong: "thickness = \"0.150 m\"\nas = \"blocks\"\nblock_length = \"1 m\"\ndensity = \"2200 kg/m^3\"",
         right: "thickness = \"0.150 m\"\nweighs = false",
         source: "the format of bridge files",

@@ -45,7 +45,7 @@ pub(super) static COVER: Section = Section {
         Field::new(
             "as",
             Kind::Word(LayerBody::WORDS),
-            "how the layer is modelled in limit analysis and in the discrete element method",
+            "how the layer is modelled by methods that know it so; by others it is weight",
             "particles",
         )
         .default(LayerBody::Weight.word()),
@@ -372,8 +372,9 @@ fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option
         LayerBody::Weight => layer,
         // It weighs: in a method that knows no continuum it is weight alone.
         LayerBody::Continuum => Layer { weighs: true, continuum: true, ..layer },
-        LayerBody::Particles => Layer { weighs: false, particles: true, ..layer },
-        LayerBody::Blocks => Layer { weighs: false, slabs: slab?, ..layer },
+        // So do these: where nothing is particles they are weight alone.
+        LayerBody::Particles => Layer { weighs: true, particles: true, ..layer },
+        LayerBody::Blocks => Layer { weighs: true, slabs: slab?, ..layer },
         LayerBody::Nothing => Layer { weighs: false, ..layer },
     })
 }

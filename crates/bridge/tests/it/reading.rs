@@ -220,7 +220,7 @@ fn cases_are_read_as_written() {
     }
 }
 
-/// Without particles slabs would carry nothing and not even weigh.
+/// Without particles slabs would carry nothing.
 #[test]
 fn bodies_of_cover_need_particles_to_stand_among() {
     let backed = |body: &str| {

@@ -22,6 +22,48 @@ fn an_axle_is_told_with_its_factor_and_not_times_the_width_of_the_bridge() {
     assert!(!printed.contains("over 4.00 m") && !printed.contains(&format!("{:.0} kN", 4.0 * load)), "{printed}");
 }
 
+/// Layers that are particles weigh what they weigh wherever they are not taken for particles, and so do slabs on them and backing of them.
+#[test]
+fn particles_weigh_by_every_method_and_in_every_question() {
+    let stage = Stage::with_example("axles-weight", "bridgemill");
+    let file = stage
+        .read("bridge/case-3.toml")
+        .replace("voussoirs = 62", "voussoirs = 31")
+        .replace("through = \"block\"\nblock_weight", "# block_weight");
+    let backing = "\n[backing]\nheight = \"1.5 m\"\ndensity = \"2300 kg/m^3\"\nas = \"particles\"\n";
+    let sweep = "\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\nstep = \"2 m\"\n";
+    let movement = "\n[support_movement]\nsupport = \"right abutment\"\nhorizontal = 1.0\nincrement = \"1 mm\"\nlimit = \"10 mm\"\n";
+    let slab = |text: &str| {
+        let at = text.rfind("as = \"particles\"").expect("a layer");
+        text[..at].to_owned() + "as = \"blocks\"\nblock_length = \"2 m\"" + &text[at + "as = \"particles\"".len()..]
+    };
+    let bodies = slab(&file) + backing + sweep;
+    let weight = (bodies.clone() + movement).replace("as = \"particles\"", "as = \"weight\"");
+    let weight = weight.replace("as = \"blocks\"\nblock_length = \"2 m\"", "as = \"weight\"");
+    let head = weight.find("[particles]").expect("a section")..weight.find("[masonry]").expect("a section");
+    stage.write("bridge/weight.toml", weight[..head.start].to_owned() + &weight[head.end..]);
+    stage.write("bridge/bodies.toml", bodies + movement);
+    let told = "Layers that are particles in the file, and slabs on them, are weight here";
+    let both = |words: &[&str], keys: &[&str]| {
+        let [(bodies, said), (weight, silent)] = ["bridge/bodies.toml", "bridge/weight.toml"].map(|file| {
+            let line = [&[words[0], file], &words[1..]].concat();
+            let (answer, ending) = stage.object(&line);
+            assert!(matches!(ending.code, Some(0 | 3)), "{line:?}: {}", ending.stderr);
+            let said = answer.to_string().contains(told);
+            (keys.iter().fold(answer, |part, key| part[*key].clone()), said)
+        });
+        assert!(!weight.is_null(), "{words:?} {keys:?}");
+        assert_eq!(bodies, weight, "{words:?}");
+        assert!(said && !silent, "{words:?}: {said} {silent}");
+    };
+    for method in ["limit", "path", "fe"] {
+        both(&["collapse", "--method", method], &["last_stable_load_kn_per_m"]);
+    }
+    both(&["collapse", "--sweep"], &["governing", "adequacy_factor"]);
+    both(&["collapse", "--analysis", "thickness"], &["minimum_thickness_m"]);
+    both(&["collapse", "--analysis", "support-movement"], &["max_compressive_stress_mpa"]);
+}
+
 /// Limit analysis knows no particles, and no more does the second opinion beside it: discrete elements are asked of the same bridge.
 #[test]
 fn a_second_opinion_is_given_where_the_fill_is_particles() {

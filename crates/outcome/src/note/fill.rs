@@ -41,7 +41,8 @@ notes! {
             "The packing is one of many ({}): solid fraction {solid_fraction:.3}, {coordination:.2} contacts a particle, mean stress {:.1} kPa \
              at rest.",
             seed.map_or("read from a file".to_owned(), |seed| format!("seed {seed}")), mean_stress / 1e3;
-        ParticlesLeftOut => "Layers that are particles in the file take no part here.";
+        ParticlesAsWeight => "Layers that are particles in the file, and slabs on them, are weight here, and loads spread through them by rule: \
+                              discrete elements take them for what they are.";
         BearingNotChecked => "Dispersal is a rule: bearing failure of the fill under a wheel or a loading beam is not checked.";
         /// Water above the left springing, and the density of what is saturated.
         Water { level [m]: f64, saturated_density [kg/m^3]: f64 } =>

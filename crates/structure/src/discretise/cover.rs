@@ -84,10 +84,9 @@ struct Pores {
 impl Column {
     /// The column of a bridge's cover.
     pub fn of(bridge: &Bridge, extrados: &Extrados) -> Column {
-        let unit = |l: &Layer| if l.weighs { l.density * bridge.gravity } else { 0.0 };
+        let unit = |l: &Layer| if l.weighs && !fill::is_bodies(bridge, l) { l.density * bridge.gravity } else { 0.0 };
         let lowest = bridge.cover.layers.first();
-        let alone = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
-        let weight = bridge.cover.backing.filter(|b| alone(b.body) || fill::wanted(bridge).is_some());
+        let weight = bridge.cover.backing.filter(|b| b.body != BackingBody::Blocks || fill::wanted(bridge).is_some());
         Column {
             backing: weight.map(|b| (above_springings(bridge, b.height), b.density * bridge.gravity)),
             walls: bridge
@@ -281,7 +280,7 @@ pub fn weight(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
 
 /// What layers that are weight alone weigh on slabs, each at the middle of its upper face.
 pub fn on_slabs(bridge: &Bridge, road: &Extrados) -> Vec<PointForce> {
-    let layers = bridge.cover.layers.iter().filter(|l| l.weighs);
+    let layers = bridge.cover.layers.iter().filter(|l| l.weighs && !fill::is_bodies(bridge, l));
     let pressure: f64 = layers.map(|l| l.density * bridge.gravity * l.thickness).sum();
     let force = |s: &Stretch| PointForce {
         block: s.block,

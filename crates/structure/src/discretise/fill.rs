@@ -5,7 +5,7 @@ use super::extrados::{Extrados, Stretch};
 use super::laws;
 use super::springings::are_level;
 use super::{Build, DiscretiseError, Origin};
-use bridge::{BackingBody, Bridge, Joint, Layer, Packing, Particles, Sizes};
+use bridge::{Analysis, BackingBody, Bridge, Joint, Layer, Method, Packing, Particles, Sizes, Strip};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable};
 use mechanics::dem::{Recipe, Target};
 use mechanics::ids::{GroupId, Table};
@@ -54,10 +54,17 @@ const WALL: f64 = 0.5;
 /// Height by which end walls stand above the road [m], so that nothing flows over them.
 const PARAPET: f64 = 1.0;
 
-/// Whether layers are to be bodies: in the strip between the walls, by the discrete element method.
+/// Whether layers are to be bodies: in the strip between the walls, where a load is raised by the discrete element method. Everywhere else they
+/// are weight.
 pub fn wanted(bridge: &Bridge) -> Option<&Particles> {
-    let strip = bridge.plan.strip == bridge::Strip::Fill && bridge.plan.method == bridge::Method::Dem;
-    bridge.particles.as_ref().filter(|_| strip)
+    let plan = &bridge.plan;
+    let bodies = plan.strip == Strip::Fill && plan.method == Method::Dem && plan.analysis == Analysis::Load;
+    bridge.particles.as_ref().filter(|_| bodies)
+}
+
+/// Whether a layer is there as bodies, particles or slabs: it then weighs as these and not as cover.
+pub fn is_bodies(bridge: &Bridge, layer: &Layer) -> bool {
+    (layer.particles || layer.slabs.is_some()) && wanted(bridge).is_some()
 }
 
 impl Build<'_> {

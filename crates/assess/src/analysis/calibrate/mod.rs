@@ -185,6 +185,7 @@ fn prepared(bridge: &Bridge) -> Result<(Bridge, Particles), AnalysisError> {
     }
     let mut bridge = bridge.clone();
     bridge.plan.method = bridge::Method::Dem;
+    bridge.plan.analysis = bridge::Analysis::Load;
     bridge.plan.strip = Strip::Fill;
     bridge.loads.clear();
     let plan = &bridge.calibration;

@@ -48,8 +48,6 @@ pub enum Knows {
     Yes,
     /// As weight, which the result says.
     AsWeight,
-    /// As what spreads loads and weighs nothing, which the result says.
-    WithoutWeight,
     /// By limit analysis in its place, which the result says.
     ByLimit,
     /// Not at all: refused.
@@ -104,9 +102,9 @@ impl Feature {
 #[must_use]
 pub const fn knows(method: Method, feature: Feature) -> Knows {
     use Feature as F;
-    use Knows::{AsWeight, ByLimit, No, WithoutWeight, Yes};
+    use Knows::{AsWeight, ByLimit, No, Yes};
     match (method, feature) {
-        (Method::Limit | Method::Path | Method::Fe, F::Particles) => WithoutWeight,
+        (Method::Limit | Method::Path | Method::Fe, F::Particles) => AsWeight,
         (Method::Limit, _) => Yes,
         (Method::Path, F::Thickness | F::SupportMovement | F::DrawnBlocks) => No,
         (Method::Path | Method::Dem | Method::Fe, F::Continuum) => AsWeight,
@@ -119,12 +117,14 @@ pub const fn knows(method: Method, feature: Feature) -> Knows {
 
 /// Whether a question takes something into account, by whatever method.
 #[must_use]
-pub const fn answers(question: Analysis, feature: Feature) -> bool {
-    !matches!(
-        (question, feature),
-        (Analysis::Thickness, Feature::Defects | Feature::MovedBefore)
-            | (Analysis::Thickness | Analysis::SupportMovement, Feature::Continuum)
-    )
+pub const fn answers(question: Analysis, feature: Feature) -> Knows {
+    use Feature as F;
+    match (question, feature) {
+        (Analysis::Thickness, F::Defects | F::MovedBefore) => Knows::No,
+        (Analysis::Thickness | Analysis::SupportMovement, F::Continuum) => Knows::No,
+        (Analysis::Thickness | Analysis::SupportMovement, F::Particles) => Knows::AsWeight,
+        _ => Knows::Yes,
+    }
 }
 
 /// What a bridge and its plan ask for.
@@ -238,7 +238,8 @@ pub fn refused(bridge: &Bridge) -> Result<(), Cannot> {
     let (method, question, asked) = (bridge.plan.method, bridge.plan.analysis, asked(bridge));
     let of_method: Vec<Feature> =
         asked.iter().copied().filter(|feature| knows(method, *feature) == Knows::No).collect();
-    let of_question: Vec<Feature> = asked.iter().copied().filter(|feature| !answers(question, *feature)).collect();
+    let of_question: Vec<Feature> =
+        asked.iter().copied().filter(|feature| answers(question, *feature) == Knows::No).collect();
     match of_method.is_empty() && of_question.is_empty() {
         true => Ok(()),
         false => Err(Cannot { method, question, of_method, of_question, asked }),
@@ -252,10 +253,9 @@ pub fn table() -> String {
     let mut text = format!("| | {} | `thickness` | `support-movement` |\n", heads.join(" | "));
     text += &format!("|---|{}---|---|\n", "---|".repeat(heads.len()));
     for feature in Feature::ALL {
-        let of = |method: &Method| match knows(*method, feature) {
+        let word = |known: Knows| match known {
             Knows::Yes => "yes",
             Knows::AsWeight => "as weight",
-            Knows::WithoutWeight => "without its weight",
             Knows::ByLimit => "by limit analysis",
             Knows::No => "no",
         };
@@ -267,12 +267,8 @@ pub fn table() -> String {
                 | Feature::Vehicles
                 | Feature::DrawnBlocks
         );
-        let by_question = |question: Analysis| match (is_question, answers(question, feature)) {
-            (true, _) => "",
-            (false, true) => "yes",
-            (false, false) => "no",
-        };
-        let cells: Vec<&str> = Method::ALL.iter().map(of).collect();
+        let by_question = |question: Analysis| if is_question { "" } else { word(answers(question, feature)) };
+        let cells: Vec<&str> = Method::ALL.iter().map(|method| word(knows(*method, feature))).collect();
         let questions = [Analysis::Thickness, Analysis::SupportMovement].map(by_question);
         text += &format!("| {} | {} | {} |\n", feature.words().0, cells.join(" | "), questions.join(" | "));
     }

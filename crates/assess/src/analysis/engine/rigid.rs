@@ -1,6 +1,7 @@
 //! Limit analysis of rigid blocks as every engine and every question asks for it: settings, the load, what is drawn of it.
 
 use crate::analysis::geometry::{between_rings, edge_at, lines, point, scaled};
+use crate::analysis::state::{self, Change};
 use crate::analysis::{AnalysisError, parallel, picture, template};
 use bridge::{Bridge, ContactPoints, Friction, Plan};
 use mechanics::blocks::Interface;
@@ -45,13 +46,14 @@ pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
     }
 }
 
-/// The blocks as limit analysis sees them: with fill that presses against movement.
+/// The blocks as limit analysis sees them, whatever method the plan names: particles as weight, and fill that presses against movement.
 pub fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
-    let mut d = discretise(bridge)?;
+    let own = state::with(bridge, &[Change::NoParticles]);
+    let mut d = discretise(&own)?;
     d.loading.movements.clear();
-    // Walls and particles stand in place of the fill.
-    if d.road.is_none() && d.fill.is_none() {
-        d.loading.restraints = pressure::restraints(bridge, &d.extrados);
+    // Walls stand in place of the fill.
+    if d.road.is_none() {
+        d.loading.restraints = pressure::restraints(&own, &d.extrados);
     }
     Ok(d)
 }

@@ -231,6 +231,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     if let Some(by) = found.discrete_elements.as_ref().and_then(|c| c.inset) {
         found.assumptions.push(note::Moving::Inset { by }.into());
     }
+    found.assumptions.extend(super::notes::particles_as_weight(bridge));
     if bridge.continuum.is_some() {
         found.assumptions.push(note::Soil::InSweepOfVehicles.into());
     }

@@ -39,7 +39,7 @@ impl Engine for Dem {
 
     fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
         self.joints(bridge)?;
-        let d = rigid::prepared(bridge)?;
+        let d = discretise(bridge)?;
         if d.loading.variable.is_empty() {
             return Err(AnalysisError::NoLoad);
         }
