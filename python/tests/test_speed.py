@@ -12,8 +12,10 @@ def test_the_overhead_of_a_call():
     repeats = 2000
     _extrados._wait(0.0)
     least = min(_timed(lambda: [_extrados._wait(0.0) for _ in range(repeats)]) for _ in range(3))
-    print(f"overhead of a call: {1e6 * least / repeats:.1f} us of the processor")
-    assert least / repeats < 50e-6
+    # Beside additions of Python's own in the same run: where two programs share a core, both take twice as long.
+    additions = min(_timed(lambda: [sum(range(1000)) for _ in range(repeats)]) for _ in range(3))
+    print(f"overhead of a call: {1e6 * least / repeats:.1f} us of the processor, {least / additions:.1f} times a thousand additions")
+    assert least < 8 * additions
 
 
 def _timed(work) -> float:

@@ -1,5 +1,6 @@
 """The official client drives a bridge, and a sampler of others recovers the posterior of a small update problem through it."""
 
+import os
 import re
 
 import extrados
@@ -46,6 +47,7 @@ def one_span() -> extrados.Bridge:
     return extrados.Bridge.parse(text, name="one.toml")
 
 
+@pytest.mark.skipif(os.environ.get("EXTRADOS_QUICK") == "true", reason="a minute and more: .ci/python by itself runs it")
 def test_emcee_recovers_moduli_from_peaks():
     emcee = pytest.importorskip("emcee")
     truth = numpy.array([14.0, 120.0])

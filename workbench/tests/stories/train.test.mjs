@@ -13,7 +13,7 @@ test("a train crosses the railway arch; a sensor is placed on a stone; a measure
   await part(page, "Train");
   await until("the file is read", () => page.getByRole("button", { name: "Let the train cross" }).first().isEnabled());
   await page.getByRole("button", { name: "Let the train cross" }).first().click();
-  await until("positions are solved", async () => Number(/Position (\d+)/.exec((await page.getByTestId("passage-state").textContent().catch(() => "")) ?? "")?.[1] ?? 0) > 25, 500);
+  await until("positions are solved", async () => Number(/Position (\d+)/.exec((await page.getByTestId("passage-state").textContent().catch(() => "")) ?? "")?.[1] ?? 0) > 14, 500);
   await page.getByRole("button", { name: "Pause" }).click();
   await page.locator("#time").fill("12");
   assert.match(await page.getByTestId("passage-state").textContent(), /Position 13 /);
@@ -33,7 +33,9 @@ test("a train crosses the railway arch; a sensor is placed on a stone; a measure
   await context.close();
 });
 
-test("measured records are dropped on the page, and the update is run to its end", async () => {
+// An update takes minutes in a browser: with EXTRADOS_QUICK it is begun and stopped.
+const quick = process.env.EXTRADOS_QUICK === "true";
+test("measured records are dropped on the page, and the update is run to its end", { skip: quick && "minutes" }, async () => {
   const { page, complaints, context } = await visit();
   // The bridge file alone: it names records that are not there yet.
   const folder = join(import.meta.dirname, "../../../examples/railway-arch");

@@ -28,7 +28,7 @@ fn particles_weigh_by_every_method_and_in_every_question() {
     let stage = Stage::with_example("axles-weight", "bridgemill");
     let file = stage
         .read("bridge/case-3.toml")
-        .replace("voussoirs = 62", "voussoirs = 31")
+        .replace("voussoirs = 62", "voussoirs = 15")
         .replace("through = \"block\"\nblock_weight", "# block_weight");
     let backing = "\n[backing]\nheight = \"1.5 m\"\ndensity = \"2300 kg/m^3\"\nas = \"particles\"\n";
     let sweep = "\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\nstep = \"2 m\"\n";

@@ -137,7 +137,7 @@ fn varied(project: &Project) -> Result<(), Refusal> {
 
 /// How many files; the environment can ask for more.
 fn count() -> u64 {
-    std::env::var("EXTRADOS_RANDOM_FILES").ok().and_then(|count| count.parse().ok()).unwrap_or(120)
+    std::env::var("EXTRADOS_RANDOM_FILES").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
 }
 
 #[test]

@@ -53,7 +53,7 @@ fn sweeps_and_studies_are_read_back() {
 
 #[test]
 fn a_passage_and_an_update_are_read_back() {
-    let found = respond(&example("railway-arch/passage.toml"), &RespondOptions::default(), &mut Unwatched);
+    let found = respond(&super::project("few.toml"), &RespondOptions::default(), &mut Unwatched);
     read_back(&found.expect("a passage"));
     let options = UpdateOptions { search: Some(Search::Gradient), ..UpdateOptions::default() };
     let means = Means { shelf: &Unkept, ..Means::default() };
