@@ -109,7 +109,19 @@ pub fn as_utf8(bytes: Vec<u8>) -> Vec<u8> {
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let found = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
+    let found = match is_block_file(text) {
+        false => read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default(),
+        true => {
+            findings.error(
+                "B243",
+                TextRange::new(0, 0),
+                "the file lists blocks, or a drawing of them, and describes no bridge",
+                "vehicles, trains, records and verdicts need spans, rings and cover",
+                "`check`, `collapse` and `convert` read block model files; for the rest describe the bridge with [bridge] and [[span]] (`extrados new`)",
+            );
+            Resolved::default()
+        }
+    };
     let usable = found.bridge.is_some() && !findings.any_error();
     Read {
         bridge: found.bridge.filter(|_| usable),

@@ -65,6 +65,7 @@ fn every_card_bites() {
             }
             "B217" => vec![b"  0\nSECTION\n".to_vec()],
             "B218" => vec![b"PK\x03\x04".to_vec()],
+            "B243" => vec![b"[model]\nname = \"Wall\"\n".to_vec()],
             _ => GOOD
                 .iter()
                 .filter(|good| good.contains(card.right))

@@ -22,3 +22,18 @@ fn a_drawing_and_a_workbook_are_called_what_they_are() {
         assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some(code)), "{answer}");
     }
 }
+
+/// Commands that ask about a bridge say of a block model file what it is, and not which keys of a bridge it lacks.
+#[test]
+fn a_block_model_is_called_what_it_is_by_commands_that_ask_about_a_bridge() {
+    let stage = Stage::with_example("wrong-blocks", "drawing");
+    for command in [&["assess"][..], &["cases"], &["vary", "--set", "bridge.width=4m..5m:2"], &["respond"], &["update"]]
+    {
+        let words: Vec<&str> =
+            command[..1].iter().chain(&["bridge/bridge.toml"]).chain(&command[1..]).copied().collect();
+        let (answer, ending) = stage.object(&words);
+        let codes: Vec<_> = answer["errors"].as_array().expect("errors").iter().map(|one| &one["code"]).collect();
+        assert_eq!((ending.code, codes), (Some(2), vec![&"B243".into()]), "{answer}");
+    }
+    assert_eq!(stage.run(&["check", "bridge/bridge.toml"]).code, Some(0));
+}
