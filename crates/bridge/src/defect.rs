@@ -64,6 +64,14 @@ pub enum DefectKind {
     },
 }
 
+impl DefectKind {
+    /// Whether it takes weight away or changes the shape, which may also help; what only makes joints weaker never does.
+    #[must_use]
+    pub const fn may_help(&self) -> bool {
+        matches!(self, Self::ThinRing { .. } | Self::MissingStones | Self::DroppedStones { .. })
+    }
+}
+
 impl Defect {
     /// How much of its depth is lost at a share of the arc length: all within the stretch, and beyond its ends falling to nothing over
     /// the length of a voussoir of a ring of so many. That way the section of a joint follows the ends of the stretch continuously, and

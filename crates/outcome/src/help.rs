@@ -15,6 +15,8 @@ words! {
         FillPressure = "fill pressure",
         /// Walls higher than the road.
         Parapets = "parapets",
+        /// Stone that has come off, fallen out or slid down: weight that is gone where it did harm, a shape that bears more.
+        LostStone = "stone that is lost or has slid",
         /// Tensile strength of joints, and of soil and backing that are a continuum.
         Tension = "tension of joints",
         /// Cohesion of joints.
@@ -27,7 +29,7 @@ impl Help {
     pub fn is_strength(self) -> bool {
         match self {
             Help::Tension | Help::Cohesion => true,
-            Help::Water | Help::Movement | Help::FillPressure | Help::Parapets => false,
+            Help::Water | Help::Movement | Help::FillPressure | Help::Parapets | Help::LostStone => false,
         }
     }
 

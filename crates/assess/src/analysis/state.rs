@@ -104,6 +104,9 @@ fn lose(help: Help, bridge: &mut Bridge) {
         Help::Movement => bridge.plan.support_movement = None,
         Help::FillPressure => bridge.fill_pressure.iter_mut().for_each(|fill| fill.applies = false),
         Help::Parapets => bridge.spandrel_wall.iter_mut().for_each(|wall| wall.top = None),
+        Help::LostStone => {
+            bridge.spans.iter_mut().for_each(|span| span.defects.retain(|defect| !defect.kind.may_help()));
+        }
         Help::Tension => {
             each_joint(bridge, |joint| joint.tensile_strength = 0.0);
             bridge.cover.layers.iter_mut().for_each(|layer| layer.tensile_strength = None);

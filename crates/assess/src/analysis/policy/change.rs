@@ -15,6 +15,38 @@ pub fn with_only(bridge: &Bridge, all: &[Help], kept: &[Help]) -> Bridge {
     state::with(bridge, &lost)
 }
 
+/// As many places of lost stone are kept and left out in every set; of more, each is left out by itself.
+const EVERY_SET: usize = 3;
+
+/// The bridge with some places of lost stone and not all: one may help where another harms. With no more than one there is none such.
+pub fn with_some_lost_stone(bridge: &Bridge) -> Vec<Bridge> {
+    let places: Vec<(usize, usize)> = bridge
+        .spans
+        .iter()
+        .enumerate()
+        .flat_map(|(span, of)| of.defects.iter().enumerate().map(move |(k, defect)| ((span, k), defect)))
+        .filter(|(_, defect)| defect.kind.may_help())
+        .map(|(place, _)| place)
+        .collect();
+    let without = |lost: &dyn Fn(usize) -> bool| {
+        let mut own = bridge.clone();
+        // From the last on, so that the numbers of those before it stay.
+        for (number, (span, k)) in places.iter().enumerate().rev() {
+            if lost(number) {
+                own.spans[*span].defects.remove(*k);
+            }
+        }
+        own
+    };
+    match places.len() {
+        0 | 1 => Vec::new(),
+        count if count <= EVERY_SET => {
+            (1..(1 << count) - 1).map(|set: usize| without(&|k| set >> k & 1 == 1)).collect()
+        }
+        count => (0..count).map(|one| without(&|k| k == one)).collect(),
+    }
+}
+
 fn has(bridge: &Bridge, help: Help) -> bool {
     let joints = joints(bridge);
     match help {
@@ -36,6 +68,7 @@ fn has(bridge: &Bridge, help: Help) -> bool {
                 && bridge.cover.road.is_none()
                 && top.is_some_and(|top| top > bridge.cover.depth)
         }
+        Help::LostStone => bridge.spans.iter().flat_map(|span| &span.defects).any(|defect| defect.kind.may_help()),
         Help::Tension => {
             joints.iter().any(|joint| joint.tensile_strength > 0.0)
                 || bridge.continuum.is_some() && soil_tension(bridge).iter().any(|tension| *tension > 0.0)

@@ -41,10 +41,21 @@ impl<T> State<T> {
 }
 
 /// Every state that may lead: the bridge without strength that may be lost and with every set of the other helps, none of them first, all of
-/// them last; then the bridge as described, where that is another one. A bridge without helps has one state.
+/// them last; then the bridge as described, where that is another one. A bridge without helps has one state. Lost stone of which a part alone is
+/// there does not count as help.
 pub(super) fn states(bridge: &Bridge) -> Vec<State<Bridge>> {
     let all = change::helps(bridge);
-    sets(&all).into_iter().map(|helps| State { bridge: change::with_only(bridge, &all, &helps), helps }).collect()
+    let of_set = |helps: Vec<Help>| {
+        let bridges = match all.contains(&Help::LostStone) && !helps.contains(&Help::LostStone) {
+            false => Vec::new(),
+            true => change::with_some_lost_stone(bridge),
+        };
+        let within: Vec<Help> = helps.iter().copied().chain([Help::LostStone]).collect();
+        let whole = State { bridge: change::with_only(bridge, &all, &helps), helps: helps.clone() };
+        let parts = bridges.into_iter().map(|some| change::with_only(&some, &all, &within));
+        [whole].into_iter().chain(parts.map(|bridge| State { bridge, helps: helps.clone() })).collect::<Vec<_>>()
+    };
+    sets(&all).into_iter().flat_map(of_set).collect()
 }
 
 /// The same for loads that are moved over the bridge, which limit analysis does where the plan's method does not.
@@ -59,9 +70,9 @@ pub(super) fn states_of_moving(bridge: &Bridge) -> Vec<State<Bridge>> {
     states
 }
 
-/// The bridge without anything that may come and go: what leads unless a help hurts.
+/// The bridge without anything that may come and go: what leads unless a help hurts. Stone that is lost mostly hurts, and stays lost.
 pub fn bare(bridge: &Bridge) -> Bridge {
-    change::with_only(bridge, &change::helps(bridge), &[])
+    change::with_only(bridge, &change::helps(bridge), &[Help::LostStone])
 }
 
 /// The sets of helps that are counted together.

@@ -14,7 +14,7 @@ pub fn states(scene: &Scene) -> Vec<State<Scene>> {
     let has = |help: &Help| match help {
         Help::Tension => laws().any(|law| law.tension > 0.0),
         Help::Cohesion => laws().any(|law| law.cohesion > 0.0) && (crushes || !limit),
-        Help::Water | Help::Movement | Help::FillPressure | Help::Parapets => false,
+        Help::Water | Help::Movement | Help::FillPressure | Help::Parapets | Help::LostStone => false,
     };
     let all: Vec<Help> = Help::ALL.iter().copied().filter(has).collect();
     sets(&all).into_iter().map(|helps| State { bridge: with_only(scene, &all, &helps), helps }).collect()

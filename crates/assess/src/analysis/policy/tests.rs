@@ -69,6 +69,8 @@ fn two_rings() -> String {
 
 const WATER: &str = "\n[water]\nlevel = \"1.4 m\"\nsaturated_density = \"2100 kg/m^3\"\n";
 const PRESSURE: &str = "\n[fill_pressure]\nfriction_angle = \"35 deg\"\ncohesion = \"5 kPa\"\nmobilisation = 1.0\ncohesion_mobilisation = 0.5\n";
+const LOST_STONE: &str =
+    "\n[[defect]]\nkind = \"thin-ring\"\nface = \"intrados\"\nfrom = \"0.4 m\"\nto = \"1.2 m\"\ndepth = \"60 mm\"\n";
 const MOVED_BEFORE: &str = "\n[support_movement]\nsupport = \"right abutment\"\nhorizontal = 1.0\nbefore = \"20 mm\"\n";
 const SOIL: &str = "as = \"continuum\"\nfriction_angle = \"35 deg\"\ncohesion = \"2 kPa\"\n";
 
@@ -80,6 +82,7 @@ fn with(text: &str, help: Help) -> String {
         Help::Tension => text.replacen("tensile_strength = \"0 kPa\"", "tensile_strength = \"100 kPa\"", 1),
         Help::Cohesion => text.replace("cohesion = \"0 kPa\"", "cohesion = \"500 kPa\""),
         Help::Movement => text.to_owned() + MOVED_BEFORE,
+        Help::LostStone => text.to_owned() + LOST_STONE,
         Help::Parapets => unreachable!("of a wall"),
     }
 }
@@ -112,13 +115,13 @@ fn is_not_counted(what: &str, [with, without]: [f64; 2], slack: f64, told: &NotC
 /// of them something is told.
 #[test]
 fn no_method_counts_what_may_come_and_go() {
-    use Help::{Cohesion, FillPressure, Movement, Tension, Water};
+    use Help::{Cohesion, FillPressure, LostStone, Movement, Tension, Water};
     let cases: [(&str, String, Method, &[Help]); 5] = [
-        ("limit", RING.to_owned(), Method::Limit, &[Water, Movement, FillPressure, Tension, Cohesion]),
+        ("limit", RING.to_owned(), Method::Limit, &[Water, Movement, FillPressure, LostStone, Tension, Cohesion]),
         ("limit, two rings", two_rings(), Method::Limit, &[Water, FillPressure, Tension, Cohesion]),
-        ("path", RING.to_owned(), Method::Path, &[Water, FillPressure, Tension, Cohesion]),
+        ("path", RING.to_owned(), Method::Path, &[Water, FillPressure, LostStone, Tension, Cohesion]),
         ("path, two rings", two_rings(), Method::Path, &[Cohesion]),
-        ("dem", RING.to_owned() + "load_step = \"10 kN/m\"\n", Method::Dem, &[Water, Tension]),
+        ("dem", RING.to_owned() + "load_step = \"10 kN/m\"\n", Method::Dem, &[Water, LostStone, Tension]),
     ];
     let mut told = Vec::new();
     for (name, text, method, helps) in &cases {
@@ -189,6 +192,36 @@ fn a_help_that_hurts_counts() {
             |said: &Note| matches!(said, Note::State(note::State::Counted { helps, .. }) if helps[..] == [Help::Water]);
         assert!(wet.assumptions.iter().any(told));
     }
+}
+
+/// Stone that is lost anywhere, on either face, never raises what is carried, one place of it or several, and by loads that move as well.
+#[test]
+fn lost_stone_anywhere_raises_no_load() {
+    let mut dice = crate::samples::Dice(20_261_127);
+    let uncrushed = RING.replace("5 MPa", "unlimited");
+    let carried = |text: &str| found(&read(text)).carried().unwrap();
+    let moved = |text: &str| {
+        let found = sweep(&read(text), Places::Between([0.0, 5.0], 6), true, &mut Unwatched).unwrap();
+        found.worst().unwrap().bound().unwrap()
+    };
+    let [sound, swept] = [carried(&uncrushed), moved(&uncrushed)];
+    let (mut raised, mut text) = (0, String::new());
+    for number in 0..24 {
+        if number % 3 == 0 {
+            text.clone_from(&uncrushed);
+        }
+        let (from, face) = (4.2 * dice.roll(), ["intrados", "extrados"][(2.0 * dice.roll()) as usize]);
+        let (to, depth) = (from + 0.3 + 0.5 * dice.roll(), 0.02 + 0.08 * dice.roll());
+        text += &format!(
+            "\n[[defect]]\nkind = \"thin-ring\"\nface = \"{face}\"\nfrom = \"{from} m\"\nto = \"{to} m\"\ndepth = \"{depth} m\"\n"
+        );
+        let own = found(&read(&text));
+        assert!(own.carried().unwrap() <= sound * (1.0 + 1e-6), "{:?} {sound}\n{text}", own.carried());
+        let least = moved(&text);
+        assert!(least <= swept * (1.0 + 1e-4), "{least} {swept}\n{text}");
+        raised += usize::from(own.not_counted.left_out == [Help::LostStone]);
+    }
+    assert!(raised > 0, "some of it would have helped, which is told");
 }
 
 /// Several helps together: nothing less is left when one of them is taken away.
