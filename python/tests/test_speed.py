@@ -15,6 +15,7 @@ def test_the_overhead_of_a_call():
     # Beside additions of Python's own in the same run: where two programs share a core, both take twice as long.
     additions = min(_timed(lambda: [sum(range(1000)) for _ in range(repeats)]) for _ in range(3))
     print(f"overhead of a call: {1e6 * least / repeats:.1f} us of the processor, {least / additions:.1f} times a thousand additions")
+    # Eight thousand additions are a tenth of a millisecond, less than a hundredth of the shortest analysis.
     assert least < 8 * additions
 
 

@@ -33,7 +33,7 @@ test("a train crosses the railway arch; a sensor is placed on a stone; a measure
   await context.close();
 });
 
-// An update takes minutes in a browser: with EXTRADOS_QUICK it is begun and stopped.
+// An update takes minutes in a browser: with EXTRADOS_QUICK it is left out.
 const quick = process.env.EXTRADOS_QUICK === "true";
 test("measured records are dropped on the page, and the update is run to its end", { skip: quick && "minutes" }, async () => {
   const { page, complaints, context } = await visit();

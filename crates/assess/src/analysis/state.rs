@@ -20,7 +20,7 @@ pub enum Change {
     /// Loads reach the rings through the cover in place of standing on loading blocks.
     LoadsThroughCover,
     /// Layers of particles, and slabs on them, as weight.
-    NoParticles,
+    ParticlesAsWeight,
     /// Fill that presses, or yields as a continuum, as weight alone.
     FillAsWeight,
     /// With all of the fill's passive pressure mobilised.
@@ -56,7 +56,7 @@ fn apply(change: Change, bridge: &mut Bridge) {
         Change::OpenSteps => (bridge.plan.load_step, bridge.plan.load_limit) = (None, None),
         Change::NoLoads => bridge.loads.clear(),
         Change::LoadsThroughCover => bridge.loads.iter_mut().for_each(|load| load.block = None),
-        Change::NoParticles => {
+        Change::ParticlesAsWeight => {
             bridge.particles = None;
             bridge.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
         }

@@ -17,7 +17,7 @@ use structure::discretise::{Discretised, Origin};
 pub fn statics(bridge: &Bridge) -> Result<Statics, AnalysisError> {
     let changes = [
         Change::FillAsWeight,
-        Change::NoParticles,
+        Change::ParticlesAsWeight,
         Change::NoLoads,
         Change::Method(Method::Limit),
         Change::Strip(Strip::Fill),

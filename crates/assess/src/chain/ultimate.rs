@@ -38,7 +38,7 @@ fn of_blocks(bridge: &Bridge) -> Bridge {
         Change::Strip(Strip::Fill),
         Change::OpenSteps,
         Change::LoadsThroughCover,
-        Change::NoParticles,
+        Change::ParticlesAsWeight,
     ];
     state::with(bridge, &changes)
 }

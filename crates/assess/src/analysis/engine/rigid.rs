@@ -48,7 +48,7 @@ pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
 
 /// The blocks as limit analysis sees them, whatever method the plan names: particles as weight, and fill that presses against movement.
 pub fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
-    let own = state::with(bridge, &[Change::NoParticles]);
+    let own = state::with(bridge, &[Change::ParticlesAsWeight]);
     let mut d = discretise(&own)?;
     d.loading.movements.clear();
     // Walls stand in place of the fill.

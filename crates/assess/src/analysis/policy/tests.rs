@@ -217,6 +217,7 @@ fn lost_stone_anywhere_raises_no_load() {
         );
         let own = found(&read(&text));
         assert!(own.carried().unwrap() <= sound * (1.0 + 1e-6), "{:?} {sound}\n{text}", own.carried());
+        // The worst place is sought between positions, as near as to a ten-thousandth of the load.
         let least = moved(&text);
         assert!(least <= swept * (1.0 + 1e-4), "{least} {swept}\n{text}");
         raised += usize::from(own.not_counted.left_out == [Help::LostStone]);

@@ -29,7 +29,7 @@ pub fn carried(
     let capacity = rule.capacity_factor();
     let Some(factor) = limit.map(|adequacy| adequacy / capacity) else { return found };
     // The same fill as in limit analysis.
-    let mut b = state::with(case, &[Change::Method(Method::Dem), Change::NoParticles]);
+    let mut b = state::with(case, &[Change::Method(Method::Dem), Change::ParticlesAsWeight]);
     if let Some(inset) = inset(&b, by_limit) {
         let mut with = b.clone();
         with.masonry.rounding += inset;

@@ -59,6 +59,7 @@ fn drawn(seed: u64) -> Bridge {
 fn the_least_factors_are_those_of_the_full_search() {
     agree_at(2, 2.4);
 }
+
 #[test]
 #[ignore = "another bridge of the same kind; .ci/slow"]
 fn the_least_factors_are_those_of_the_full_search_on_another_bridge() {

@@ -134,7 +134,7 @@ const NO_LOAD_STEP: AnalysisError = AnalysisError::Missing {
 /// The share that crushing takes off the limit load of the same rings under the same fill as weight.
 fn crushing_takes(bridge: &Bridge) -> Option<f64> {
     bridge.masonry.compressive_strength?;
-    let own = state::with(bridge, &[Change::NoParticles, Change::LoadsThroughCover]);
+    let own = state::with(bridge, &[Change::ParticlesAsWeight, Change::LoadsThroughCover]);
     let d = rigid::prepared(&own).ok()?;
     let crushing = rigid::single(&own, &d);
     let load = |settings: &limit::Settings| rigid::solve(&d, settings, &CancelToken::default()).ok()?.factor;
