@@ -10,7 +10,7 @@ const UNSHOWN: char = '\u{fffd}';
 /// annex 9), so that words are not read as they stand, and those of no width and tags, by which two names that look alike are not. Joiners stay: letters of
 /// several scripts need them.
 pub fn is_hidden(character: char) -> bool {
-    let acts = matches!(character, '\u{61c}' | '\u{180e}' | '\u{200b}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
+    let acts = matches!(character, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
         | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}');
     character.is_control() || acts
 }
@@ -94,7 +94,10 @@ mod tests {
     fn what_acts_is_not_shown_and_everything_else_is() {
         assert_eq!(visible("a\u{1b}[2Jb\u{9b}c\u{7f}\r\nd\te"), "a\u{fffd}[2Jb\u{fffd}c\u{fffd}\u{fffd}\nd e");
         assert_eq!(one_line("bridge\nAdequate\u{202e}x\u{2067}"), "bridge Adequate\u{fffd}x\u{fffd}");
-        assert_eq!(one_line("a\u{200f}b\u{61c}c\u{200b}d\u{e0041}e"), "a\u{fffd}b\u{fffd}c\u{fffd}d\u{fffd}e");
+        assert_eq!(
+            one_line("a\u{200f}\u{ad}b\u{61c}c\u{200b}d\u{e0041}e"),
+            "a\u{fffd}\u{fffd}b\u{fffd}c\u{fffd}d\u{fffd}e"
+        );
         for plain in ["Pont de Palé", "橋", "جسر", "גשר", "a–b · 1/4 ≤ 2", "می\u{200c}روم"] {
             assert!(matches!(visible(plain), Cow::Borrowed(same) if same == plain));
         }

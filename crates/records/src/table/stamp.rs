@@ -1,6 +1,8 @@
 //! Time stamps as loggers write them: "2026-10-25T02:59:54.005Z", "25.10.2026 02:59:54,005", "10/25/2026 2:59:54.005 AM", "25-Oct-2026 02:59:54",
 //! "02:59:54.005". ISO 8601-1 (2019) for the first; the calendar is that of Gregory.
 
+use std::borrow::Cow;
+
 /// Seconds of a day.
 const DAY: i64 = 86_400;
 /// Parts of a second.
@@ -77,14 +79,18 @@ pub(super) fn stamp(text: &str) -> Option<Stamp> {
     let text = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(text);
     let text = without_weekday(text);
     // A number is no stamp, and commonest.
-    if text.len() < 5 || !text.is_ascii() || !text.contains([':', '/', '-', '.', 'T']) {
+    if text.len() < 5 || !text.contains([':', '/', '-', '.', 'T']) {
+        return None;
+    }
+    let text = &without_accents(text);
+    if !text.is_ascii() {
         return None;
     }
     let (date, rest) = match split(text) {
         (Some(date), rest) => (Some(written_date(date)?), rest),
         (None, rest) => (None, rest),
     };
-    let rest = rest.trim();
+    let rest = &with_colons(rest.trim());
     if rest.is_empty() {
         return date.map(|date| Stamp { date: Some(date), time: None, ahead: None, decimals: 0, period: DAY });
     }
@@ -115,6 +121,13 @@ fn split(text: &str) -> (Option<&str>, &str) {
     if let Some(at) = letter {
         return (Some(&text[..at]), &text[at + 1..]);
     }
+    // "2026-10-25_22-59-50", as names of files have it, has no colon either.
+    if colon == text.len()
+        && let Some(at) = text.rfind(['_', ' '])
+        && has_dashes(&text[at + 1..])
+    {
+        return (Some(&text[..at]), &text[at + 1..]);
+    }
     // The last blank before the hours; the date itself may have blanks.
     match text[..colon].trim_end().rfind([' ', '_']) {
         Some(at) if colon < text.len() => (Some(text[..at].trim_end_matches([',', ' '])), &text[at + 1..]),
@@ -122,6 +135,54 @@ fn split(text: &str) -> (Option<&str>, &str) {
         _ => (Some(text), ""),
     }
 }
+
+/// "25. März 2026" and "3 août 2026" without the accents of their months.
+fn without_accents(text: &str) -> Cow<'_, str> {
+    let plain = |letter: char| match letter {
+        'ä' | 'Ä' => 'a',
+        'é' | 'É' => 'e',
+        'û' | 'Û' => 'u',
+        other => other,
+    };
+    if text.is_ascii() { text.into() } else { text.chars().map(plain).collect::<String>().into() }
+}
+
+/// Whether a time of day begins with hours, minutes and seconds between dashes: "22-59-50".
+fn has_dashes(clock: &str) -> bool {
+    let pattern = |(at, byte): (usize, &u8)| if at % 3 == 2 { *byte == b'-' } else { byte.is_ascii_digit() };
+    clock.len() >= 8 && clock.as_bytes()[..8].iter().enumerate().all(pattern)
+}
+
+/// Such a time with colons, as all others have them.
+fn with_colons(clock: &str) -> Cow<'_, str> {
+    match has_dashes(clock) {
+        true => format!("{}:{}:{}", &clock[..2], &clock[3..5], &clock[6..]).into(),
+        false => clock.into(),
+    }
+}
+
+/// First letters of months that other languages than English write otherwise: German, French, Italian, Spanish, Portuguese.
+const ELSEWHERE: [(&str, u32); 19] = [
+    ("gen", 1),
+    ("ene", 1),
+    ("fev", 2),
+    ("aou", 8),
+    ("mrz", 3),
+    ("avr", 4),
+    ("abr", 4),
+    ("mai", 5),
+    ("mag", 5),
+    ("juin", 6),
+    ("giu", 6),
+    ("juil", 7),
+    ("lug", 7),
+    ("ago", 8),
+    ("set", 9),
+    ("okt", 10),
+    ("ott", 10),
+    ("dez", 12),
+    ("dic", 12),
+];
 
 const MONTHS: [&str; 12] = ["jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"];
 
@@ -138,8 +199,9 @@ fn written_date(text: &str) -> Option<Date> {
     let parts: Vec<&str> = text.split([mark, ' ', ',']).map(str::trim).filter(|part| !part.is_empty()).collect();
     let &[a, b, c] = &parts[..] else { return None };
     let month = |part: &str| {
-        let part = part.to_ascii_lowercase();
-        MONTHS.iter().position(|month| part.starts_with(month)).and_then(|at| u32::try_from(at + 1).ok())
+        let part = part.to_lowercase();
+        let english = MONTHS.iter().position(|month| part.starts_with(month)).and_then(|at| u32::try_from(at + 1).ok());
+        english.or_else(|| ELSEWHERE.iter().find(|(month, _)| part.starts_with(month)).map(|(_, number)| *number))
     };
     let number = |part: &str| -> Option<u32> {
         (part.len() <= 4 && part.bytes().all(|byte| byte.is_ascii_digit())).then(|| part.parse().ok())?
@@ -346,9 +408,15 @@ mod tests {
             "[2026-10-25 02:59:54.005]",
             "Sun Oct 25, 2026 02:59:54.005",
             "Sunday, 25 October 2026 02:59:54.005",
+            "25. Okt. 2026 02:59:54,005",
+            "25 ottobre 2026 02:59:54.005",
+            "2026-10-25_02-59-54.005",
+            "2026-10-25 02-59-54.005",
         ] {
             assert_eq!(seconds(text), 1_792_897_194.005, "{text}");
         }
+        assert_eq!(seconds("25. März 2026 02:59:54"), seconds("2026-03-25 02:59:54"));
+        assert_eq!(seconds("3 août 2026 02:59:54"), seconds("2026-08-03 02:59:54"));
         assert_eq!(seconds("2024-02-29 24:00:00"), seconds("2024-03-01 00:00:00"));
         assert_eq!(seconds("2026-10-25T12:59:54 PM"), seconds("2026-10-25T12:59:54"));
     }
