@@ -273,11 +273,11 @@ findings::cards! {
         "An analysis of the file could not be set up or found no result; the message says which one and why. The other \
          stages are valid. Checks that depend on this one are not made, and if all others are met the verdict is \
          undetermined. Remove the cause and repeat the command: it uses the finished stages.";
-    /// Built without the typesetter.
+    /// No typesetter lies beside the command.
     WITHOUT_PDF = "A161", "this program writes no report.pdf",
-        "The typesetter for report.pdf needs some 200 packages, so it is built only on request: cargo install --path \
-         crates/cli --features pdf. report.html holds the same and prints on A4; verdict and numbers do not depend on \
-         it.";
+        "The typesetter for report.pdf needs some 200 packages and is a program of its own, extrados-pdf, which has to lie \
+         in the folder of the command: cargo install --path crates/report-pdf puts it there. report.html holds the same \
+         and prints on A4; verdict and numbers do not depend on it.";
     /// The report could not be set.
     UNSET_PDF = "A162", "the report could not be typeset as PDF",
         "The typesetter refused the report; the message quotes its error. report.html and result.json are complete, \

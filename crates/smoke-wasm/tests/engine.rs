@@ -173,7 +173,7 @@ fn the_module_answers_as_the_native_library_does() {
 
 /// Measured: 2e-12; one element of 22 is on the edge of yielding.
 #[test]
-#[ignore = "takes minutes in an interpreter; cargo test --release --workspace --exclude report-pdf --test engine -- --ignored"]
+#[ignore = "takes minutes in an interpreter; cargo test --release --workspace --test engine -- --ignored"]
 fn a_train_crosses_in_the_module_as_natively() {
     let Some(mut host) = Host::new() else { return };
     both(&mut host, "respond", &example("railway-arch/passage.toml"), None, |key| {

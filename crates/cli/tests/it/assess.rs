@@ -100,7 +100,7 @@ fn a_limit_that_is_not_met_is_exit_code_one() {
     assert!(stage.read("out/bridge/report.html").contains("Not adequate"));
 }
 
-/// With the feature report.pdf says the verdict that the page says; without it a warning says how to have it.
+/// With the typesetter beside the command report.pdf says the verdict that the page says; without it a warning says how to have it.
 #[test]
 fn the_report_as_pdf_or_the_way_to_it() {
     let stage = stage("assess-pdf", LIMITS);
@@ -109,8 +109,11 @@ fn the_report_as_pdf_or_the_way_to_it() {
     let file = stage.folder.join("out/report.pdf");
     let warnings = answer["warnings"].as_array().expect("a list");
     let told = warnings.iter().find(|one| one["code"] == "A161");
-    if !cfg!(feature = "pdf") {
-        assert!(told.is_some_and(|one| one["message"].as_str().is_some_and(|words| words.contains("--features pdf"))));
+    let typesetter = std::path::Path::new(env!("CARGO_BIN_EXE_extrados")).with_file_name("extrados-pdf");
+    if !typesetter.exists() {
+        assert!(
+            told.is_some_and(|one| one["message"].as_str().is_some_and(|words| words.contains("crates/report-pdf")))
+        );
         assert!(!file.exists());
         return;
     }
