@@ -1,0 +1,200 @@
+//! What may be asked of a bridge, each answered with one number of which more is better.
+
+use assess::analysis::engine::can;
+use assess::analysis::placing::Placing;
+use assess::analysis::{AnalysisError, Places, collapse, sweep, vehicle_sweep};
+use bridge::{Analysis, Bridge, Method};
+use mechanics::watch::Unwatched;
+use outcome::collapse::{Collapse, Sought, Status};
+use structure::discretise::bridge_length;
+
+/// A question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Question {
+    /// What the loads may be multiplied by.
+    Load,
+    /// The same at the worst of many places.
+    Sweep,
+    /// The same of vehicles under a rule.
+    Vehicles,
+    /// What is carried where somebody drags the loads to.
+    Dragged,
+    /// How thin the rings may be.
+    Thickness,
+    /// How far a support may move.
+    Movement,
+}
+
+/// An answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Found {
+    /// More is better; infinite where nothing makes the bridge fall.
+    Size(f64),
+    /// Nothing is known.
+    Open,
+    /// The method does not know the question or the bridge, or nothing of the file asks for it.
+    NotAsked,
+}
+
+impl Question {
+    pub const ALL: [Question; 6] = [
+        Question::Load,
+        Question::Sweep,
+        Question::Vehicles,
+        Question::Dragged,
+        Question::Thickness,
+        Question::Movement,
+    ];
+
+    fn analysis(self) -> Analysis {
+        match self {
+            Question::Thickness => Analysis::Thickness,
+            Question::Movement => Analysis::SupportMovement,
+            Question::Load | Question::Sweep | Question::Vehicles | Question::Dragged => Analysis::Load,
+        }
+    }
+}
+
+/// Places of loads that are moved, over the whole bridge.
+const PLACES: usize = 9;
+
+/// The answer of a bridge by the method of its plan.
+pub fn asked(question: Question, bridge: &Bridge) -> Found {
+    answered(question, bridge, PLACES, false)
+}
+
+/// The answer of a bridge that is seen from its other side.
+pub fn mirrored(question: Question, bridge: &Bridge) -> Found {
+    answered(question, bridge, PLACES, true)
+}
+
+/// The same with places at half the distance; none of questions without places.
+pub fn finer(question: Question, bridge: &Bridge) -> Option<Found> {
+    match question {
+        Question::Sweep => Some(answered(question, bridge, 2 * PLACES - 1, false)),
+        Question::Vehicles => {
+            let mut own = bridge.clone();
+            own.sweep.as_mut()?.step = Some(0.5 * bridge.sweep.as_ref()?.step?);
+            Some(answered(question, &own, PLACES, false))
+        }
+        Question::Load | Question::Dragged | Question::Thickness | Question::Movement => None,
+    }
+}
+
+/// By how large a share, and by how much, an answer may be above another one that it is said not to be above: steps of a method, and places
+/// that are sought between others.
+pub fn no_more(question: Question, bridge: &Bridge) -> [f64; 2] {
+    let step = match (question, bridge.plan.method) {
+        (Question::Load, Method::Dem) => bridge.plan.load_step.unwrap_or(f64::INFINITY),
+        _ => 0.0,
+    };
+    let share = match question {
+        Question::Load | Question::Dragged => 1e-6,
+        Question::Sweep | Question::Vehicles => 1e-4,
+        // Thickness and movement are narrowed to a thousandth.
+        Question::Thickness | Question::Movement => 2e-3,
+    };
+    [share, step]
+}
+
+/// The same of answers that are said to be the same.
+pub fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
+    let [share, step] = no_more(question, bridge);
+    match bridge.plan.method {
+        Method::Limit => [share.max(if question == Question::Sweep { 1e-3 } else { 1e-6 }), step],
+        Method::Path | Method::Dem | Method::Fe => [share.max(1e-3), step],
+    }
+}
+
+fn answered(question: Question, bridge: &Bridge, places: usize, is_mirrored: bool) -> Found {
+    let mut own = bridge.clone();
+    own.plan.analysis = question.analysis();
+    if can::refused(&own).is_err() {
+        return Found::NotAsked;
+    }
+    match question {
+        Question::Load if own.loads.is_empty() => Found::NotAsked,
+        Question::Movement if own.plan.support_movement.is_none_or(|moves| moves.before.is_some()) => Found::NotAsked,
+        Question::Load | Question::Thickness | Question::Movement => {
+            collapse(&own, None, &mut Unwatched).map_or_else(|error| refused(&error), |found| size(&found))
+        }
+        Question::Sweep if moves(&own) => {
+            let all = Places::Between([0.0, bridge_length(&own)], places);
+            let found = sweep(&own, all, true, &mut Unwatched);
+            found.map_or_else(
+                |error| refused(&error),
+                |found| match found.worst() {
+                    Some(worst) => worst.load_factor.map_or(Found::Open, Found::Size),
+                    None => Found::Open,
+                },
+            )
+        }
+        Question::Vehicles if own.sweep.is_some() => {
+            let found = vehicle_sweep(&own, &mut Unwatched);
+            found.map_or_else(
+                |error| refused(&error),
+                |found| {
+                    let least = found
+                        .vehicles
+                        .iter()
+                        .map(|one| one.adequacy)
+                        .min_by(|a, b| a.unwrap_or(f64::NEG_INFINITY).total_cmp(&b.unwrap_or(f64::NEG_INFINITY)));
+                    least.flatten().map_or(Found::Open, Found::Size)
+                },
+            )
+        }
+        // Loads are dragged by limit analysis alone.
+        Question::Dragged if moves(&own) && own.plan.method == Method::Limit => dragged(&own, is_mirrored),
+        Question::Sweep | Question::Vehicles | Question::Dragged => Found::NotAsked,
+    }
+}
+
+/// Whether the loads of a file may be moved.
+fn moves(bridge: &Bridge) -> bool {
+    !bridge.loads.is_empty() && bridge.loads.iter().all(|load| load.block.is_none())
+}
+
+/// The least factor of three places.
+fn dragged(bridge: &Bridge, is_mirrored: bool) -> Found {
+    let length = bridge_length(bridge);
+    let mut placing = match Placing::loads(bridge) {
+        Ok(placing) => placing,
+        Err(error) => return refused(&error),
+    };
+    let mut least = f64::INFINITY;
+    for share in [0.2, 0.45, 0.7] {
+        let place = length * if is_mirrored { 1.0 - share } else { share };
+        let found = placing.carried(place);
+        match (found.factor, found.status) {
+            (Some(factor), _) => least = least.min(factor),
+            (None, Status::Locks) => {}
+            (None, Status::UnstableUnderSelfWeight) => return Found::Size(0.0),
+            (None, _) => return Found::Open,
+        }
+    }
+    Found::Size(least)
+}
+
+/// What a bridge cannot be asked, by its own words; anything that a bridge should not meet is an error of the test.
+fn refused(error: &AnalysisError) -> Found {
+    match error {
+        AnalysisError::Cannot(_) | AnalysisError::NoStiffness { .. } | AnalysisError::NoLoad => Found::NotAsked,
+        AnalysisError::Discretise(_) | AnalysisError::Vehicles(_) | AnalysisError::MovedBlock => Found::NotAsked,
+        other => panic!("{other}"),
+    }
+}
+
+fn size(found: &Collapse) -> Found {
+    let known = match found.sought {
+        Sought::Load => found.carried(),
+        Sought::Thickness(report) => report.map(|report| -report.factor[1]),
+        Sought::SupportMovement(report) => report.last_stable,
+    };
+    match (known, found.status) {
+        (_, Status::NotConverged | Status::StepLimit | Status::Cancelled) => Found::Open,
+        (Some(known), _) => Found::Size(known),
+        (None, Status::Locks | Status::StableToLastLoad) => Found::Size(f64::INFINITY),
+        (None, Status::UnstableUnderSelfWeight) => Found::Size(0.0),
+        (None, _) => Found::Open,
+    }
+}

@@ -1,0 +1,167 @@
+//! One policy for every engine and every question: nothing that may come and go raises what is found, by whatever method and of whatever is asked;
+//! the same bridge seen from its other side comes to the same; finer steps find no more; an axle more carries no less.
+//!
+//! `cargo test --release -p verification --test one_policy` asks some random bridges and examples, `-- --ignored --nocapture` every example and
+//! the bridges that the variable `EXTRADOS_POLICY` names (0..24 without it), by every method, and prints what was asked and what helped.
+
+mod asked;
+mod changed;
+mod drawn;
+#[path = "../random/mod.rs"]
+mod random;
+
+use asked::{Found, Question};
+use bridge::{Bridge, Method};
+use outcome::help::Help;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// What is counted of the pairs of one question, one method and one property.
+#[derive(Default)]
+struct Count {
+    /// Pairs with two numbers.
+    compared: usize,
+    /// Of them, those that the change lowers: a help that hurts is counted.
+    lowered: usize,
+    /// Pairs of which one or both have no number.
+    open: usize,
+}
+
+/// The properties of bridges, and what broke them.
+#[derive(Default)]
+struct Trial {
+    counts: BTreeMap<String, Count>,
+    broken: Vec<String>,
+}
+
+impl Trial {
+    /// Asks everything of a bridge, by some methods.
+    fn ask(&mut self, name: &str, bridge: &Bridge, methods: &[Method]) {
+        for &method in methods {
+            let own = changed::by(bridge, method);
+            for question in Question::ALL {
+                self.ask_one(name, &own, question);
+            }
+        }
+    }
+
+    fn ask_one(&mut self, name: &str, bridge: &Bridge, question: Question) {
+        let bare = asked::asked(question, bridge);
+        if bare == Found::NotAsked {
+            return;
+        }
+        let method = bridge.plan.method;
+        for help in Help::ALL.iter().copied() {
+            let Some(helped) = changed::helped(bridge, help, question) else { continue };
+            let found = asked::asked(question, &helped);
+            self.hold(&format!("{method} {question:?}, {help}"), name, [found, bare], asked::no_more(question, bridge));
+        }
+        if let Some(mirrored) = changed::mirrored(bridge) {
+            let found = asked::mirrored(question, &mirrored);
+            let what = format!("{method} {question:?}, mirrored");
+            let slack = asked::same(question, bridge);
+            self.hold(&what, name, [found, bare], slack);
+            self.hold(&what, name, [bare, found], slack);
+        }
+        if let Some(finer) = asked::finer(question, bridge) {
+            self.hold(&format!("{method} {question:?}, finer"), name, [finer, bare], asked::same(question, bridge));
+        }
+        if let Some(more) = changed::with_an_axle_more(bridge, question) {
+            let found = asked::asked(question, &more);
+            let slack = asked::same(question, bridge);
+            self.hold(&format!("{method} {question:?}, an axle more"), name, [found, bare], slack);
+        }
+    }
+
+    /// Holds one number to be no more than another, by so large a share of it and so much.
+    fn hold(&mut self, what: &str, name: &str, [found, most]: [Found; 2], [share, slack]: [f64; 2]) {
+        let count = self.counts.entry(what.to_owned()).or_default();
+        match (found, most) {
+            (Found::NotAsked, _) | (_, Found::NotAsked) => {}
+            (Found::Size(found), Found::Size(most)) => {
+                count.compared += 1;
+                count.lowered += usize::from(found < most - 1e-3 * most.abs());
+                let is_kept = found <= most || found <= most + share * most.abs() + slack;
+                if !is_kept {
+                    self.broken.push(format!("{name}, {what}: {found} is above {most}"));
+                }
+            }
+            _ => count.open += 1,
+        }
+    }
+
+    /// What was compared, as lines of a table.
+    fn told(&self) -> String {
+        let line = |(what, of): (&String, &Count)| {
+            format!("{what:55} {:5} compared {:5} lowered {:5} without a number", of.compared, of.lowered, of.open)
+        };
+        self.counts.iter().map(line).collect::<Vec<_>>().join("\n")
+    }
+
+    fn finish(self) {
+        println!("{}", self.told());
+        assert!(self.broken.is_empty(), "{} broken:\n{}", self.broken.len(), self.broken.join("\n"));
+    }
+}
+
+/// The bridges of `examples/` that can be read from one file, with their names.
+fn examples() -> Vec<(String, Bridge)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut files: Vec<PathBuf> = Vec::new();
+    let mut open = vec![root.clone()];
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            match path.is_dir() {
+                true => open.push(path),
+                false if path.extension().is_some_and(|end| end == "toml") => files.push(path),
+                false => {}
+            }
+        }
+    }
+    files.sort();
+    let name = |path: &Path| path.strip_prefix(&root).expect("below the folder").display().to_string();
+    let read = |path: PathBuf| {
+        let bridge = bridge::read(&std::fs::read(&path).expect("a file")).bridge?;
+        Some((name(&path), bridge))
+    };
+    files.into_iter().filter_map(read).collect()
+}
+
+fn drawn(seed: u64) -> (String, Bridge) {
+    let text = drawn::draw(seed);
+    let read = bridge::read(text.as_bytes());
+    (format!("seed {seed}"), read.bridge.unwrap_or_else(|| panic!("seed {seed}: {:?}\n{text}", read.diagnostics)))
+}
+
+#[test]
+fn no_help_raises_a_number() {
+    let mut trial = Trial::default();
+    for seed in 0..4 {
+        let (name, bridge) = drawn(seed);
+        trial.ask(&name, &bridge, &[Method::Limit]);
+    }
+    let (name, bridge) = drawn(4);
+    trial.ask(&name, &bridge, &[Method::Path]);
+    let compared: usize = trial.counts.values().map(|of| of.compared).sum();
+    assert!(compared >= 100, "{compared} compared:\n{}", trial.told());
+    trial.finish();
+}
+
+#[test]
+#[ignore = "minutes; .ci/slow"]
+fn no_help_raises_a_number_of_any_bridge() {
+    let mut trial = Trial::default();
+    for seed in random::seeds("EXTRADOS_POLICY", 0..24) {
+        let (name, bridge) = drawn(seed);
+        trial.ask(&name, &bridge, Method::ALL);
+        println!("{name}: {} broken", trial.broken.len());
+    }
+    if std::env::var_os("EXTRADOS_POLICY").is_none() {
+        for (name, bridge) in examples() {
+            trial.ask(&name, &bridge, &[Method::Limit, Method::Path]);
+            println!("{name}: {} broken", trial.broken.len());
+        }
+    }
+    trial.finish();
+}
