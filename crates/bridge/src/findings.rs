@@ -31,7 +31,8 @@ impl Findings {
         label: impl Into<String>,
         help: impl Into<String>,
     ) -> &mut Diagnostic {
-        self.add(code, Severity::Error, range, message.into(), label.into(), help.into())
+        let (message, label, help) = (message.into(), label.into(), Some(help.into()));
+        self.add(Diagnostic { code, severity: Severity::Error, message, range, label, note: None, help })
     }
 
     /// Records a warning: what is odd, where, the words under the caret, and what to write if it is a slip.
@@ -43,19 +44,12 @@ impl Findings {
         label: impl Into<String>,
         help: impl Into<String>,
     ) -> &mut Diagnostic {
-        self.add(code, Severity::Warning, range, message.into(), label.into(), help.into())
+        let (message, label, help) = (message.into(), label.into(), Some(help.into()));
+        self.add(Diagnostic { code, severity: Severity::Warning, message, range, label, note: None, help })
     }
 
-    fn add(
-        &mut self,
-        code: &'static str,
-        severity: Severity,
-        range: TextRange,
-        message: String,
-        label: String,
-        help: String,
-    ) -> &mut Diagnostic {
-        let finding = Diagnostic { code, severity, message, range, label, note: None, help: Some(help) };
+    fn add(&mut self, finding: Diagnostic) -> &mut Diagnostic {
+        let severity = finding.severity;
         let mut index = self.list.len();
         if index < MOST {
             self.list.push(finding);

@@ -133,8 +133,7 @@ pub fn publish(
     folder: &Folder,
     shard: Shard,
     identity: String,
-    inputs: BTreeMap<String, String>,
-    files: Vec<String>,
+    (inputs, files): (BTreeMap<String, String>, Vec<String>),
 ) -> Result<Report, Failure> {
     let hashed = |file: String| {
         let hash =

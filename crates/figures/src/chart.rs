@@ -95,7 +95,7 @@ impl Axes {
     /// Draws frame, grid, ticks and names below `top`. Returns the axes and the y below their name.
     pub fn draw(sheet: &mut Sheet, top: f64, height: f64, x: &Axis, y: &Axis) -> (Axes, f64) {
         let widest = Axes::widest(y);
-        Axes::panel(sheet, top, height, x, y, Some(widest), true)
+        Axes::panel(sheet, [top, height], [x, y], Some(widest), true)
     }
 
     /// Width of the widest word along an axis.
@@ -107,10 +107,8 @@ impl Axes {
     /// The same for one of several panels, whose words to the left take `widest`; words along x only where it is the lowest.
     pub fn panel(
         sheet: &mut Sheet,
-        top: f64,
-        height: f64,
-        x: &Axis,
-        y: &Axis,
+        [top, height]: [f64; 2],
+        [x, y]: [&Axis; 2],
         widest: Option<f64>,
         lowest: bool,
     ) -> (Axes, f64) {

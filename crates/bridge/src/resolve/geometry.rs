@@ -44,8 +44,7 @@ pub(super) fn check(
     file: &Table<'_>,
     spans: &[PlacedSpan],
     piers: &[Pier],
-    masonry: Option<&Masonry>,
-    joint: Option<&Joint>,
+    (masonry, joint): (Option<&Masonry>, Option<&Joint>),
     cover: Option<&Cover>,
     findings: &mut Findings,
 ) {

@@ -43,7 +43,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
 
     if let (Some(spans), Some(piers)) = (&spans, &piers) {
         structure::count_blocks(file, spans, piers, findings);
-        geometry::check(file, spans, piers, masonry.as_ref(), joint.as_ref(), cover.as_ref(), findings);
+        geometry::check(file, spans, piers, (masonry.as_ref(), joint.as_ref()), cover.as_ref(), findings);
     }
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
         let wall_joint = spandrel_wall.as_ref().and_then(Option::as_ref).map(|wall| &wall.joint);

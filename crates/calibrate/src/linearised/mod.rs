@@ -128,7 +128,7 @@ impl Linearised {
         let mut evaluator = Evaluator::without_log(problem, self, &Serial, &mut watch);
         let all: Vec<usize> = (0..self.parameters.len()).collect();
         let point = values(&self.parameters, &self.at);
-        let found = sweep::sweeps(&mut evaluator, &basis, &self.parameters, &point, &all, count, &Trough::default());
+        let found = sweep::sweeps(&mut evaluator, &basis, (&self.parameters, &point), &all, count, &Trough::default());
         found.unwrap_or_default()
     }
 }

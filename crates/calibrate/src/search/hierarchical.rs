@@ -158,7 +158,7 @@ impl<'e, 'a> Run<'e, 'a> {
         self.evaluator.stage(format!("pass {number}: {} with {}", names[0], names[1]));
         let (count, trough) = (self.settings.surface_points, self.settings.trough);
         let pair = [primary, secondary];
-        let surface = surface(self.evaluator, &self.basis, &self.ranges, &self.model, pair, count, &trough)?;
+        let surface = surface(self.evaluator, &self.basis, (&self.ranges, &self.model), pair, count, &trough)?;
         let Some(surface) = surface else {
             let message = format!("the model fails on the whole surface of {} and {}", names[0], names[1]);
             return Err(Halt::Failed(Failure::new("no-surface", message)));
@@ -222,7 +222,7 @@ impl<'e, 'a> Run<'e, 'a> {
 
     fn sweep(&mut self, parameters: &[usize]) -> Result<Vec<Sweep>, Halt> {
         let (count, trough) = (self.settings.sweep_points, self.settings.trough);
-        sweeps(self.evaluator, &self.basis, &self.ranges, &self.model, parameters, count, &trough)
+        sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, count, &trough)
     }
 
     /// Looks for the peaks' places anew, by a full passage of the model at hand; where that passage fails, the places

@@ -120,8 +120,7 @@ impl Surface {
 pub fn surface(
     evaluator: &mut Evaluator,
     basis: &Basis,
-    ranges: &[Parameter],
-    model: &[f64],
+    (ranges, model): (&[Parameter], &[f64]),
     parameters: [usize; 2],
     count: usize,
     trough: &Trough,

@@ -72,8 +72,7 @@ fn points(ranges: &[Parameter], model: &[f64], parameter: usize, count: usize) -
 pub fn sweeps(
     evaluator: &mut Evaluator,
     basis: &Basis,
-    ranges: &[Parameter],
-    model: &[f64],
+    (ranges, model): (&[Parameter], &[f64]),
     parameters: &[usize],
     count: usize,
     trough: &Trough,

@@ -73,7 +73,7 @@ pub fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failure> {
     if let Some(shard) = shard {
         let files = own.iter().map(|(_, key)| shelf::file(key)).collect();
         let report = Report::new(Status::Completed);
-        return shards::publish(desk, report, &folder, shard, identity, BTreeMap::new(), files);
+        return shards::publish(desk, report, &folder, shard, identity, (BTreeMap::new(), files));
     }
     write(desk, &gather(&corpus, &methods, &answers), &folder, &arguments.folder)
 }

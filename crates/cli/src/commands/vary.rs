@@ -135,7 +135,7 @@ fn share(
     }
     report.fields.insert("runs_from_cache".to_owned(), json!(found.taken_up));
     let files = found.kept.iter().map(|name| shelf::file(name)).collect();
-    shards::publish(desk, report, folder, shard, found.identity, BTreeMap::new(), files)
+    shards::publish(desk, report, folder, shard, found.identity, (BTreeMap::new(), files))
 }
 
 fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) -> Result<Report, Failure> {

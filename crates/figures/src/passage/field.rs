@@ -33,7 +33,7 @@ pub fn displacement(passage: &Passage, index: usize) -> Option<String> {
     let what = if index == 0 { "displacement by self-weight [mm]" } else { "displacement by the train [mm]" };
     let largest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
     let scale = Scale { title: what, ticks: Ticks::over(0.0, largest.max(1e-9), 6), colour: blue_for_much, cut: false };
-    drawn(passage, index, "displacement", "Displacement", &moved, &values, &scale)
+    drawn(passage, index, ["displacement", "Displacement"], &moved, &values, &scale)
 }
 
 /// The largest compression at every point, self-weight included.
@@ -50,7 +50,7 @@ pub fn stress(passage: &Passage, index: usize) -> Option<String> {
     let cut = beyond && values.iter().any(|value| *value > ticks.range()[1]);
     let scale = Scale { title: "largest compression, self-weight included [MPa]", ticks, colour: red_for_much, cut };
     let moved = movement(passage, index, moment);
-    drawn(passage, index, "stress", "Compression", &moved, &values, &scale)
+    drawn(passage, index, ["stress", "Compression"], &moved, &values, &scale)
 }
 
 /// Largest compression of a plane stress state [Pa].
@@ -66,8 +66,7 @@ fn movement(passage: &Passage, index: usize, moment: &Moment) -> Vec<Point> {
 fn drawn(
     passage: &Passage,
     index: usize,
-    name: &str,
-    what: &str,
+    [name, what]: [&str; 2],
     displacements: &[Point],
     values: &[f64],
     scale: &Scale,

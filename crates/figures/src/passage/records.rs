@@ -30,7 +30,7 @@ pub fn records(passage: &Passage) -> Option<String> {
     let top = sheet.title(&passage.bridge, &second);
     let x = Axis::exact("time since the first axle stood at the start [s]", 0.0, end.max(1e-6), 8);
     let curves: Vec<Curve> = passage.channels.iter().map(|channel| Curve::of(channel, &channel.values)).collect();
-    let bottom = stacked(&mut sheet, top, &x, &passage.times, &curves, &[], |time| format!("at {time:.3} s"))?;
+    let bottom = stacked(&mut sheet, top, (&x, &passage.times), &curves, &[], |time| format!("at {time:.3} s"))?;
     let left_out = passage.channels.len().saturating_sub(MOST);
     let bottom = match left_out {
         0 => bottom,
@@ -55,7 +55,7 @@ pub fn influence_lines(passage: &Passage) -> Option<String> {
     let curves: Vec<Curve> = pairs.map(|(channel, values)| Curve::of(channel, values)).collect();
     let place = |x: f64| format!("at {x:.2} m").replace('-', "−");
     let springings: Vec<f64> = passage.mesh.springings.iter().flatten().map(|point| point[0]).collect();
-    let bottom = stacked(&mut sheet, top, &x, &influence.positions, &curves, &springings, place)?;
+    let bottom = stacked(&mut sheet, top, (&x, &influence.positions), &curves, &springings, place)?;
     let bottom =
         if springings.is_empty() { bottom } else { sheet.caption(bottom, "Dashed: the springings of the spans.") };
     Some(sheet.finish(bottom))
@@ -97,8 +97,7 @@ impl<'a> Curve<'a> {
 fn stacked(
     sheet: &mut Sheet,
     top: f64,
-    x: &Axis,
-    places: &[f64],
+    (x, places): (&Axis, &[f64]),
     curves: &[Curve],
     marks: &[f64],
     at: impl Fn(f64) -> String,
@@ -117,7 +116,7 @@ fn stacked(
         y += 16.0;
         sheet.text([MARGIN + 24.0 + widest + 8.0, y - 1.0], curve.name, heading);
         let up = Axis::round(curve.unit, ticks.clone());
-        let (axes, below) = Axes::panel(sheet, y, HEIGHT, x, &up, Some(widest), lowest);
+        let (axes, below) = Axes::panel(sheet, [y, HEIGHT], [x, &up], Some(widest), lowest);
         let spots: Vec<Spot> = places.iter().zip(&curve.values).map(|(x, value)| axes.spot(*x, *value)).collect();
         let spots = thinned(&spots);
         zero(sheet, &axes, x);

@@ -35,7 +35,7 @@ pub fn histories(update: &Update) -> Option<String> {
         y += HEADING_LINE * heading_lines(left, right, &channel.name, &about);
         heading(&mut sheet, [left, y - 1.0], right, &channel.name, &about);
         let lowest = place + 1 == shown.len();
-        let (axes, below) = Axes::panel(&mut sheet, y, HEIGHT, &x, &up, Some(widest), lowest);
+        let (axes, below) = Axes::panel(&mut sheet, [y, HEIGHT], [&x, &up], Some(widest), lowest);
         let ends = x.range.map(|x| axes.spot(x, 0.0));
         sheet.line(ends[0], ends[1], Pen::line("#8a8a8a", HAIR + 0.2));
         sheet.open_clipped("history", &format!("panel-{place}"), axes.area);

@@ -46,7 +46,7 @@ pub fn residuals(update: &Update) -> Option<String> {
         for (side, error) in row.errors.iter().enumerate() {
             let at = y + (side as f64 - 0.5) * (BAR + 2.0);
             let Some(error) = error else { continue };
-            bar(&mut sheet, [x(0.0), x(*error)], at, pen(side, row.left_out.is_some()), &axis, *error, area);
+            bar(&mut sheet, [x(0.0), x(*error)], at, pen(side, row.left_out.is_some()), (&axis, area), *error);
         }
         let end = Style::default().anchored(Anchor::End);
         let lines = font::wrap(&row.name, end.size, end.weight, WIDEST_NAME);
@@ -111,7 +111,7 @@ fn pen(side: usize, hollow: bool) -> Pen<'static> {
     if hollow { Pen::shape("white", colour, MEDIUM).class(class) } else { Pen::shape(colour, INK, THIN).class(class) }
 }
 
-fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, pen: Pen, axis: &Axis, error: f64, area: Area) {
+fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, pen: Pen, (axis, area): (&Axis, Area), error: f64) {
     let bar = Area { left: from.min(to), right: from.max(to), top: y - 0.5 * BAR, bottom: y + 0.5 * BAR };
     sheet.rectangle(bar, pen);
     let digits = axis.ticks.decimals.max(1);

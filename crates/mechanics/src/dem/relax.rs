@@ -121,8 +121,7 @@ pub(super) fn settle(
     state: &mut State,
     stage: &mut Stage,
     work: &mut Workspace,
-    settings: &Settings,
-    most: u64,
+    (settings, most): (&Settings, u64),
     picture: &mut dyn FnMut(&State),
 ) -> Settled {
     for _ in 0..most {

@@ -173,7 +173,7 @@ pub(super) fn advance(model: &Model, run: &mut Run, work: &mut Workspace, settin
         return walk_supports(model, &mut run.state, work, settings, most);
     }
     let Run { state, stage, frames, .. } = run;
-    settle(model, state, stage, work, settings, most, &mut |s| frames.push(frame(model, s)))
+    settle(model, state, stage, work, (settings, most), &mut |s| frames.push(frame(model, s)))
 }
 
 /// Walks moved supports some of the way to where the load factor wants them: evenly faster up to their speed, and

@@ -288,7 +288,7 @@ impl Touch {
                 continue;
             }
             let Some((n, s)) =
-                self.point_force(k, &points, (glide, relative), (v1[2], v2[2]), dt, &mut reaction.dissipated)
+                self.point_force(k, &points, (glide, relative), (v1[2], v2[2]), (dt, &mut reaction.dissipated))
             else {
                 continue;
             };
@@ -389,8 +389,7 @@ impl Touch {
         points: &Points,
         (glide, relative): (f64, Vec2),
         spins: (f64, f64),
-        dt: f64,
-        dissipated: &mut f64,
+        (dt, dissipated): (f64, &mut f64),
     ) -> Option<(f64, f64)> {
         let memory = &mut self.memory[k];
         let length = memory.length;

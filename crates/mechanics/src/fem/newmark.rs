@@ -215,16 +215,12 @@ pub fn at_rest(
 
 /// Takes a state through `steps` of time. `forces` gives the nodal forces [N/m] at the end of each step, `after` sees the state there.
 /// Held components stay where they are.
-#[allow(clippy::too_many_arguments)]
 pub fn transient(
-    model: &Model,
-    state: &mut State,
-    work: &mut Workspace,
-    motion: &Motion,
-    steps: u64,
+    (model, settings): (&Model, &Settings),
+    (state, work): (&mut State, &mut Workspace),
+    (motion, steps): (&Motion, u64),
     forces: &mut dyn FnMut(u64) -> Vec<f64>,
     after: &mut dyn FnMut(u64, &State, &Workspace),
-    settings: &Settings,
     watch: &mut dyn Watch,
 ) -> Outcome {
     let mut asking = Asking::new(watch);
@@ -244,7 +240,7 @@ pub fn transient(
         }
         let aim = Aim { forces: forces(step), displacements: state.displacements.clone() };
         let inertia = motion.inertia(model, work, state, &internal, &state.forces);
-        let attempt = balance(model, state, work, &aim, Some(&inertia), settings, &mut asking);
+        let attempt = balance(model, state, work, (&aim, Some(&inertia)), settings, &mut asking);
         outcome.iterations += u64::from(attempt.iterations);
         let reached = (step + 1) as f64 / steps as f64;
         outcome.steps.push(attempt.step(model, work, reached));

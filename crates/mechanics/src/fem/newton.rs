@@ -53,7 +53,7 @@ pub fn advance(
             return outcome;
         }
         let aim = from.towards(&to, path.next());
-        let attempt = balance(model, state, work, &aim, None, settings, &mut asking);
+        let attempt = balance(model, state, work, (&aim, None), settings, &mut asking);
         outcome.iterations += u64::from(attempt.iterations);
         outcome.steps.push(attempt.step(model, work, path.next()));
         if attempt.end == End::Balanced {
@@ -215,8 +215,7 @@ pub(super) fn balance(
     model: &Model,
     state: &mut State,
     work: &mut Workspace,
-    aim: &Aim,
-    inertia: Option<&Inertia>,
+    (aim, inertia): (&Aim, Option<&Inertia>),
     settings: &Settings,
     asking: &mut Asking<'_>,
 ) -> Attempt {

@@ -120,7 +120,7 @@ impl Held<'_> {
                 contradicted = true;
             }
             if !contradicted {
-                return Some(Ended::Best(self.assembled(&few, &at, &corner, members, &multipliers, pivots)));
+                return Some(Ended::Best(self.assembled(&few, &at, &corner, members, (&multipliers, pivots))));
             }
         }
         None
@@ -182,8 +182,7 @@ impl Held<'_> {
         at: &[At],
         corner: &Corner,
         mut members: Vec<Member>,
-        multipliers: &[f64],
-        pivots: usize,
+        (multipliers, pivots): (&[f64], usize),
     ) -> Corner {
         let plain = self.plain();
         let mut z = corner.z[..plain].to_vec();

@@ -268,19 +268,16 @@ impl Chain<'_> {
         if solution.ending != Ending::Solved {
             return None;
         }
-        Some(self.moved(state, &placed, &joints, &equilibrium, &solution, &imposed, unit))
+        Some(self.moved((state, &placed), &joints, &equilibrium, &solution, (&imposed, unit)))
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn moved(
         &self,
-        state: &State,
-        placed: &[Placed],
+        (state, placed): (&State, &[Placed]),
         joints: &[Joint],
         equilibrium: &Equilibrium,
         solution: &Solution,
-        imposed: &Table<BlockId, (Vec2, f64)>,
-        unit: f64,
+        (imposed, unit): (&Table<BlockId, (Vec2, f64)>, f64),
     ) -> Followed {
         let mut motions = equilibrium.motions(&solution.velocities);
         for (motion, (v, w)) in motions.iter_mut().zip(imposed.iter()) {

@@ -139,10 +139,10 @@ fn layers_of_one_soil_are_one_layer_and_a_stronger_one_carries_no_less() {
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };
     let (mut last, mesh) = ([c, d], &cut.mesh);
     for top in [soil(0.0, 35.0, WEIGHT), soil(5e3, 35.0, WEIGHT), soil(50e3, 35.0, WEIGHT)] {
-        let lower = bound_on(Which::Lower, &model, &loading, &settings, &two(top), mesh, &CancelToken::default())
+        let lower = bound_on(Which::Lower, (&model, &loading), &settings, &two(top), mesh, &CancelToken::default())
             .unwrap()
             .unwrap();
-        let upper = bound_on(Which::Upper, &model, &loading, &settings, &two(top), mesh, &CancelToken::default())
+        let upper = bound_on(Which::Upper, (&model, &loading), &settings, &two(top), mesh, &CancelToken::default())
             .unwrap()
             .unwrap();
         assert!(lower > last[0] && upper > last[1] && lower <= upper, "{lower} {upper} after {last:?}");

@@ -245,9 +245,10 @@ fn friction_that_does_not_dilate_carries_between_a_smooth_ring_and_one_that_dila
     let [lower, upper] = ends(&bounds);
     let (model, loading) = arch.blocks();
     let earth = FilledArch::slender(0.0).earth();
-    let smooth = bound_on(Which::Lower, &model, &loading, &associated(), &earth, &bounds.mesh, &CancelToken::default())
-        .unwrap()
-        .unwrap();
+    let smooth =
+        bound_on(Which::Lower, (&model, &loading), &associated(), &earth, &bounds.mesh, &CancelToken::default())
+            .unwrap()
+            .unwrap();
     let [coarse, fine] = [3, 6].map(|fine| arch.carried(fine));
     assert!(smooth < lower && fine > smooth, "{smooth} {lower} {fine}");
     // Errors halve with the elements, as they do without friction.

@@ -12,8 +12,8 @@ fn compared(case: &Case, dilatancy: f64) -> (f64, f64, Flow) {
     let found = collapse_bounds(&case.model, &case.loading, &settings, &case.soil, &wanted, &token).unwrap();
     let mut reduced = case.soil.clone();
     reduced.regions.iter_mut().for_each(|region| region.soil = region.soil.reduced(1.0, dilatancy));
-    let on = |soil| bound_on(Which::Lower, &case.model, &case.loading, &settings, soil, &found.mesh, &token).unwrap();
-    let flow = flow_on(dilatancy, &case.model, &case.loading, &settings, &case.soil, &found.mesh, &token).unwrap();
+    let on = |soil| bound_on(Which::Lower, (&case.model, &case.loading), &settings, soil, &found.mesh, &token).unwrap();
+    let flow = flow_on(dilatancy, (&case.model, &case.loading), &settings, &case.soil, &found.mesh, &token).unwrap();
     (on(&case.soil).unwrap(), on(&reduced).unwrap(), flow.unwrap())
 }
 

@@ -53,7 +53,7 @@ fn vibration(
     let settings = exactly();
     let mut forces = |_: u64| none.clone();
     let outcome =
-        transient(model, &mut state, &mut work, &motion, steps, &mut forces, &mut see, &settings, &mut Unwatched);
+        transient((model, &settings), (&mut state, &mut work), (&motion, steps), &mut forces, &mut see, &mut Unwatched);
     assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
     heights
 }
@@ -103,14 +103,11 @@ fn energy_is_kept() {
         };
         let settings = exactly();
         let outcome = transient(
-            &body,
-            &mut state,
-            &mut work,
-            &motion,
-            steps,
+            (&body, &settings),
+            (&mut state, &mut work),
+            (&motion, steps),
             &mut |_| none.clone(),
             &mut see,
-            &settings,
             &mut Unwatched,
         );
         assert_eq!(outcome.status, Status::Completed);
@@ -174,8 +171,14 @@ fn a_moving_load_crosses_a_beam() {
         let mut most = 0.0_f64;
         let mut see = |_: u64, state: &State, _: &Workspace| most = most.max(-moved(state, middle)[1]);
         let settings = Settings { tolerance: 1e-8, ..Settings::default() };
-        let outcome =
-            transient(&beam, &mut state, &mut work, &motion, steps, &mut load, &mut see, &settings, &mut Unwatched);
+        let outcome = transient(
+            (&beam, &settings),
+            (&mut state, &mut work),
+            (&motion, steps),
+            &mut load,
+            &mut see,
+            &mut Unwatched,
+        );
         assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.steps.last());
         assert!((most / peak - 1.0).abs() < 1e-3, "{speed} m/s: {most} for {peak}");
     }
@@ -200,14 +203,11 @@ fn a_wave_runs_at_its_speed() {
         let steps = (8.0 / step).round() as u64;
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
         let outcome = transient(
-            &bar,
-            &mut state,
-            &mut work,
-            &motion,
-            steps,
+            (&bar, &settings),
+            (&mut state, &mut work),
+            (&motion, steps),
             &mut |_| push.clone(),
             &mut |_, _, _| {},
-            &settings,
             &mut Unwatched,
         );
         assert_eq!(outcome.status, Status::Completed);
@@ -240,14 +240,11 @@ fn rayleigh_damping_meets_its_two_frequencies() {
     let mut see = |_: u64, state: &State, _: &Workspace| least = least.min(moved(state, node(1, 0, 1))[1]);
     let settings = exactly();
     let outcome = transient(
-        &body,
-        &mut state,
-        &mut work,
-        &motion,
-        400,
+        (&body, &settings),
+        (&mut state, &mut work),
+        (&motion, 400),
         &mut |_| none.clone(),
         &mut see,
-        &settings,
         &mut Unwatched,
     );
     assert_eq!(outcome.status, Status::Completed);

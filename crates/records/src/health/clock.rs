@@ -105,11 +105,11 @@ fn in_order(run: &mut Recording, judge: &mut Judge) -> bool {
         });
         let values = if same { "the same values" } else { "other values" };
         let message = format!("the time {:.4} s is repeated with {values}; the row is left out", run.times[at]);
-        judge.warn(run, None, "R033", Spot::at(at), &message, "see whether the logger wrote a row twice");
+        judge.warn(run, None, "R033", Spot::at(at), [&message, "see whether the logger wrote a row twice"]);
     }
     for &at in &strays {
         let message = format!("the time {:.4} s stands out of order; the row is left out", run.times[at]);
-        judge.warn(run, None, "R034", Spot::at(at), &message, "correct the time of the row");
+        judge.warn(run, None, "R034", Spot::at(at), [&message, "correct the time of the row"]);
     }
     if kept.len() < n {
         run.times = kept.iter().map(|k| run.times[*k]).collect();
@@ -191,11 +191,11 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
         let times = format!("{:.4} s to {:.4} s", run.times[k], run.times[k + 1]);
         let message = format!("{} {} missing from {times}", counted(missing, "sample"), verb(missing, "is", "are"));
         if missing <= longest {
-            judge.warn(run, None, "R035", spot, &format!("{message}; bridged by straight lines"), "");
+            judge.warn(run, None, "R035", spot, [&format!("{message}; bridged by straight lines"), ""]);
         } else if long.is_none() {
             long = Some((spot, message));
         } else {
-            judge.warn(run, None, "R035", spot, &message, "see the first gap of the run");
+            judge.warn(run, None, "R035", spot, [&message, "see the first gap of the run"]);
         }
     }
     if let Some((spot, message)) = long {

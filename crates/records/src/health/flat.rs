@@ -30,5 +30,5 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     } else {
         return;
     };
-    judge.fault(run, channel, "R040", all, &why, "see whether the sensor was connected and its range fits");
+    judge.fault(run, channel, "R040", all, [&why, "see whether the sensor was connected and its range fits"]);
 }

@@ -47,7 +47,7 @@ pub(super) fn examine(
             run.times[last]
         );
         let help = "see whether the sensor reached its end stop or lost its contact";
-        judge.fault(run, channel, "R043", Spot::over(first, last), &message, help);
+        judge.fault(run, channel, "R043", Spot::over(first, last), [&message, help]);
     }
 }
 

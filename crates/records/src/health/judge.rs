@@ -113,8 +113,7 @@ impl<'a> Judge<'a> {
         channel: Option<usize>,
         code: &'static str,
         spot: Spot,
-        message: &str,
-        help: &str,
+        [message, help]: [&str; 2],
     ) {
         let place = place(run, channel, spot);
         self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
@@ -127,8 +126,7 @@ impl<'a> Judge<'a> {
         channel: usize,
         code: &'static str,
         spot: Spot,
-        message: &str,
-        help: &str,
+        [message, help]: [&str; 2],
     ) {
         let place = place(run, Some(channel), spot);
         let target = &mut run.channels[channel];

@@ -88,8 +88,7 @@ fn distinct_names(runs: &mut [Recording], judge: &mut Judge) {
             None,
             "R037",
             Spot::default(),
-            &message,
-            "give each run a name of its own: `# run: slow 2`",
+            [&message, "give each run a name of its own: `# run: slow 2`"],
         );
         runs[k].name = fresh;
     }

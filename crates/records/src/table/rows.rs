@@ -123,7 +123,7 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
     let ended = text.ends_with(['\n', '\r']);
     for (row, (number, line)) in body.lines().enumerate() {
         if is_comment(line) {
-            faults.add(COMMENT, 0, row, number, None, line.trim());
+            faults.add(COMMENT, 0, [row, number], None, line.trim());
             continue;
         }
         fields_into(line, written.separator, &mut cells);
@@ -137,7 +137,7 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
         }
         if cells.len() != plan.width {
             let kind = if cells.len() < plan.width { FEW } else { MANY };
-            faults.add(kind, 0, row, number, None, line.trim());
+            faults.add(kind, 0, [row, number], None, line.trim());
             continue;
         }
         if is_last && !ended && shortened(&cells, plan, &decimals, written) {
@@ -149,7 +149,7 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
             continue;
         }
         let Some((time, digits)) = clock.time(&cells) else {
-            faults.add(no_time, time_column + 1, row, number, None, &cells[time_column]);
+            faults.add(no_time, time_column + 1, [row, number], None, &cells[time_column]);
             continue;
         };
         time_decimals.add(digits);
@@ -172,7 +172,7 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
                 Cell::Text => TEXT,
             };
             rows.values[k].push(f64::NAN);
-            faults.add(kind, slot.index + 1, row, number, Some(time), text.trim());
+            faults.add(kind, slot.index + 1, [row, number], Some(time), text.trim());
         }
         if is_last && !ended {
             let message = "the last line has no end; it is complete as far as its cells tell, and is kept";

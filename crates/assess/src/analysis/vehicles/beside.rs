@@ -54,7 +54,7 @@ pub fn loaded(
         let mut all = vec![chosen.clone()];
         all.extend(traffic);
         let part = &mut Portion::new(watch, [k as f64 / count, (k + 1) as f64 / count]);
-        let by_itself = search::all(&own, rule, plan, &all, weights, step, true, part)?;
+        let by_itself = search::all(&own, (rule, plan), (&all, weights), (step, true), part)?;
         let [first, others @ ..] = &by_itself[..] else { continue };
         let worst = others
             .iter()

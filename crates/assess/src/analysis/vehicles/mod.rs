@@ -104,7 +104,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let first_part = &mut Portion::new(watch, [0.0, before]);
     let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), first_part)?;
     let rigid_part = &mut Portion::new(watch, if gives || yields { [before, 0.5] } else { [before, 1.0] });
-    let mut swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, true, rigid_part)?;
+    let mut swept = search::all(bridge, (&rule, plan), (&vehicles, &weights), (step, true), rigid_part)?;
     let answered = swept.iter().all(|one| !matches!(one.status, Status::Cancelled | Status::UnstableUnderSelfWeight));
     if gives && answered {
         let second_part = &mut Portion::new(watch, [0.5, 1.0]);

@@ -71,8 +71,9 @@ fn agree_at(seed: u64, step: f64) {
     let plan = b.sweep.as_ref().unwrap();
     let (rule, vehicles) = chosen(&b, plan).unwrap();
     let weights = &weights::combinations(&b, &rule)[..1];
-    let with =
-        |screen| search::all(&b, &rule, plan, &vehicles, weights, step, screen, &mut Unwatched).unwrap().remove(0);
+    let with = |screen| {
+        search::all(&b, (&rule, plan), (&vehicles, weights), (step, screen), &mut Unwatched).unwrap().remove(0)
+    };
     let [all, few] = [with(false), with(true)];
     assert!(few.cases < all.cases, "{seed}: {} of {} cases", few.cases, all.cases);
     assert_eq!(few.by_interior_point, few.cases, "{seed}");

@@ -105,15 +105,11 @@ const POSITIONS: f64 = 0.8;
 
 /// Answers every case of every vehicle under every combination of factors on weights, with or without cases left out by a `screen`.
 /// Where the onlooker wishes to stop, vehicles that were not finished say so.
-#[allow(clippy::too_many_arguments)]
 pub fn all(
     bridge: &Bridge,
-    rule: &Rule,
-    plan: &SweepPlan,
-    vehicles: &[Chosen],
-    weights: &[Weights],
-    step: f64,
-    screen: bool,
+    (rule, plan): (&Rule, &SweepPlan),
+    (vehicles, weights): (&[Chosen], &[Weights]),
+    (step, screen): (f64, bool),
     watch: &mut dyn Watch,
 ) -> Result<Vec<Swept>, AnalysisError> {
     let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();

@@ -242,8 +242,14 @@ fn weights_that_help_have_the_favourable_factor() {
         let (own, vehicles) = chosen(&one, one.sweep.as_ref().unwrap()).unwrap();
         let weights = vec![Weights { masonry: m, fill: Some(f), surfacing: Some(s) }];
         assert_eq!(own.factors.masonry_weight.value, m);
-        search::all(&one, &own, one.sweep.as_ref().unwrap(), &vehicles, &weights, found.step, true, &mut Unwatched)
-            .unwrap()
+        search::all(
+            &one,
+            (&own, one.sweep.as_ref().unwrap()),
+            (&vehicles, &weights),
+            (found.step, true),
+            &mut Unwatched,
+        )
+        .unwrap()
     };
     let (plain, adverse) = (with([1.0; 3]), with([1.15, 1.2, 1.75]));
     for (k, v) in found.vehicles.iter().enumerate() {
@@ -254,12 +260,9 @@ fn weights_that_help_have_the_favourable_factor() {
         let all = found.weights.iter().map(|w| {
             let one = search::all(
                 &b,
-                &rule,
-                b.sweep.as_ref().unwrap(),
-                &chosen(&b, b.sweep.as_ref().unwrap()).unwrap().1,
-                &[*w],
-                found.step,
-                true,
+                (&rule, b.sweep.as_ref().unwrap()),
+                (&chosen(&b, b.sweep.as_ref().unwrap()).unwrap().1, &[*w]),
+                (found.step, true),
                 &mut Unwatched,
             );
             one.unwrap()[k].adequacy.unwrap()
@@ -290,9 +293,14 @@ fn no_weight_between_the_factors_is_worse() {
     let least = found.vehicles[0].adequacy.unwrap();
     for (m, f) in [(1.05, 1.0), (1.15, 1.1), (1.0, 1.13), (1.1, 1.05)] {
         let weights = [Weights { masonry: m, fill: Some(f), surfacing: None }];
-        let between =
-            search::all(&b, &rule, b.sweep.as_ref().unwrap(), &vehicles, &weights, found.step, true, &mut Unwatched)
-                .unwrap();
+        let between = search::all(
+            &b,
+            (&rule, b.sweep.as_ref().unwrap()),
+            (&vehicles, &weights),
+            (found.step, true),
+            &mut Unwatched,
+        )
+        .unwrap();
         let between = between[0].adequacy.unwrap();
         assert!(between > least * (1.0 - 1e-6), "{m} {f}: {between} {least}");
     }

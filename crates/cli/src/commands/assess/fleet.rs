@@ -65,7 +65,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     }
     let rows: Vec<FleetRow> = rows.into_iter().flatten().collect();
     if let Some(shard) = shard {
-        return share(desk, shard, identity, &arguments.file, &own, &paths, &folder);
+        return share(desk, shard, identity, &arguments.file, (&own, &paths), &folder);
     }
     let count = |status: Status| rows.iter().filter(|row| row.status == status.name()).count();
     let (broken, open, met) = (count(Status::Inadequate), count(Status::Undetermined), count(Status::Adequate));
@@ -115,8 +115,7 @@ fn share(
     shard: Shard,
     identity: String,
     root: &Path,
-    own: &[&PathBuf],
-    all: &[PathBuf],
+    (own, all): (&[&PathBuf], &[PathBuf]),
     folder: &Folder,
 ) -> Result<Report, Failure> {
     let mut inputs = BTreeMap::new();
@@ -134,7 +133,7 @@ fn share(
         files.extend(names.filter(|name| !name.starts_with('.')).map(|name| format!("{stages}/{name}")));
     }
     files.sort();
-    shards::publish(desk, Report::new(Status::Completed), folder, shard, identity, inputs, files)
+    shards::publish(desk, Report::new(Status::Completed), folder, shard, identity, (inputs, files))
 }
 
 /// Refuses bridge files that are not those of which the shards were made.

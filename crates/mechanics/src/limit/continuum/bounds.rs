@@ -178,8 +178,7 @@ pub fn collapse_bounds(
 /// Bounds that were found, closer by at most as many meshes as are wanted; as they are where they are close enough, where the mesh has as
 /// many triangles as it may, or where there is nothing to refine. Where a lower bound stands alone, the upper one of its mesh comes first.
 pub fn closer_bounds(
-    model: &BlockModel,
-    loading: &Loading,
+    (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
     soil: &Continuum,
     wanted: &Wanted,
@@ -296,8 +295,7 @@ pub enum Which {
 /// touch the same things as that for which the mesh was made.
 pub fn bound_on(
     which: Which,
-    model: &BlockModel,
-    loading: &Loading,
+    (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
     soil: &Continuum,
     mesh: &Mesh,
@@ -313,8 +311,7 @@ pub fn bound_on(
 /// Flow that dilates by an angle [rad], found by iteration on a mesh that is given; none where a program was not solved.
 pub fn flow_on(
     dilatancy: f64,
-    model: &BlockModel,
-    loading: &Loading,
+    (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
     soil: &Continuum,
     mesh: &Mesh,

@@ -28,8 +28,7 @@ pub struct Like<'a> {
 /// A lower bound alone, on one mesh as fine as others are (status [`BoundsStatus::LowerAlone`]); where no stresses are found on it, both bounds
 /// in the usual way.
 pub fn lower_like(
-    model: &BlockModel,
-    loading: &Loading,
+    (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
     soil: &Continuum,
     like: &[Like<'_>],
@@ -52,8 +51,7 @@ pub fn lower_like(
 
 /// An upper bound alone, on a mesh about a third as fine as others are; none where no motion is found on it.
 pub fn upper_like(
-    model: &BlockModel,
-    loading: &Loading,
+    (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
     soil: &Continuum,
     like: &[Like<'_>],

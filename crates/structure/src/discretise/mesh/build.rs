@@ -77,7 +77,7 @@ fn build_by(
         .collect();
     let stations: Vec<Stations> =
         stations::count(arches, &layers, size).iter().map(stations::Breaks::stations).collect();
-    let layout = layout(bridge, arches, &stations, &layers, options, surface, backs);
+    let layout = layout(bridge, (arches, &stations, &layers), options, surface, backs);
     refuse_too_fine(bridge, arches, &stations, &layout, options)?;
 
     let mut build = Build::new(bridge, options, layout);

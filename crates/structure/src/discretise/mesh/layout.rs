@@ -163,9 +163,7 @@ pub(super) fn sides<'a>(arches: &'a [Arch<'a>], backs: [f64; 2], i: usize) -> [S
 
 pub(super) fn layout(
     bridge: &Bridge,
-    arches: &[Arch<'_>],
-    stations: &[Stations],
-    layers: &[Layers],
+    (arches, stations, layers): (&[Arch<'_>], &[Stations], &[Layers]),
     options: MeshOptions,
     surface: f64,
     backs: [f64; 2],

@@ -45,7 +45,7 @@ pub fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallError> {
         let bed = layout.beds.get(course + 1).copied().unwrap_or(f64::NEG_INFINITY);
         let next = with_room(line, &here, bed, layout.least);
         for run in runs(&here, line) {
-            course_pieces(line, &run, &next, [bed, top], course, layout, &mut pieces)?;
+            course_pieces(line, [&run, &next], [bed, top], course, layout, &mut pieces)?;
         }
         if next.is_empty() {
             break;
@@ -127,8 +127,7 @@ fn divides(a: &Below, b: &Below, line: &[Segment]) -> bool {
 
 fn course_pieces(
     line: &[Segment],
-    run: &[Stretch],
-    next: &[Stretch],
+    [run, next]: [&[Stretch]; 2],
     [bed, top]: [f64; 2],
     course: usize,
     layout: &Layout,

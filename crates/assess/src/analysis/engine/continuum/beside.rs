@@ -51,7 +51,7 @@ impl Beside<'_> {
     fn bound(&self, which: Which, strength: Strength, part: usize) -> Result<Option<f64>, AnalysisError> {
         let other = self.earth.loaded(self.d, strength, self.strips)?;
         let (token, mesh) = (self.token.part(8 + part, 16), &self.bounds.mesh);
-        let found = bound_on(which, &other.model, &other.loading, &self.settings, &other.continuum, mesh, &token)?;
+        let found = bound_on(which, (&other.model, &other.loading), &self.settings, &other.continuum, mesh, &token)?;
         Ok(found.map(|factor| self.d.load(factor)))
     }
 
@@ -60,7 +60,8 @@ impl Beside<'_> {
         let mut other = self.earth.loaded(self.d, strength, self.strips)?;
         other.continuum.confinement = None;
         let (continuum, mesh) = (&other.continuum, &self.bounds.mesh);
-        let found = bound_on(Which::Lower, &other.model, &other.loading, &self.settings, continuum, mesh, self.token)?;
+        let found =
+            bound_on(Which::Lower, (&other.model, &other.loading), &self.settings, continuum, mesh, self.token)?;
         Ok(found.map(|factor| self.d.load(factor)))
     }
 
@@ -73,7 +74,7 @@ impl Beside<'_> {
         let other = self.earth.loaded(self.d, whole, self.strips)?;
         let mesh = self.bounds.coarser.as_ref().unwrap_or(&self.bounds.mesh);
         let (continuum, token) = (&other.continuum, self.token.part(3, 4));
-        let found = flow_on(dilatancy, &other.model, &other.loading, &self.settings, continuum, mesh, &token)?;
+        let found = flow_on(dilatancy, (&other.model, &other.loading), &self.settings, continuum, mesh, &token)?;
         Ok(found.filter(|flow| flow.settled).map(|flow| self.d.load(flow.factor)))
     }
 

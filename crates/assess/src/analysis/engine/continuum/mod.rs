@@ -106,7 +106,7 @@ impl<'a> Moving<'a> {
     ) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        let found = lower_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), token)?;
+        let found = lower_like((model, loading), &self.settings, continuum, &like(others), &self.wanted(), token)?;
         Ok(Bracket::of(found))
     }
 
@@ -119,7 +119,7 @@ impl<'a> Moving<'a> {
     ) -> Result<Option<f64>, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(None) };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(upper_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), token)?)
+        Ok(upper_like((model, loading), &self.settings, continuum, &like(others), &self.wanted(), token)?)
     }
 
     /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
@@ -127,7 +127,7 @@ impl<'a> Moving<'a> {
         let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
         let wanted = Wanted { rounds: 1, ..self.wanted() };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(Bracket::of(closer_bounds(model, loading, &self.settings, continuum, &wanted, bounds, token)?))
+        Ok(Bracket::of(closer_bounds((model, loading), &self.settings, continuum, &wanted, bounds, token)?))
     }
 
     /// An upper bound of strips from the motion of others.

@@ -53,7 +53,7 @@ pub fn collapse_filled(
         Before::Rested(rested) => return Ok(not_at_rest(bridge, &d, &region, rested)),
     };
     lift(&mut d, &lifts);
-    let outcome = load(bridge, &d, load_step, &grains, &lifts, settled, &before, watch)?;
+    let outcome = load((bridge, &d), load_step, (&grains, &lifts), settled, &before, watch)?;
     let factor = |factor: f64| d.load(factor);
     let mut c = report(bridge, &d, &outcome, "discrete elements", &factor);
     loads(&outcome, &factor, &mut c);
@@ -282,13 +282,10 @@ fn lift(d: &mut Discretised, lifts: &[f64]) {
 }
 
 /// The loads, in steps.
-#[allow(clippy::too_many_arguments)]
 fn load(
-    bridge: &Bridge,
-    d: &Discretised,
+    (bridge, d): (&Bridge, &Discretised),
     load_step: f64,
-    grains: &[Grain],
-    lifts: &[f64],
+    (grains, lifts): (&[Grain], &[f64]),
     settled: Option<&Settled>,
     before: &Before,
     watch: &mut dyn Watch,

@@ -90,7 +90,7 @@ impl Way {
             }
             Some(motion) => {
                 let (mut given, mut unseen) = (|_| forces.clone(), |_: u64, _: &State, _: &Workspace| {});
-                transient(model, state, work, motion, 1, &mut given, &mut unseen, settings, &mut placed)
+                transient((model, settings), (state, work), (motion, 1), &mut given, &mut unseen, &mut placed)
             }
         };
         if outcome.status == Status::Cancelled {
