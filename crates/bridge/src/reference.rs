@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::explain::cards;
-use crate::fields::{Field, Kind, Need, Section, blocks, sections, sections_of};
+use crate::fields::{FILE, Field, Kind, Need, Section, blocks, sections, sections_of};
 use crate::quantity::{self, Dimension};
 use crate::tree::title;
 
@@ -19,7 +19,7 @@ pub fn reference() -> String {
     );
     units(&mut out);
     for section in sections().into_iter().filter(|section| !section.path.is_empty()) {
-        describe(section, &mut out);
+        describe(&FILE, section, &mut out);
     }
     out
 }
@@ -32,7 +32,7 @@ pub fn blocks_reference() -> String {
          and `[analysis]` is that of a bridge file, without the analyses that need an arch.\n\n",
     );
     for section in sections_of(&blocks::FILE).into_iter().filter(|s| !s.path.is_empty() && s.path != "analysis") {
-        describe(section, &mut out);
+        describe(&blocks::FILE, section, &mut out);
     }
     out
 }
@@ -91,11 +91,11 @@ fn units(out: &mut String) {
     out.push_str("\nExponents may be written `m^3`, `m3` or `m³`. Capitals matter: `MPa`, not `mpa`.\n\n");
 }
 
-fn describe(section: &'static Section, out: &mut String) {
-    line(out, &format!("## `{}`\n\n{}\n", title(section), section.doc));
+fn describe(file: &'static Section, section: &'static Section, out: &mut String) {
+    line(out, &format!("## `{}`\n\n{}\n", title(file, section), section.doc));
     out.push_str("| Key | Value | Needed | Meaning |\n|---|---|---|---|\n");
     for field in section.fields {
-        line(out, &format!("| `{}` | {} | {} | {} |", field.key, value(field), need(field), meaning(field)));
+        line(out, &format!("| `{}` | {} | {} | {} |", field.key, value(file, field), need(field), meaning(field)));
     }
     out.push('\n');
     for field in section.fields {
@@ -114,9 +114,9 @@ fn meaning(field: &Field) -> String {
     format!("{} (only with `{key}` {})", field.doc, list.join(", "))
 }
 
-fn value(field: &Field) -> String {
+fn value(file: &'static Section, field: &Field) -> String {
     match field.kind {
-        Kind::Table(section) | Kind::Tables(section) => format!("see `{}`", title(section)),
+        Kind::Table(section) | Kind::Tables(section) => format!("see `{}`", title(file, section)),
         Kind::Word(_) => format!("a word, as `{}`", field.example_literal()),
         _ => format!("`{}`", field.example_literal()),
     }

@@ -22,8 +22,8 @@ mod three_centred;
 use std::fmt;
 use std::sync::Arc;
 
+use crate::card::Field;
 use crate::choice::choice;
-use crate::fields::Field;
 use crate::findings::Findings;
 use crate::tree::Table;
 

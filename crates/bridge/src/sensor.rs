@@ -1,7 +1,8 @@
 //! A sensor: what it may measure and where, its card, and whether the bridge has such a place.
 
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
-use crate::fields::{Field, Kind, Section, loading::share, structure::PlacedSpan};
+use crate::fields::{loading::share, structure::PlacedSpan};
 use crate::findings::Findings;
 use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;

@@ -2,7 +2,7 @@
 //! What a file leaves out stays `None` here; whoever computes says what is missing.
 
 use crate::choice::choice;
-use crate::model::{Backing, Cover, Masonry, by_cards};
+use crate::model::{Backing, Masonry};
 
 /// The part of a bridge file that only the finite element model reads.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,18 +30,7 @@ pub struct MissingValue {
     pub key: &'static str,
 }
 
-impl Default for Service {
-    fn default() -> Service {
-        by_cards(|file, findings| crate::fields::service::service(file, None, findings))
-    }
-}
-
 impl Service {
-    /// What a file with this cover means that says nothing of the finite element model.
-    pub fn of_cover(cover: &Cover) -> Service {
-        by_cards(|file, findings| crate::fields::service::service(file, Some(cover), findings))
-    }
-
     /// What the finite element model of a bridge of this masonry and backing still needs, in the order of the file's reference.
     pub fn missing(&self, masonry: &Masonry, backing: Option<&Backing>) -> Vec<MissingValue> {
         let mut missing = Vec::new();

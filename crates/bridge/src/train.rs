@@ -136,7 +136,7 @@ pub struct ReadTrain {
 /// Reads a file of vehicles: TOML with `[[vehicle]]` tables.
 pub fn read_toml(text: &[u8]) -> ReadTrain {
     let mut findings = Findings::of(text);
-    let vehicles = crate::read_text(
+    let vehicles = crate::plain::read_text(
         text,
         &crate::fields::train::FILE,
         |_, table, findings| crate::fields::train::vehicles(table, findings),

@@ -4,9 +4,10 @@ use ::findings::visible::is_hidden;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::card::{Field, Kind, Need, Section, sections_of};
 use crate::diagnostic::TextRange;
-use crate::fields::{Field, Kind, Need, Section};
 use crate::findings::Findings;
+use crate::usual::usual_of;
 
 /// A value and where it stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +22,8 @@ pub(crate) struct At<T> {
 #[derive(Debug, Clone)]
 pub(crate) struct Table<'t> {
     pub(crate) section: &'static Section,
+    /// The card of the file that it stands in.
+    file: &'static Section,
     /// Nothing where the file leaves the table out.
     entries: Option<&'t DeTable<'t>>,
     /// The header, or the braces of an inline table.
@@ -34,18 +37,25 @@ pub(crate) struct Table<'t> {
 pub(crate) type Raw<'t> = &'t Spanned<DeValue<'t>>;
 
 impl<'t> Table<'t> {
-    /// Opens a table: reports keys that are unknown or do not belong here, and required ones that are missing.
-    pub(crate) fn open(
+    /// A file of some kind.
+    pub(crate) fn file(kind: &'static Section, entries: &'t DeTable<'t>, findings: &mut Findings) -> Table<'t> {
+        Table::absent(kind).inner(kind, entries, TextRange::new(0, 0), findings)
+    }
+
+    /// Opens a table inside this one: reports keys that are unknown or do not belong here, and required ones that are missing.
+    fn inner(
+        &self,
         section: &'static Section,
         entries: &'t DeTable<'t>,
         range: TextRange,
         findings: &mut Findings,
     ) -> Table<'t> {
-        let mut table = Table { section, entries: Some(entries), range, misspelt: Vec::new(), under: None };
+        let file = self.file;
+        let mut table = Table { section, file, entries: Some(entries), range, misspelt: Vec::new(), under: None };
         for (key, _) in entries.iter() {
             match section.field(key.get_ref()) {
                 None => {
-                    let meant = unknown_key(section, key.get_ref(), key.span().into(), findings);
+                    let meant = unknown_key([file, section], key.get_ref(), key.span().into(), findings);
                     table.misspelt.extend(meant);
                 }
                 Some(field) if !table.applies(field) => table.out_of_place(field, key.span().into(), findings),
@@ -60,9 +70,14 @@ impl<'t> Table<'t> {
         table
     }
 
-    /// A table that is not there: every key has the default of its card.
-    pub(crate) fn absent(section: &'static Section, range: TextRange) -> Table<'t> {
-        Table { section, entries: None, range, misspelt: Vec::new(), under: None }
+    /// A file that says nothing: every key has the default of its card.
+    pub(crate) fn absent(file: &'static Section) -> Table<'t> {
+        Table { section: file, file, entries: None, range: TextRange::new(0, 0), misspelt: Vec::new(), under: None }
+    }
+
+    /// A table that is not inside this one.
+    pub(crate) fn without(&self, section: &'static Section) -> Table<'t> {
+        Table { section, range: self.range, ..Table::absent(self.file) }
     }
 
     /// What the file has of it; nothing where it is left out.
@@ -82,7 +97,7 @@ impl<'t> Table<'t> {
 
     /// How a table is called in messages: `[[span]]`, `[joint]`.
     pub(crate) fn title(&self) -> String {
-        title(self.section)
+        title(self.file, self.section)
     }
 
     /// The card of a key and its value, if it is written and means something here.
@@ -101,12 +116,12 @@ impl<'t> Table<'t> {
         let (field, raw) = self.entry(key)?;
         let Kind::Table(section) = field.kind else { return None };
         match raw.get_ref() {
-            DeValue::Table(entries) => Some(Table::open(section, entries, raw.span().into(), findings)),
+            DeValue::Table(entries) => Some(self.inner(section, entries, raw.span().into(), findings)),
             // One `[[joint]]` is as good as `[joint]`.
             DeValue::Array(items) if items.len() == 1 => {
                 match items.iter().next().map(|item| (item.get_ref(), item.span())) {
                     Some((DeValue::Table(entries), range)) => {
-                        Some(Table::open(section, entries, range.into(), findings))
+                        Some(self.inner(section, entries, range.into(), findings))
                     }
                     _ => wrong_type(field, raw, findings),
                 }
@@ -123,7 +138,7 @@ impl<'t> Table<'t> {
         read: impl FnOnce(&Table<'_>, &mut Findings) -> Option<T>,
     ) -> Option<T> {
         match self.section.field(key).map(|field| field.kind) {
-            Some(Kind::Table(section)) if !self.has(key) => read(&Table::absent(section, self.range), findings),
+            Some(Kind::Table(section)) if !self.has(key) => read(&self.without(section), findings),
             _ => read(&self.table(key, findings)?, findings),
         }
     }
@@ -166,7 +181,7 @@ impl<'t> Table<'t> {
         let Some((field, raw)) = self.entry(key) else { return Vec::new() };
         let Kind::Tables(section) = field.kind else { return Vec::new() };
         match raw.get_ref() {
-            DeValue::Table(entries) => vec![Table::open(section, entries, raw.span().into(), findings)],
+            DeValue::Table(entries) => vec![self.inner(section, entries, raw.span().into(), findings)],
             DeValue::Array(items) if items.len() > field.most_entries() => {
                 let first_beyond = items.get(field.most_entries()).map_or(raw.span(), |item| item.span());
                 too_many(field, items.len(), "tables", first_beyond.into(), findings);
@@ -175,7 +190,7 @@ impl<'t> Table<'t> {
             DeValue::Array(items) if items.iter().next().is_some() => items
                 .iter()
                 .filter_map(|item| match item.get_ref() {
-                    DeValue::Table(entries) => Some(Table::open(section, entries, item.span().into(), findings)),
+                    DeValue::Table(entries) => Some(self.inner(section, entries, item.span().into(), findings)),
                     _ => wrong_type(field, item, findings),
                 })
                 .collect(),
@@ -196,7 +211,7 @@ impl<'t> Table<'t> {
             let line = field.example_line();
             (format!("the file has no {line}"), format!("add a {line} section; `extrados schema` lists its keys"))
         } else {
-            let usual = crate::plausible::usual_of(self.section.path, field.key);
+            let usual = usual_of(self.section.path, field.key);
             let usual = usual.map_or_else(String::new, |says| format!("; {says}: take it from a survey or a test"));
             (format!("`{}` is missing in {}", field.key, self.title()), format!("add a line {}{usual}", field.form()))
         };
@@ -254,9 +269,9 @@ impl<'t> Table<'t> {
     }
 }
 
-/// How a table is called in messages.
-pub(crate) fn title(section: &'static Section) -> String {
-    let listed = crate::fields::neighbours(section).iter().any(|outer| {
+/// How a table of a file is called in messages.
+pub(crate) fn title(file: &'static Section, section: &'static Section) -> String {
+    let listed = sections_of(file).iter().any(|outer| {
         outer.fields.iter().any(|field| matches!(field.kind, Kind::Tables(inner) if std::ptr::eq(inner, section)))
     });
     match (section.path, listed) {
@@ -328,13 +343,14 @@ pub(crate) fn too_many(field: &Field, count: usize, what: &str, range: TextRange
 
 /// Reports an unknown key; returns the known one that was probably meant.
 fn unknown_key(
-    section: &'static Section,
+    [file, section]: [&'static Section; 2],
     key: &str,
     range: TextRange,
     findings: &mut Findings,
 ) -> Option<&'static str> {
     let known = section.fields.iter().map(|field| field.key);
-    let elsewhere = crate::fields::neighbours(section)
+    let title = |section| title(file, section);
+    let elsewhere = sections_of(file)
         .into_iter()
         .filter(|other| !other.path.is_empty())
         .find_map(|other| Some((other, other.field(key)?)));

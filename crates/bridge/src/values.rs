@@ -3,9 +3,9 @@
 use ::findings::visible::is_hidden;
 use toml::de::DeValue;
 
+use crate::card::{Field, Kind, Need};
 use crate::choice::{Choice, Word};
 use crate::diagnostic::TextRange;
-use crate::fields::{Field, Kind, Need};
 use crate::findings::Findings;
 use crate::quantity::{self, Dimension, Quantity, Unreadable};
 use crate::tree::{At, Raw, Table, nearest, shorten, too_many, wrong_type};

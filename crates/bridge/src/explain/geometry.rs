@@ -1,6 +1,6 @@
 //! Cards of errors in geometry, loads and plan.
 
-use super::FileCard;
+use super::file_card::FileCard;
 
 /// The cards, in the order of their codes.
 pub(super) const CARDS: &[FileCard] = &[

@@ -1,6 +1,6 @@
 //! Cards of trains, tracks, passages and sensors.
 
-use super::FileCard;
+use super::file_card::FileCard;
 
 /// The cards, in the order of their codes.
 pub(super) const CARDS: &[FileCard] = &[

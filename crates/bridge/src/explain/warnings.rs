@@ -1,6 +1,6 @@
 //! Cards of warnings.
 
-use super::FileCard;
+use super::file_card::FileCard;
 
 /// The cards, in the order of their codes.
 pub(super) const CARDS: &[FileCard] = &[

@@ -1,7 +1,7 @@
 //! An assessment: limits, loads in service, MEXE, expected ranges.
 
-use super::{Field, Kind, Section};
 use crate::assess::{Assess, Expected, Limits, Mexe, MexeAxles, ServiceLoad};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::findings::Findings;
 use crate::quantity;

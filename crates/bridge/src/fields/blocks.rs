@@ -1,10 +1,11 @@
 //! The block model file: bodies that are drawn or listed, instead of a bridge that is described.
 
 use super::material::{JOINT_FIELDS, MASONRY_FIELDS};
-use super::{Field, Kind, Section, joined, material, plan};
+use super::{material, plan};
 use crate::blocks::{
     BlockFile, BodyLoad, DrawingPart, ListedBlock, ListedParticles, MappedLayer, Material, MaterialJoint, Role, Target,
 };
+use crate::card::{Field, Kind, Section, joined};
 use crate::choice::{Choice, choice};
 use crate::findings::Findings;
 use crate::model::{Analysis, JointStiffness, Method};

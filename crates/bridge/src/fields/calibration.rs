@@ -1,6 +1,6 @@
 //! The calibration of fill particles.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::Choice;
 use crate::findings::Findings;
 use crate::model::{Calibration, Modulus};

@@ -1,6 +1,6 @@
 //! Fill and backing that yield as a continuum, and whether layers and backing fit together then.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::Choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;

@@ -1,6 +1,7 @@
 //! What lies above the rings: layers and backing.
 
-use super::{Field, Kind, Section, continuum, spandrel};
+use super::{continuum, spandrel};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;

@@ -1,7 +1,7 @@
 //! Defects of rings: read, and whether there is a ring at their place of which something is left.
 
 use super::structure::PlacedSpan;
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::defect::{Defect, DefectKind, Face, raked, thinned};
 use crate::findings::Findings;

@@ -1,6 +1,6 @@
 //! The report's own data: identification, revisions, signatures, inspection.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::document::{Inspection, ReportDocument, Revision};
 use crate::findings::Findings;
 use crate::tree::Table;

@@ -1,6 +1,6 @@
 //! Loads, their places, and their dispersal.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::findings::Findings;
 use crate::model::{Cover, Dispersal, DispersalRule, Load, LoadKind, LoadingBlock, Plan, Strip};

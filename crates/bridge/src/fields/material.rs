@@ -1,6 +1,6 @@
 //! Masonry and joints.
 
-use super::{Field, Kind, Section, joined};
+use crate::card::{Field, Kind, Section, joined};
 use crate::choice::Choice;
 use crate::findings::Findings;
 use crate::model::{Joint, JointContact, JointStiffness, Masonry};

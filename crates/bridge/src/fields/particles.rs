@@ -1,7 +1,7 @@
 //! Fill that is modelled as particles.
 
 use super::material::joint;
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::findings::Findings;
 use crate::model::{Cover, Joint, Packing, Particles, Sizes};
 use crate::quantity::Dimension::{Length, Stress};

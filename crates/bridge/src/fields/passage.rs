@@ -1,7 +1,8 @@
 //! A train's passage.
 
 use super::structure::PlacedSpan;
-use super::{Field, Kind, Section, train};
+use super::train;
+use crate::card::{Field, Kind, Section};
 use crate::choice::Choice;
 use crate::findings::Findings;
 use crate::passage::{MOST_POSITIONS, Passage, PassageAnalysis, PassageKinematics, PassagePath, PassagePlan, Rayleigh};

@@ -1,6 +1,6 @@
 //! The analysis plan, and whether the bridge says enough for it. Numerical settings have defaults; what belongs to the bridge has none.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::findings::Findings;
 use crate::model::{
@@ -57,7 +57,7 @@ pub(super) static ANALYSIS: Section = Section {
             "collapse is refined to this resolution below the increment",
             "1 kN/m",
         )
-        .positive()
+        .at_least(1.0)
         .optional("as coarse as the increment"),
         Field::new("tolerance", Kind::Number, "out-of-balance force at rest over the acting forces", "1e-5")
             .above(0.0)

@@ -1,7 +1,7 @@
 //! The road or rail surface by its levels, where it is not level.
 
 use super::structure::PlacedSpan;
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::findings::Findings;
 use crate::model::{Cover, Pier};
 use crate::quantity::Dimension::Length;

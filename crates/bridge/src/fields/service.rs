@@ -1,6 +1,6 @@
 //! What only the finite element model reads: mesh, soils, mortar, contact of fill with masonry.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::Choice;
 use crate::findings::Findings;
 use crate::model::Cover;
@@ -157,7 +157,7 @@ pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Fi
     let density = lowest.filter(|density| *density > 0.0);
     let fill = file.part("fill", findings, |t, f| soil(t, density, f));
     // What another table leaves out is as the fill is; what is wrong with the fill has been said.
-    let usual = file.table("fill", &mut Findings::default()).unwrap_or(Table::absent(&FILL, file.range));
+    let usual = file.table("fill", &mut Findings::default()).unwrap_or(file.without(&FILL));
     let haunch_fill = file.optional("haunch_fill", findings, |table, findings| {
         let soil = soil(&table.over(&usual), density, findings);
         read!(table, findings, HaunchFill { height; soil: soil? })

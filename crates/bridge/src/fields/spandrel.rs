@@ -1,6 +1,6 @@
 //! What is hollow between the outer spandrel walls: internal walls, and voids over piers and haunches.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::findings::Findings;
 use crate::model::{InternalWalls, Void};
 use crate::quantity::Dimension::{Density, Length};

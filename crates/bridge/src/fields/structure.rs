@@ -1,6 +1,7 @@
 //! The structure: bridge, spans, rings.
 
-use super::{Field, Kind, Section, joined, sweep, total};
+use super::sweep;
+use crate::card::{Field, Kind, Section, joined, total};
 use crate::choice::Choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;

@@ -1,6 +1,6 @@
 //! What the rings stand on: piers with their footings, abutments.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::Choice;
 use crate::findings::Findings;
 use crate::model::{Abutment, AbutmentBody, AbutmentKind, Cutwater, Cutwaters, Footing, Pier};

@@ -1,6 +1,6 @@
 //! Vehicles that are moved over the bridge, and fill that helps.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;

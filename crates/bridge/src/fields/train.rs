@@ -1,6 +1,6 @@
 //! Trains, and the track under them.
 
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::findings::Findings;
 use crate::passage::Track;
 use crate::quantity::Dimension::{BendingStiffness, Force, Length, Mass, Stress};

@@ -1,7 +1,7 @@
 //! Spandrel walls, and whether they fit the bridge.
 
 use super::material::joint;
-use super::{Field, Kind, Section};
+use crate::card::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::findings::Findings;
 use crate::model::{Abutment, CoursesFrom, Joint, Masonry, SpandrelWall};

@@ -2,11 +2,7 @@
 
 use super::Joint;
 use crate::choice::choice;
-use crate::diagnostic::TextRange;
-use crate::fields::FILE;
-use crate::findings::Findings;
 use crate::road::Road;
-use crate::tree::Table;
 use serde::{Deserialize, Serialize};
 
 /// What lies above the extrados.
@@ -153,18 +149,6 @@ pub struct Calibration {
     pub confining_pressures: Vec<f64>,
     /// How many squares are sheared.
     pub sheared_samples: usize,
-}
-
-impl Default for Calibration {
-    fn default() -> Calibration {
-        by_cards(crate::fields::calibration::calibration)
-    }
-}
-
-/// What a part is of which a file says nothing, for which every key needs a default on its card.
-pub(crate) fn by_cards<T>(read: impl FnOnce(&Table<'_>, &mut Findings) -> Option<T>) -> T {
-    let file = Table::absent(&FILE, TextRange::new(0, 0));
-    read(&file, &mut Findings::default()).expect("cards with defaults")
 }
 
 choice! {

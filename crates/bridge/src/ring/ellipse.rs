@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::invert::invert;
 use super::quadrature::quadrature;
 use super::{Curve, Form, Misfit, Station};
-use crate::fields::Field;
+use crate::card::Field;
 
 pub(super) use super::as_written as size;
 pub(super) const NEEDS: [bool; 2] = [true, true];

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::invert::invert;
 use super::quadrature::quadrature;
 use super::{Curve, Form, Misfit, Shape, Station};
-use crate::fields::{Field, Kind};
+use crate::card::{Field, Kind};
 
 pub(super) const NEEDS: [bool; 2] = [false, false];
 pub(super) const KEYS: &[Field] = &[Field::new(

@@ -2,7 +2,7 @@
 
 use super::arcs::Arcs;
 use super::{Form, Misfit};
-use crate::fields::Field;
+use crate::card::Field;
 
 pub(super) use super::as_written as size;
 pub(super) const NEEDS: [bool; 2] = [true, true];

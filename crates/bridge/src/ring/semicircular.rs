@@ -2,7 +2,7 @@
 
 use super::arcs::Arcs;
 use super::{Form, Misfit};
-use crate::fields::Field;
+use crate::card::Field;
 
 pub(super) const NEEDS: [bool; 2] = [true, false];
 pub(super) const KEYS: &[Field] = &[];

@@ -2,7 +2,7 @@
 
 use super::arcs::Arcs;
 use super::{Form, Misfit, Shape};
-use crate::fields::{Field, Kind};
+use crate::card::{Field, Kind};
 use crate::quantity::Dimension::Length;
 
 pub(super) const NEEDS: [bool; 2] = [true, true];

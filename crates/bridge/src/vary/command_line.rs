@@ -3,8 +3,8 @@
 use toml_edit::Value;
 
 use super::{Request, Slip, Spread, find};
+use crate::card::Kind;
 use crate::edit::Document;
-use crate::fields::Kind;
 use crate::tree::shorten;
 
 /// Reads `PATH=a,b,c`, `PATH=FROM..TO:POINTS` or `PATH=FROM..TO:POINTS:geometric`.

@@ -3,8 +3,9 @@
 use toml_edit::{Item, TableLike};
 
 use super::Slip;
+use crate::card::{Field, Kind, Need, Section};
 use crate::edit::{Document, count, entry, literal};
-use crate::fields::{FILE, Field, Kind, Need, Section};
+use crate::fields::FILE;
 use crate::path::{Path, Step};
 use crate::tree::{nearest, shorten};
 

@@ -2,8 +2,8 @@
 
 use toml_edit::Value;
 
+use crate::card::{Field, Kind};
 use crate::fields::loading::read_share;
-use crate::fields::{Field, Kind};
 use crate::quantity::{self, Dimension, Unit};
 use crate::values::read_slope;
 

@@ -4,8 +4,8 @@ use toml_edit::Value;
 
 use super::scale::{Scale, convert, measure, tidy};
 use super::{Slip, Variable};
+use crate::card::{Field, Kind};
 use crate::edit::literal;
-use crate::fields::{Field, Kind};
 use crate::path::Path;
 use crate::quantity;
 use crate::tree::shorten;
