@@ -11,8 +11,18 @@ pub fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Failure> {
         Dimension::Force => quantity.si() / width,
         _ => quantity.si(),
     };
-    positive(option, text, load, example)
+    match positive(option, text, load, example)? {
+        load if load >= LEAST_LOAD => Ok(load),
+        _ => Err(Failure::input(
+            "F107",
+            format!("{option} \"{text}\" is less than 0.001 kN/m"),
+            format!("write {option} \"{example}\""),
+        )),
+    }
 }
+
+/// Least load [N/m], as in files: finer steps tell nothing and never end.
+const LEAST_LOAD: f64 = 1.0;
 
 /// A length [m].
 pub fn length(option: &str, text: &str) -> Result<f64, Failure> {
@@ -112,6 +122,7 @@ mod tests {
         assert!(message("2 m").contains("a length"), "{}", message("2 m"));
         assert!(message("5").contains("is not"));
         assert!(message("-1 kN/m").contains("not above zero"));
+        assert!(message("1e-12 kN/m").contains("less than 0.001 kN/m"));
         assert_eq!(frequency("--rate", "200 Hz"), Ok(200.0));
         for wrong in ["200", "0 Hz", "1e9 Hz", "5 s"] {
             assert_eq!(frequency("--rate", wrong).unwrap_err().code, "F107", "{wrong}");
