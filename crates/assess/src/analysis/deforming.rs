@@ -1,6 +1,8 @@
 //! What moving loads come to where joints give: each is followed along its equilibrium path from self-weight to its peak.
 //!
-//! Rigid blocks bound that factor from above, so that the smaller of the two counts.
+//! Rigid blocks bound that factor from above, so that the smaller of the two counts. [`along`] goes over the bridge with them.
+
+pub(super) mod along;
 
 use super::AnalysisError;
 use super::engine::joints::contact_length;
