@@ -23,6 +23,8 @@ pub enum Feature {
     Particles,
     /// Fill or backing as a continuum that yields.
     Continuum,
+    /// Fill that presses on the backs of rings.
+    FillPressure,
     /// Defects of rings.
     Defects,
     /// A support that moved before the loads came.
@@ -56,7 +58,7 @@ pub enum Knows {
 
 impl Feature {
     /// Every one, in the order of the table.
-    pub const ALL: [Feature; 16] = [
+    pub const ALL: [Feature; 17] = [
         Feature::Thickness,
         Feature::SupportMovement,
         Feature::LoadSweep,
@@ -65,6 +67,7 @@ impl Feature {
         Feature::Walls,
         Feature::Particles,
         Feature::Continuum,
+        Feature::FillPressure,
         Feature::Defects,
         Feature::MovedBefore,
         Feature::Along,
@@ -86,6 +89,7 @@ impl Feature {
             Feature::Walls => ("spandrel walls", Some("strip = \"wall\"")),
             Feature::Particles => ("fill as particles", Some("as = \"particles\"")),
             Feature::Continuum => ("fill or backing as a continuum", Some("as = \"continuum\"")),
+            Feature::FillPressure => ("fill that presses on the rings", Some("[fill_pressure]")),
             Feature::Defects => ("defects", Some("[[defect]]")),
             Feature::MovedBefore => ("supports that moved before the loads", Some("`before` of [support_movement]")),
             Feature::Along => ("loads along the bridge", Some("`horizontal`")),
@@ -108,6 +112,7 @@ pub const fn knows(method: Method, feature: Feature) -> Knows {
         (Method::Limit, _) => Yes,
         (Method::Path, F::Thickness | F::SupportMovement | F::DrawnBlocks) => No,
         (Method::Path | Method::Dem | Method::Fe, F::Continuum) => AsWeight,
+        (Method::Dem | Method::Fe, F::FillPressure) => AsWeight,
         (Method::Dem | Method::Fe, F::LoadSweep | F::Vehicles) => ByLimit,
         (Method::Path | Method::Dem, _) => Yes,
         // One ring between fixed abutments, under loads that grow.
@@ -122,7 +127,7 @@ pub const fn answers(question: Analysis, feature: Feature) -> Knows {
     match (question, feature) {
         (Analysis::Thickness, F::Defects | F::MovedBefore) => Knows::No,
         (Analysis::Thickness | Analysis::SupportMovement, F::Continuum) => Knows::No,
-        (Analysis::Thickness | Analysis::SupportMovement, F::Particles) => Knows::AsWeight,
+        (Analysis::Thickness | Analysis::SupportMovement, F::Particles | F::FillPressure) => Knows::AsWeight,
         _ => Knows::Yes,
     }
 }
@@ -139,6 +144,7 @@ pub fn asked(bridge: &Bridge) -> Vec<Feature> {
         Feature::Walls => !fill && bridge.spandrel_wall.is_some(),
         Feature::Particles => fill && bridge.particles.is_some(),
         Feature::Continuum => continuum::wanted(bridge).is_some(),
+        Feature::FillPressure => bridge.fill_pressure.is_some_and(|fill| fill.applies),
         Feature::Defects => bridge.spans.iter().any(|span| !span.defects.is_empty()),
         Feature::MovedBefore => plan.support_movement.is_some_and(|movement| movement.before.is_some()),
         Feature::Along => is_load && bridge.loads.iter().any(|load| load.horizontal != 0.0),

@@ -1,5 +1,6 @@
 //! What may help a bridge, and the bridge without it.
 
+use crate::analysis::engine::can::{self, Feature, Knows};
 use crate::analysis::state::{self, Change};
 use bridge::{Analysis, Bridge, Joint, Method, Strip};
 use outcome::help::Help;
@@ -56,10 +57,9 @@ fn has(bridge: &Bridge, help: Help) -> bool {
                 && bridge.plan.support_movement.is_some_and(|movement| movement.before.is_some())
         }
         Help::FillPressure => {
-            // Discrete and finite elements take fill as weight or as particles, and so do the least thickness and support movements.
             bridge.fill_pressure.is_some_and(|fill| fill.applies)
-                && bridge.plan.analysis == Analysis::Load
-                && matches!(bridge.plan.method, Method::Limit | Method::Path)
+                && can::knows(bridge.plan.method, Feature::FillPressure) == Knows::Yes
+                && can::answers(bridge.plan.analysis, Feature::FillPressure) == Knows::Yes
         }
         // A wall stands on the strip below it, and holds fill that is a continuum. Up to a road that is not level it has no level of its own.
         Help::Parapets => {
