@@ -106,6 +106,12 @@ pub fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
     }
 }
 
+/// Whether a bridge and its mirror image go the same way. As a support moves, rings on one another have several motions that their programs cannot
+/// tell apart, and which one is followed is not unique: the movement that they survive differs by some per cent.
+pub fn is_followed_alike(question: Question, bridge: &Bridge) -> bool {
+    question != Question::Movement || bridge.spans.iter().all(|span| span.rings.len() == 1)
+}
+
 fn answered(question: Question, bridge: &Bridge, places: usize, is_mirrored: bool) -> Found {
     let mut own = bridge.clone();
     own.plan.analysis = question.analysis();

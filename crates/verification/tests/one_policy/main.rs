@@ -36,10 +36,10 @@ struct Trial {
 
 impl Trial {
     /// Asks everything of a bridge, by some methods.
-    fn ask(&mut self, name: &str, bridge: &Bridge, methods: &[Method]) {
+    fn ask(&mut self, name: &str, bridge: &Bridge, methods: &[Method], questions: &[Question]) {
         for &method in methods {
             let own = changed::by(bridge, method);
-            for question in Question::ALL {
+            for &question in questions {
                 self.ask_one(name, &own, question);
             }
         }
@@ -56,7 +56,7 @@ impl Trial {
             let found = asked::asked(question, &helped);
             self.hold(&format!("{method} {question:?}, {help}"), name, [found, bare], asked::no_more(question, bridge));
         }
-        if let Some(mirrored) = changed::mirrored(bridge) {
+        if let Some(mirrored) = changed::mirrored(bridge).filter(|_| asked::is_followed_alike(question, bridge)) {
             let found = asked::mirrored(question, &mirrored);
             let what = format!("{method} {question:?}, mirrored");
             let slack = asked::same(question, bridge);
@@ -137,14 +137,14 @@ fn drawn(seed: u64) -> (String, Bridge) {
 #[test]
 fn no_help_raises_a_number() {
     let mut trial = Trial::default();
-    for seed in 0..4 {
+    for seed in 0..3 {
         let (name, bridge) = drawn(seed);
-        trial.ask(&name, &bridge, &[Method::Limit]);
+        trial.ask(&name, &bridge, &[Method::Limit], &Question::ALL);
     }
     let (name, bridge) = drawn(4);
-    trial.ask(&name, &bridge, &[Method::Path]);
+    trial.ask(&name, &bridge, &[Method::Path], &[Question::Load]);
     let compared: usize = trial.counts.values().map(|of| of.compared).sum();
-    assert!(compared >= 100, "{compared} compared:\n{}", trial.told());
+    assert!(compared >= 80, "{compared} compared:\n{}", trial.told());
     trial.finish();
 }
 
@@ -154,12 +154,12 @@ fn no_help_raises_a_number_of_any_bridge() {
     let mut trial = Trial::default();
     for seed in random::seeds("EXTRADOS_POLICY", 0..24) {
         let (name, bridge) = drawn(seed);
-        trial.ask(&name, &bridge, Method::ALL);
+        trial.ask(&name, &bridge, Method::ALL, &Question::ALL);
         println!("{name}: {} broken", trial.broken.len());
     }
     if std::env::var_os("EXTRADOS_POLICY").is_none() {
         for (name, bridge) in examples() {
-            trial.ask(&name, &bridge, &[Method::Limit, Method::Path]);
+            trial.ask(&name, &bridge, &[Method::Limit, Method::Path], &Question::ALL);
             println!("{name}: {} broken", trial.broken.len());
         }
     }
