@@ -31,19 +31,18 @@ pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
     ])
 }
 
+/// Drawings as the files they are written to.
+pub fn written(drawings: Vec<(String, String)>) -> Result<Vec<File>, RasterError> {
+    let files: Result<Vec<[File; 2]>, _> = drawings.iter().map(|(name, svg)| both(name, svg)).collect();
+    Ok(files?.into_iter().flatten().collect())
+}
+
 /// The ParaView files: one VTU a snapshot for blocks, contacts, particles and their forces, the series, the mechanism, and soil
 /// that yields.
 pub fn paraview(picture: &Picture) -> Vec<File> {
-    let mut files = Vec::new();
-    let mut put = |name: String, text: String| {
-        files.push(File { name: format!("paraview/{name}"), bytes: text.into_bytes() });
-    };
-    if let Some(text) = vtk::mechanism(picture) {
-        put("mechanism.vtu".into(), text);
-    }
-    if let Some(text) = vtk::soil(picture) {
-        put("soil.vtu".into(), text);
-    }
+    let alone = [("mechanism.vtu", vtk::mechanism(picture)), ("soil.vtu", vtk::soil(picture))];
+    let mut files: Vec<File> =
+        alone.into_iter().filter_map(|(name, text)| text.map(|text| vtk::file(name, text))).collect();
     let moments = vtk::moments(picture);
     type Writer = fn(&Picture, usize) -> Option<String>;
     let kinds: [(&str, Writer); 4] = [
@@ -53,26 +52,15 @@ pub fn paraview(picture: &Picture) -> Vec<File> {
         ("particle-forces", vtk::particle_forces),
     ];
     for (kind, write) in kinds {
-        let mut listed = Vec::new();
-        for (k, &moment) in moments.iter().enumerate() {
-            let Some(text) = write(picture, k) else { continue };
-            let name = format!("{kind}-{k:04}.vtu");
-            listed.push((moment, name.clone()));
-            put(name, text);
-        }
-        if !listed.is_empty() {
-            put(format!("{kind}.pvd"), vtk::series(&listed));
-        }
+        let texts = moments.iter().enumerate().filter_map(|(k, time)| Some((k, *time, write(picture, k)?)));
+        files.extend(vtk::over_time(kind, texts));
     }
     files
 }
 
 /// Every file of a collapse analysis, in a fixed order.
 pub fn all(picture: &Picture) -> Result<Vec<File>, RasterError> {
-    let mut files = Vec::new();
-    for (name, svg) in drawings(picture) {
-        files.extend(both(&name, &svg)?);
-    }
+    let mut files = written(drawings(picture))?;
     if let Some(bytes) = animation(picture)? {
         files.push(File { name: "animation.png".into(), bytes });
     }

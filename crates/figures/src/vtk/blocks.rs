@@ -1,12 +1,9 @@
 //! Blocks as polygons, as built, with their displacement beside: ParaView's "Warp By Vector" moves them.
 
-use super::write::{Array, Grid};
+use super::soil::stresses;
+use super::write::{Array, Cells, Grid};
 use crate::geometry::{Turn, centroid, displacement};
-use crate::stress::most_compressive;
 use outcome::picture::{Motion, Picture, Shape, Snapshot};
-
-/// VTK's number of a polygon.
-const POLYGON: u8 = 7;
 
 /// The number of a role in the array `role`: 0 voussoir, 1 abutment, 2 pier, 3 backing, 4 block, 6 wall, 5 anything else.
 pub fn role_number(role: &str) -> i64 {
@@ -36,52 +33,35 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
 }
 
 fn file(shapes: &[Shape], motions: &[Motion], turn: Turn, state: Option<&Snapshot>) -> String {
-    let (mut points, mut moves, mut connectivity, mut offsets) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut points, mut moves, mut cells) = (Vec::new(), Vec::new(), Vec::new());
     for (shape, &motion) in shapes.iter().zip(motions) {
         let centre = centroid(&shape.outline);
-        for &corner in &shape.outline {
-            connectivity.push((points.len() / 3) as i64);
-            points.extend([corner[0], corner[1], 0.0]);
-            let u = displacement(corner, centre, motion, turn);
-            moves.extend([u[0], u[1], 0.0]);
-        }
-        offsets.push(connectivity.len() as i64);
+        moves.extend(shape.outline.iter().map(|&corner| displacement(corner, centre, motion, turn)));
+        cells.push(points.len()..points.len() + shape.outline.len());
+        points.extend(&shape.outline);
     }
     let count = shapes.len();
-    let numbers: Vec<i64> = (0..count as i64).collect();
-    let roles: Vec<i64> = shapes.iter().map(|s| role_number(&s.role)).collect();
-    let held: Vec<i64> = shapes.iter().map(|s| i64::from(s.held)).collect();
-    let rotation: Vec<f64> = motions.iter().map(|m| m.rotation).collect();
-    let mut cells = vec![
-        Array::whole("block", &numbers),
-        Array::whole("role", &roles),
-        Array::whole("held", &held),
-        Array::real("rotation", 1, &rotation),
+    let mut at_cells = vec![
+        Array::whole("block", 0..count as i64),
+        Array::whole("role", shapes.iter().map(|s| role_number(&s.role))),
+        Array::whole("held", shapes.iter().map(|s| i64::from(s.held))),
+        Array::real("rotation", 1, motions.iter().map(|m| m.rotation)),
     ];
-    let fitting = |n: usize| n == count;
-    let velocities = state.filter(|s| fitting(s.velocities.len())).map(|s| &s.velocities);
-    let velocity: Vec<f64> = velocities.into_iter().flatten().flat_map(|v| [v[0], v[1], 0.0]).collect();
-    if !velocity.is_empty() {
-        cells.push(Array::real("velocity", 3, &velocity));
+    if let Some(state) = state.filter(|s| s.velocities.len() == count && count > 0) {
+        at_cells.push(Array::vectors("velocity", state.velocities.iter().copied()));
     }
-    let stresses = || state.filter(|s| fitting(s.stresses.len())).into_iter().flat_map(|s| &s.stresses);
-    let tensor: Vec<f64> = stresses().flat_map(|&[xx, yy, xy]| [xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 0.0]).collect();
-    let compression: Vec<f64> = stresses().map(|&s| most_compressive(s)).collect();
-    if !tensor.is_empty() {
-        cells.push(Array::real("stress", 9, &tensor));
-        cells.push(Array::real("principal compression", 1, &compression));
+    if let Some(state) = state.filter(|s| s.stresses.len() == count && count > 0) {
+        at_cells.extend(stresses(&state.stresses));
     }
     let field: Vec<(&str, f64)> = state.map(|s| ("load", s.load)).into_iter().collect();
-    Grid {
-        short: false,
+    let grid = Grid {
         remark: REMARK,
         field: &field,
-        points: &points,
-        connectivity: &connectivity,
-        offsets: &offsets,
-        kinds: &vec![POLYGON; count],
-        at_points: &[Array::real("displacement", 3, &moves)],
-        at_cells: &cells,
-    }
-    .file()
+        points,
+        cells: Cells::of(Cells::POLYGON, cells),
+        at_points: vec![Array::vectors("displacement", moves)],
+        at_cells,
+        ..Grid::default()
+    };
+    grid.file()
 }

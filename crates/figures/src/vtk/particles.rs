@@ -1,13 +1,9 @@
 //! Particles as points and the forces between them as lines. There are many of both, so that their numbers have seven
 //! digits; tables have all of them.
 
-use super::write::{Array, Grid};
+use super::write::{Array, Cells, Grid};
 use crate::stress::most_compressive;
 use outcome::picture::{DiscState, ParticleForce, Partner, Picture, Snapshot};
-
-/// VTK's numbers of a single point and of a line.
-const VERTEX: u8 = 1;
-const LINE: u8 = 3;
 
 const PARTICLES: &str = "Particles where they are in this state, one metre wide; y up. Glyph with Sphere or 2D Circle, scaled by radius_m (scale factor 2 for a glyph of radius 0.5), shows them. displacement_m: since they were packed. velocity in m/s, angle in rad. stress_*_kpa: average of the particle, tension positive; compression_kpa: most compressive principal stress, compression positive. layer: counted from 0 from the extrados up.";
 
@@ -22,44 +18,29 @@ fn of(picture: &Picture, snapshot: usize) -> Option<&Snapshot> {
 /// Particles at one snapshot as points. None without particles.
 pub fn particles(picture: &Picture, snapshot: usize) -> Option<String> {
     let state = of(picture, snapshot)?;
-    let count = state.particles.len();
-    let real = |value: fn(&DiscState) -> f64| -> Vec<f64> { state.particles.iter().map(value).collect() };
-    let points: Vec<f64> = state.particles.iter().flat_map(|p| [p.centre[0], p.centre[1], 0.0]).collect();
-    let radius: Vec<f64> = picture.particles.iter().map(|d| d.radius).collect();
-    let layer: Vec<i64> = picture.particles.iter().map(|d| d.layer as i64).collect();
-    let moved = picture.particles.iter().zip(&state.particles);
-    let moved: Vec<f64> =
-        moved.flat_map(|(d, now)| [now.centre[0] - d.centre[0], now.centre[1] - d.centre[1], 0.0]).collect();
-    let velocity: Vec<f64> = state.particles.iter().flat_map(|p| [p.velocity[0], p.velocity[1], 0.0]).collect();
-    let angle = real(|p| p.angle);
-    let (xx, yy, xy) = (real(|p| p.stress[0] / 1e3), real(|p| p.stress[1] / 1e3), real(|p| p.stress[2] / 1e3));
-    let mean = real(|p| 0.5 * (p.stress[0] + p.stress[1]) / 1e3);
-    let compression = real(|p| most_compressive(p.stress) / 1e3);
-    let numbers: Vec<i64> = (0..count as i64).collect();
-    let ends: Vec<i64> = (1..=count as i64).collect();
-    let arrays = [
-        Array::whole("particle", &numbers),
-        Array::real("radius_m", 1, &radius),
-        Array::whole("layer", &layer),
-        Array::real("displacement_m", 3, &moved),
-        Array::real("velocity", 3, &velocity),
-        Array::real("angle", 1, &angle),
-        Array::real("stress_xx_kpa", 1, &xx),
-        Array::real("stress_yy_kpa", 1, &yy),
-        Array::real("stress_xy_kpa", 1, &xy),
-        Array::real("stress_mean_kpa", 1, &mean),
-        Array::real("compression_kpa", 1, &compression),
-    ];
+    let now = || state.particles.iter();
+    let real = |name, value: fn(&DiscState) -> f64| Array::real(name, 1, now().map(value));
+    let moved = picture.particles.iter().zip(now()).map(|(d, now)| [0, 1].map(|k| now.centre[k] - d.centre[k]));
     let grid = Grid {
         short: true,
         remark: PARTICLES,
         field: &[("load", state.load)],
-        points: &points,
-        connectivity: &numbers,
-        offsets: &ends,
-        kinds: &vec![VERTEX; count],
-        at_points: &arrays,
-        at_cells: &[],
+        points: now().map(|p| p.centre).collect(),
+        cells: Cells::points(state.particles.len()),
+        at_points: vec![
+            Array::whole("particle", 0..state.particles.len() as i64),
+            Array::real("radius_m", 1, picture.particles.iter().map(|d| d.radius)),
+            Array::whole("layer", picture.particles.iter().map(|d| d.layer as i64)),
+            Array::vectors("displacement_m", moved),
+            Array::vectors("velocity", now().map(|p| p.velocity)),
+            real("angle", |p| p.angle),
+            real("stress_xx_kpa", |p| p.stress[0] / 1e3),
+            real("stress_yy_kpa", |p| p.stress[1] / 1e3),
+            real("stress_xy_kpa", |p| p.stress[2] / 1e3),
+            real("stress_mean_kpa", |p| 0.5 * (p.stress[0] + p.stress[1]) / 1e3),
+            real("compression_kpa", |p| most_compressive(p.stress) / 1e3),
+        ],
+        ..Grid::default()
     };
     Some(grid.file())
 }
@@ -79,39 +60,25 @@ pub fn particle_forces(picture: &Picture, snapshot: usize) -> Option<String> {
         Partner::Particle(other) => state.particles[other].centre,
         Partner::Shape(_) => f.point,
     };
-    let both = list.iter().flat_map(|f| [state.particles[f.particle].centre, end(f)]);
-    let points: Vec<f64> = both.flat_map(|[x, y]| [x, y, 0.0]).collect();
-    let real = |value: fn(&ParticleForce) -> f64| -> Vec<f64> { list.iter().map(|f| value(f)).collect() };
-    let whole = |value: fn(&ParticleForce) -> i64| -> Vec<i64> { list.iter().map(|f| value(f)).collect() };
-    let (compression, shear) = (real(|f| f.compression / 1e3), real(|f| f.shear / 1e3));
-    let stress = real(|f| f.stress / 1e3);
-    let normal: Vec<f64> = list.iter().flat_map(|f| [f.normal[0], f.normal[1], 0.0]).collect();
-    let sliding = whole(|f| i64::from(f.sliding));
-    let particle = whole(|f| f.particle as i64);
-    let block = whole(|f| if let Partner::Shape(k) = f.partner { k as i64 } else { -1 });
-    let other = whole(|f| if let Partner::Particle(k) = f.partner { k as i64 } else { -1 });
-    let numbers: Vec<i64> = (0..2 * list.len() as i64).collect();
-    let ends: Vec<i64> = (1..=list.len() as i64).map(|k| 2 * k).collect();
-    let arrays = [
-        Array::real("compression_kn_per_m", 1, &compression),
-        Array::real("shear_kn_per_m", 1, &shear),
-        Array::real("stress_kpa", 1, &stress),
-        Array::real("normal", 3, &normal),
-        Array::whole("sliding", &sliding),
-        Array::whole("particle", &particle),
-        Array::whole("partner_particle", &other),
-        Array::whole("partner_block", &block),
-    ];
+    let real = |name, value: fn(&ParticleForce) -> f64| Array::real(name, 1, list.iter().map(|f| value(f)));
+    let whole = |name, value: fn(&ParticleForce) -> i64| Array::whole(name, list.iter().map(|f| value(f)));
     let grid = Grid {
         short: true,
         remark: FORCES,
         field: &[("load", state.load)],
-        points: &points,
-        connectivity: &numbers,
-        offsets: &ends,
-        kinds: &vec![LINE; list.len()],
-        at_points: &[],
-        at_cells: &arrays,
+        points: list.iter().flat_map(|f| [state.particles[f.particle].centre, end(f)]).collect(),
+        cells: Cells::of(Cells::LINE, (0..list.len()).map(|k| [2 * k, 2 * k + 1])),
+        at_cells: vec![
+            real("compression_kn_per_m", |f| f.compression / 1e3),
+            real("shear_kn_per_m", |f| f.shear / 1e3),
+            real("stress_kpa", |f| f.stress / 1e3),
+            Array::vectors("normal", list.iter().map(|f| f.normal)),
+            whole("sliding", |f| i64::from(f.sliding)),
+            whole("particle", |f| f.particle as i64),
+            whole("partner_particle", |f| if let Partner::Particle(k) = f.partner { k as i64 } else { -1 }),
+            whole("partner_block", |f| if let Partner::Shape(k) = f.partner { k as i64 } else { -1 }),
+        ],
+        ..Grid::default()
     };
     Some(grid.file())
 }
