@@ -1,33 +1,38 @@
 //! Colour bars: what a colour stands for.
 
+use crate::chart::Axis;
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Style};
+use crate::sheet::{Anchor, Area, HAIR, Pen, Sheet, Style};
 use crate::ticks::Ticks;
 
 /// A scale of colours with its values.
 pub struct Scale<'a> {
-    /// What it measures, with its unit.
-    pub title: &'a str,
-    /// Values along it.
-    pub ticks: Ticks,
+    /// What it measures with its unit, from where to where, and the values along it.
+    pub axis: Axis<'a>,
     /// Colour of a share from 0 to 1.
     pub colour: fn(f64) -> String,
     /// Whether values above its end are drawn in the colour of its end.
     pub cut: bool,
 }
 
-impl Scale<'_> {
+impl<'a> Scale<'a> {
+    /// From zero to `end`, or beyond it to a round number; cut where `largest` lies beyond that.
+    pub fn upto(name: &'a str, [end, largest]: [f64; 2], steps: usize, colour: fn(f64) -> String) -> Scale<'a> {
+        let axis = Axis::round(name, Ticks::over(0.0, if end > 0.0 { end } else { 1.0 }, steps));
+        let cut = largest > axis.range[1];
+        Scale { axis, colour, cut }
+    }
+
     /// The colour of a value.
     pub fn of(&self, value: f64) -> String {
-        let [low, high] = self.ticks.range();
-        (self.colour)((value - low) / (high - low))
+        (self.colour)(self.axis.share(value))
     }
 
     /// Draws the bar under its title; returns the y below.
     pub fn draw(&self, sheet: &mut Sheet, left: f64, right: f64, top: f64) -> f64 {
         const STEPS: usize = 96;
-        let style = Style { size: SMALL, ..Style::default() };
-        let y = sheet.paragraph(left, top, right - left + 10.0, self.title, style);
+        let style = Style::small();
+        let y = sheet.paragraph(left, top, right - left + 10.0, self.axis.name, style);
         let (left, right) = (left + 10.0, right - 14.0);
         let (upper, lower) = (y + 5.0, y + 19.0);
         let at = |share: f64| left + share * (right - left);
@@ -48,11 +53,10 @@ impl Scale<'_> {
             let colour = (self.colour)(1.0);
             sheet.polygon(&[[right, upper], tip, [right, lower]], Pen::shape(&colour, INK, HAIR));
         }
-        let [low, high] = self.ticks.range();
-        for &value in &self.ticks.values {
-            let x = at((value - low) / (high - low));
+        for &value in &self.axis.ticks.values {
+            let x = at(self.axis.share(value));
             sheet.line([x, lower], [x, lower + 4.0], Pen::line(INK, 0.9));
-            sheet.text([x, lower + 17.0], &self.ticks.words(value), style.anchored(Anchor::Middle));
+            sheet.text([x, lower + 17.0], &self.axis.words(value), style.anchored(Anchor::Middle));
         }
         sheet.close();
         lower + 24.0

@@ -1,12 +1,13 @@
 //! Force chains: which way the load takes through the particles.
 
 use crate::bar::quantile;
+use crate::chart::Key;
 use crate::discs;
 use crate::elevation::{self as draw, FAINT, INK, Sign, THRUST};
 use crate::figure::Figure;
 use crate::geometry::{View, round_down};
 use crate::panels::{outline, shown};
-use crate::sheet::{HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, font};
+use crate::sheet::{HAIR, Pen, Sheet, Spot};
 use crate::words;
 use outcome::picture::{ParticleForce, Partner, Picture, Point, Snapshot};
 
@@ -31,11 +32,9 @@ pub fn force_chains(picture: &Picture) -> Option<String> {
     let largest = forces.iter().map(size).fold(0.0, f64::max);
     let extent = draw::extent(picture).filter(|_| largest > 0.0)?;
 
-    let mut sheet = Sheet::new("chains");
     let second = format!("Force chains in the fill at {}", crate::panels::load(picture, at));
-    let top = sheet.title(&picture.title, &second);
-    let frame = draw::frame(extent, top, draw::TALLEST);
-    let view = View::fit(extent, frame);
+    let (mut sheet, top) = Sheet::titled("chains", &picture.title, &second);
+    let (frame, view) = draw::fit(extent, top, draw::TALLEST);
     let diameter = 2.0 * discs::mean_radius(picture) * view.scale();
     // All but the strongest chains are at most half a particle wide, and those no wider than one and a half.
     let scale = (0.5 * diameter / quantile(forces.iter().map(size), 0.98)).min(1.5 * diameter / largest);
@@ -71,8 +70,7 @@ pub fn force_chains(picture: &Picture) -> Option<String> {
         forces.len(),
         picture.particles.len()
     );
-    y = sheet.caption(y, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y, &caption))
 }
 
 fn usable(picture: &Picture, f: &ParticleForce) -> bool {
@@ -120,16 +118,11 @@ fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: &Snapshot) {
 
 /// Sample lines of round forces; returns the y below.
 fn widths(sheet: &mut Sheet, top: f64, scale: f64, largest: f64) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
     let full = round_down(largest);
-    let (mut x, y) = (MARGIN, top + 14.0);
-    sheet.open("scale-of-forces");
-    for share in [0.1, 0.2, 0.5, 1.0] {
-        let text = words::force(share * full);
-        sheet.line([x, y - 4.0], [x + 40.0, y - 4.0], Pen::line(STRONG, scale * share * full));
-        sheet.text([x + 46.0, y], &text, style);
-        x += 46.0 + font::width(&text, style.size, style.weight) + 22.0;
-    }
-    sheet.close();
-    y + (0.5 * scale * full - 4.0).max(2.0) + 4.0
+    let below = (0.5 * scale * full - 4.0).max(2.0) + 4.0;
+    let key = Key { class: "scale-of-forces", words: 46.0, wide: 46.0, gap: 22.0, below, ..Key::CHART };
+    let forces = [0.1, 0.2, 0.5, 1.0].map(|share| (share * full, words::force(share * full)));
+    key.draw(sheet, top, forces, |sheet, [x, y], force| {
+        sheet.line([x, y - 4.0], [x + 40.0, y - 4.0], Pen::line(STRONG, scale * force));
+    })
 }

@@ -1,8 +1,9 @@
 //! Layers of the cover and backing, pale behind the blocks, and what they are.
 
+use crate::chart::Key;
 use crate::elevation::INK;
 use crate::geometry::View;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::sheet::{Area, HAIR, Pen, Sheet};
 use outcome::picture::Picture;
 
 /// Fill of a layer by its name.
@@ -37,21 +38,9 @@ pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
     if picture.bands.is_empty() {
         return top;
     }
-    let style = Style { size: SMALL, ..Style::default() };
-    let (mut x, mut y) = (MARGIN, top + 12.0);
-    sheet.open("cover-key");
-    for band in &picture.bands {
-        let text = format!("{}, {}", band.name, band.size);
-        let wide = 30.0 + font::width(&text, style.size, style.weight);
-        if x > MARGIN && x + wide > WIDTH - MARGIN {
-            x = MARGIN;
-            y += 18.0;
-        }
+    let bands = picture.bands.iter().map(|band| (colour(&band.name), format!("{}, {}", band.name, band.size)));
+    Key { class: "cover-key", ..Key::ELEVATION }.draw(sheet, top, bands, |sheet, [x, y], colour| {
         let swatch = Area { left: x + 1.0, right: x + 21.0, top: y - 9.0, bottom: y + 1.0 };
-        sheet.rectangle(swatch, Pen::shape(colour(&band.name), INK, HAIR));
-        sheet.text([x + 26.0, y], &text, style.anchored(Anchor::Start));
-        x += wide + 18.0;
-    }
-    sheet.close();
-    y + 6.0
+        sheet.rectangle(swatch, Pen::shape(colour, INK, HAIR));
+    })
 }

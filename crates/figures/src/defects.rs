@@ -40,7 +40,7 @@ pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
     sheet.open("defects-key");
     for (index, mark) in picture.defects.iter().enumerate() {
         number(sheet, [MARGIN + RADIUS + 2.0, y - 4.0], index);
-        sheet.text([MARGIN + 26.0, y], &mark.words, Style { size: SMALL, ..Style::default() });
+        sheet.text([MARGIN + 26.0, y], &mark.words, Style::small());
         y += 20.0;
     }
     sheet.close();

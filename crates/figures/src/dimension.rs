@@ -3,7 +3,7 @@
 use crate::elevation::INK;
 use crate::geometry::{Extent, View};
 use crate::sheet::place::Room;
-use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Spot, Style};
+use crate::sheet::{Anchor, Area, HAIR, Pen, Sheet, Spot, Style};
 use crate::words;
 use outcome::picture::{DimensionLine, Measure};
 
@@ -37,7 +37,7 @@ pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[DimensionLine], extent
 }
 
 /// A slanted stroke where a dimension ends, as on drawings of buildings.
-fn tick(sheet: &mut Sheet, at: Spot) {
+pub fn tick(sheet: &mut Sheet, at: Spot) {
     sheet.line([at[0] - 3.0, at[1] + 3.0], [at[0] + 3.0, at[1] - 3.0], Pen::line(INK, 1.4));
 }
 
@@ -49,7 +49,7 @@ fn span(sheet: &mut Sheet, view: &View, d: &DimensionLine, y: f64) {
     }
     sheet.line([a[0] - 5.0, y], [b[0] + 5.0, y], LINE);
     let text = words::metres((d.to[0] - d.from[0]).abs());
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     sheet.text([0.5 * (a[0] + b[0]), y - 4.0], &text, style.anchored(Anchor::Middle));
 }
 

@@ -1,8 +1,9 @@
 //! Particles as discs, coloured by layer.
 
+use crate::chart::Key;
 use crate::elevation::INK;
 use crate::geometry::View;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
+use crate::sheet::{Area, HAIR, Pen, Sheet, Spot};
 use outcome::picture::{Picture, Point, Snapshot};
 use outcome::warning::Command;
 use std::borrow::Cow;
@@ -46,25 +47,25 @@ pub fn band_colour(picture: &Picture, particle: usize) -> &'static str {
     LAYERS[disc.layer % LAYERS.len()][band.min(1)]
 }
 
-/// Draws every particle at its place in a colour.
+/// Draws every particle where it is in a state, or as packed, in a colour.
 pub fn draw<'c>(
     sheet: &mut Sheet,
     view: &View,
     picture: &Picture,
-    place: impl Fn(usize) -> Point,
+    state: Option<&Snapshot>,
     colour: impl Fn(usize) -> Cow<'c, str>,
 ) {
     if !drawable(picture) {
         return;
     }
     if picture.particles.len() > MANY {
-        return dots(sheet, view, picture, place, colour);
+        return dots(sheet, view, picture, state, colour);
     }
     let mean = mean_radius(picture) * view.scale();
     let rim = if mean < OUTLINED { Pen::line("none", 0.0) } else { Pen::line(RIM, (0.06 * mean).clamp(0.15, 0.5)) };
     sheet.open_drawn("particles", rim);
     for (k, disc) in picture.particles.iter().enumerate() {
-        sheet.disc(view.spot(place(k)), disc.radius * view.scale(), &colour(k));
+        sheet.disc(view.spot(place(picture, state, k)), disc.radius * view.scale(), &colour(k));
     }
     sheet.close();
 }
@@ -74,13 +75,13 @@ fn dots<'c>(
     sheet: &mut Sheet,
     view: &View,
     picture: &Picture,
-    place: impl Fn(usize) -> Point,
+    state: Option<&Snapshot>,
     colour: impl Fn(usize) -> Cow<'c, str>,
 ) {
     let mut alike: BTreeMap<(Cow<'c, str>, u64), Vec<Spot>> = BTreeMap::new();
     for (k, disc) in picture.particles.iter().enumerate() {
         let steps = (disc.radius * view.scale() / STEP).round().max(1.0) as u64;
-        alike.entry((colour(k), steps)).or_default().push(view.spot(place(k)));
+        alike.entry((colour(k), steps)).or_default().push(view.spot(place(picture, state, k)));
     }
     sheet.open("particles");
     for ((colour, steps), spots) in &alike {
@@ -91,13 +92,13 @@ fn dots<'c>(
 
 /// Draws every particle as packed or where a state has it, coloured by layer.
 pub fn by_layer(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
-    draw(sheet, view, picture, |k| place(picture, state, k), |k| layer_colour(picture.particles[k].layer).into());
+    draw(sheet, view, picture, state, |k| layer_colour(picture.particles[k].layer).into());
 }
 
 /// Pale particles behind something.
 pub fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
     if picture.particles.len() > MANY && drawable(picture) {
-        dots(sheet, view, picture, |k| place(picture, state, k), |_| "#efece4".into());
+        dots(sheet, view, picture, state, |_| "#efece4".into());
     } else if drawable(picture) {
         sheet.open_drawn("pale-particles", Pen::line("#d5d0c6", 0.3));
         for (k, disc) in picture.particles.iter().enumerate() {
@@ -134,26 +135,14 @@ pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture, banded: bool) -> f64 
     if !drawable(picture) {
         return top;
     }
-    let style = Style { size: SMALL, ..Style::default() };
-    let (mut x, mut y) = (MARGIN, top + 12.0);
-    sheet.open("layers");
-    for (layer, text) in layers(picture) {
-        let wide = 30.0 + font::width(&text, style.size, style.weight);
-        if x > MARGIN && x + wide > WIDTH - MARGIN {
-            x = MARGIN;
-            y += 18.0;
-        }
+    Key { class: "layers", ..Key::ELEVATION }.draw(sheet, top, layers(picture), |sheet, [x, y], layer| {
         let [first, second] = LAYERS[layer % LAYERS.len()];
         let swatch = |a: f64, b: f64| Area { left: x + a, right: x + b, top: y - 9.0, bottom: y + 1.0 };
         sheet.rectangle(swatch(1.0, 21.0), Pen::shape(first, INK, HAIR));
         if banded {
             sheet.rectangle(swatch(11.0, 21.0), Pen::shape(second, INK, HAIR));
         }
-        sheet.text([x + 26.0, y], &text, style.anchored(Anchor::Start));
-        x += wide + 18.0;
-    }
-    sheet.close();
-    y + 6.0
+    })
 }
 
 #[cfg(test)]

@@ -3,13 +3,12 @@
 use crate::bar::{Scale, quantile};
 use crate::colour::blue_for_much;
 use crate::discs;
-use crate::elevation::{self as draw, INK, LOAD};
+use crate::elevation::{self as draw, LOAD};
 use crate::figure::Figure;
-use crate::geometry::{Extent, View, as_built, centroid};
+use crate::geometry::{View, centroid};
 use crate::near::cells;
-use crate::panels::{fits, load, outline, panel, shown};
-use crate::sheet::{MARGIN, Pen, Sheet, WIDTH};
-use crate::ticks::Ticks;
+use crate::panels::{coloured, fits, load, panel, shown};
+use crate::sheet::{MARGIN, Pen, Sheet, THIN, WIDTH};
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
 
@@ -36,16 +35,14 @@ pub fn displacement(picture: &Picture) -> Option<String> {
     if panels.is_empty() {
         return None;
     }
-    let mut sheet = Sheet::new("displacement");
     let second = format!("Displacement since the bridge came to rest under {}", words::force(rest.load));
-    let mut y = sheet.title(&picture.title, &second);
+    let (mut sheet, mut y) = Sheet::titled("displacement", &picture.title, &second);
     for (n, &k) in panels.iter().enumerate() {
         let letter = char::from(b'a' + (n % 26) as u8);
         y = one(&mut sheet, y, picture, rest, k, letter)? + 12.0;
     }
     let caption = "Nothing is exaggerated: particles and blocks stand where they are. Arrows show the direction of the mean displacement in squares of a grid; their lengths are proportional within a panel, cut at the end of its scale. A sharp change of colour inside the fill is a band in which it shears.";
-    y = sheet.caption(y - 6.0, caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y - 6.0, caption))
 }
 
 /// The first state after the last stable one in which something has clearly moved, or the last of all.
@@ -84,39 +81,18 @@ fn one(sheet: &mut Sheet, top: f64, picture: &Picture, rest: &Snapshot, k: usize
     let moves = moves(picture, rest, state);
     let largest = sizes(&moves).filter(|u| u.is_finite()).fold(0.0, f64::max);
     let end = 1e3 * quantile(sizes(&moves), SHARE);
-    let ticks = Ticks::over(0.0, if end > 0.0 { end } else { 1.0 }, 6);
-    let cut = 1e3 * largest > ticks.range()[1];
-    let scale = Scale { title: "displacement [mm]", ticks, colour: blue_for_much, cut };
-    let extent = around(picture)?;
+    let scale = Scale::upto("displacement [mm]", [end, 1e3 * largest], 6, blue_for_much);
+    // What falls far out of the picture does not make the bridge small.
+    let extent = draw::extent(picture)?;
     let text = format!("({letter}) {}; largest displacement {}", load(picture, k), words::metres(largest));
     let colour = |u: Point| scale.of(1e3 * u[0].hypot(u[1]));
-    let y = panel(sheet, extent, top, &format!("panel-{letter}"), &text, &mut |sheet, view| {
-        let place = |p: usize| discs::place(picture, Some(state), p);
-        discs::draw(sheet, view, picture, place, |p| colour(moves[p].1).into());
-        blocks(sheet, view, picture, state, |free| colour(moves[picture.particles.len() + free].1));
-        arrows(sheet, view, &moves, scale.ticks.range()[1] / 1e3);
+    let y = panel(sheet, extent, top, &format!("panel-{letter}"), &text, |sheet, view| {
+        discs::draw(sheet, view, picture, Some(state), |p| colour(moves[p].1).into());
+        let mut of_blocks = moves[picture.particles.len()..].iter().map(|(_, by)| colour(*by));
+        coloured(sheet, view, picture, state, THIN, |_| of_blocks.next().unwrap_or_default());
+        arrows(sheet, view, &moves, scale.axis.range[1] / 1e3);
     });
     Some(scale.draw(sheet, MARGIN, 0.62 * WIDTH, y))
-}
-
-/// The blocks and what stands on the road; what falls far out of the picture does not make the bridge small.
-fn around(picture: &Picture) -> Option<Extent> {
-    as_built(&picture.shapes)?;
-    draw::extent(picture)
-}
-
-fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: &Snapshot, colour: impl Fn(usize) -> String) {
-    let width = draw::outline_width(&picture.shapes, view);
-    let mut free = 0;
-    for (k, shape) in picture.shapes.iter().enumerate() {
-        let spots = view.spots(&outline(picture, Some(state), k));
-        if shape.held {
-            sheet.hatched(&spots, Pen::line(INK, 0.75).class("support"));
-        } else {
-            sheet.polygon(&spots, Pen::shape(&colour(free), INK, width).class("block"));
-            free += 1;
-        }
-    }
 }
 
 /// One arrow a square of the sheet, for the mean displacement of what lies in it.

@@ -6,7 +6,6 @@ use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, Sign};
 use crate::figure::Figure;
-use crate::geometry::View;
 use crate::sheet::{Sheet, place::Room};
 use outcome::picture::Picture;
 
@@ -20,17 +19,15 @@ pub(crate) const FIGURE: Figure = Figure {
 /// Elevation of the bridge as built: blocks, supports, road surface, loads, dimensions. An empty sheet with its
 /// title where there are no blocks.
 pub fn bridge_as_drawn(picture: &Picture) -> String {
-    let mut sheet = Sheet::new("bridge");
-    let top = sheet.title(&picture.title, "The bridge as drawn");
+    let (mut sheet, top) = Sheet::titled("bridge", &picture.title, "The bridge as drawn");
     let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };
-    let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);
-    let view = View::fit(extent, frame);
+    let (frame, view) = draw::fit(extent, top + draw::ARROW, draw::TALLEST);
     cover::bands(&mut sheet, &view, picture);
     discs::by_layer(&mut sheet, &view, picture, None);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     defects::lines(&mut sheet, &view, picture);
-    draw::surface(&mut sheet, &view, picture);
+    draw::surface(&mut sheet, &view, picture, draw::SURFACE);
     let on_surface = !picture.surface_loads.is_empty();
     if on_surface {
         draw::surface_loads(&mut sheet, &view, picture);

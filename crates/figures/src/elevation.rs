@@ -1,7 +1,8 @@
 //! What every elevation is drawn from: blocks, supports, the road surface, load arrows, the scale bar.
 
+use crate::chart::Key;
 use crate::geometry::{Extent, View, as_built, block_at, centroid, exaggerated};
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, THIN, WIDTH};
+use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, THIN, WIDTH};
 use crate::{geometry::Turn, words};
 use outcome::picture::{LoadArrow, Motion, Picture, Point, Shape};
 
@@ -61,20 +62,14 @@ pub fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
     sheet.close();
 }
 
-/// The road surface.
-pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
-    if picture.surface.len() > 1 {
-        let spots = view.spots(&picture.surface);
-        sheet.polyline(&spots, Pen::line("#404040", MEDIUM).class("surface"));
-        sheet.avoid_line(&spots);
-    }
-}
+/// Colour of the road surface.
+pub const SURFACE: &str = "#404040";
 
-/// The road surface, faint, behind something.
-pub fn faint_surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
+/// The road surface, [`FAINT`] behind something.
+pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture, colour: &str) {
     if picture.surface.len() > 1 {
         let spots = view.spots(&picture.surface);
-        sheet.polyline(&spots, Pen::line(FAINT, MEDIUM).class("surface"));
+        sheet.polyline(&spots, Pen::line(colour, MEDIUM).class("surface"));
         sheet.avoid_line(&spots);
     }
 }
@@ -170,16 +165,18 @@ pub fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
     let bar = |a: f64, b: f64| Area { left: a, right: b, top: y, bottom: y + 5.0 };
     sheet.rectangle(bar(left, middle), Pen::shape(INK, INK, HAIR));
     sheet.rectangle(bar(middle, right), Pen::shape("white", INK, HAIR));
-    sheet.text([right + 6.0, y + 7.0], &words::metres(length), Style { size: crate::sheet::SMALL, ..Style::default() });
+    sheet.text([right + 6.0, y + 7.0], &words::metres(length), Style::small());
     sheet.close();
     y + 12.0
 }
 
-/// The room that a drawing takes on the sheet: the whole width, and a height that follows from the extent.
-pub fn frame(extent: Extent, top: f64, tallest: f64) -> Area {
+/// The room that a drawing takes on the sheet, the whole width and a height that follows from the extent, and the view of the extent in
+/// it.
+pub fn fit(extent: Extent, top: f64, tallest: f64) -> (Area, View) {
     let [w, h] = extent.size().map(|d| d.max(1e-9));
     let wide = WIDTH - 2.0 * MARGIN;
-    Area { left: MARGIN, right: WIDTH - MARGIN, top, bottom: top + (wide * h / w).min(tallest) }
+    let area = Area { left: MARGIN, right: WIDTH - MARGIN, top, bottom: top + (wide * h / w).min(tallest) };
+    (area, View::fit(extent, area))
 }
 
 /// Tallest drawing on one sheet.
@@ -207,29 +204,17 @@ pub fn collapse_load(picture: &Picture) -> Option<f64> {
     picture.collapse_load.or_else(|| picture.path.iter().find(|s| !s.at_rest).map(|s| s.load)).filter(|l| l.is_finite())
 }
 
-/// Title and second line, and below them which case is drawn where it is one of many; returns the y below.
-pub fn heading(sheet: &mut Sheet, picture: &Picture, second: &str) -> f64 {
-    let top = sheet.title(&picture.title, second);
-    picture.case.as_ref().map_or(top, |case| sheet.caption(top, case))
+/// A sheet with title and second line, and below them which case is drawn where it is one of many; and the y below.
+pub fn heading(name: &str, picture: &Picture, second: &str) -> (Sheet, f64) {
+    let (mut sheet, top) = Sheet::titled(name, &picture.title, second);
+    let below = picture.case.as_ref().map_or(top, |case| sheet.caption(top, case));
+    (sheet, below)
 }
 
 /// A small row of signs and what they mean; returns the y below it.
 pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str)]) -> f64 {
-    let style = Style { size: crate::sheet::SMALL, ..Style::default() };
-    let (mut x, mut y) = (MARGIN, top + 12.0);
-    sheet.open("key");
-    for (sign, text) in entries {
-        let wide = 30.0 + crate::sheet::font::width(text, style.size, style.weight);
-        if x > MARGIN && x + wide > WIDTH - MARGIN {
-            x = MARGIN;
-            y += 18.0;
-        }
-        sign.draw(sheet, [x + 11.0, y - 4.0]);
-        sheet.text([x + 26.0, y], text, style.anchored(Anchor::Start));
-        x += wide + 18.0;
-    }
-    sheet.close();
-    y + 6.0
+    Key::ELEVATION
+        .draw(sheet, top, entries.iter().copied(), |sheet, [x, y], sign| sign.draw(sheet, [x + 11.0, y - 4.0]))
 }
 
 /// The signs of a key, and of the drawing it belongs to.

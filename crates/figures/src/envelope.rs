@@ -1,9 +1,8 @@
 //! Collapse load over the position of a moving load.
 
-use crate::chart::{Axes, Axis, Entry, Mark, key};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place, runs};
 use crate::elevation::INK;
-use crate::sheet::place::Room;
-use crate::sheet::{Pen, Sheet, Spot, Style};
+use crate::sheet::Pen;
 use crate::ticks::Ticks;
 use crate::words;
 
@@ -50,12 +49,20 @@ pub fn sweep_drawing(name: &str, found: &outcome::sweep::Sweep) -> Option<String
 
 /// Line colours and dashes, told apart in grey print by their dashes.
 const STYLES: [(&str, &str); 4] = [("#0b5394", ""), ("#a02020", "9 4"), ("#3d3d3d", "2.5 3"), ("#7a6a00", "10 3 2 3")];
-const HEIGHT: f64 = 340.0;
 const X_NAME: &str = "position of the reference point along the bridge [m]";
-const FIRST_AXLE: &str = "position of the first axle along the bridge [m]";
 
 /// The curves, with the least value of all marked as governing, and a note below them. None without a finite point.
 pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<&str>) -> Option<String> {
+    let (second, x_name, y_name) = match quantity {
+        Ordinate::Factor => {
+            ("Load factor at collapse over the position of the load", X_NAME, "load factor at collapse [–]")
+        }
+        Ordinate::Adequacy => {
+            let second = "Adequacy factor over the position of the vehicle, worst axles at each";
+            (second, "position of the first axle along the bridge [m]", "adequacy factor [–]")
+        }
+        Ordinate::Load => ("Collapse load over the position of the load", X_NAME, "collapse load [kN/m]"),
+    };
     let unit = |v: f64| if quantity == Ordinate::Load { v / 1e3 } else { v };
     let finite = |&(x, v): &(f64, f64)| x.is_finite() && v.is_finite();
     let points = || sweeps.iter().flat_map(|s| s.points.iter().copied()).filter(finite);
@@ -64,69 +71,33 @@ pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<
     let (low_x, high_x) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |r, p| (r.0.min(p.0), r.1.max(p.0)));
     let largest = points().map(|p| p.1).fold(0.0_f64, f64::max);
     let ceiling = largest.min(3.5 * governing.1.abs().max(1e-300));
-    let y = Ticks::over(unit(governing.1.min(0.0)), unit(ceiling), 6);
+    let y = Axis::round(y_name, Ticks::over(unit(governing.1.min(0.0)), unit(ceiling), 6));
 
-    let mut sheet = Sheet::new("envelope");
-    let second = match quantity {
-        Ordinate::Factor => "Load factor at collapse over the position of the load",
-        Ordinate::Adequacy => "Adequacy factor over the position of the vehicle, worst axles at each",
-        Ordinate::Load => "Collapse load over the position of the load",
-    };
-    let top = sheet.title(title, second);
-    let y_name = match quantity {
-        Ordinate::Factor => "load factor at collapse [–]",
-        Ordinate::Adequacy => "adequacy factor [–]",
-        Ordinate::Load => "collapse load [kN/m]",
-    };
-    let (axes, mut bottom) = Axes::draw(
-        &mut sheet,
-        top,
-        HEIGHT,
-        &Axis::exact(if quantity == Ordinate::Adequacy { FIRST_AXLE } else { X_NAME }, low_x, high_x, 8),
-        &Axis::round(y_name, y),
-    );
-    sheet.open_clipped("curves", "plane", axes.area);
+    let mut panel = Panel::new(Axis::exact(x_name, low_x, high_x, 8), y);
+    panel.clip("curves", "plane");
     for (k, sweep) in sweeps.iter().enumerate() {
         let (colour, dashes) = STYLES[k % STYLES.len()];
-        let mut run: Vec<Spot> = Vec::new();
-        for point in sweep.points.iter().chain(std::iter::once(&(f64::NAN, f64::NAN))) {
-            if finite(point) {
-                run.push(axes.spot(point.0, unit(point.1)));
-                continue;
+        let places: Vec<Place> = sweep.points.iter().map(|point| [point.0, unit(point.1)]).collect();
+        for run in runs(&places) {
+            panel.curve(run, Pen::line(colour, 1.8).dashed(dashes).class("sweep"));
+            if run.len() == 1 {
+                panel.circles(run, 1.6, Pen::shape(colour, "none", 0.0));
             }
-            sheet.avoid_line(&run);
-            sheet.polyline(&run, Pen::line(colour, 1.8).dashed(dashes).class("sweep"));
-            if let [alone] = run[..] {
-                sheet.circle(alone, 1.6, Pen::shape(colour, "none", 0.0));
-            }
-            run.clear();
         }
     }
-    sheet.close();
-
-    let at = axes.spot(governing.0, unit(governing.1));
-    sheet.line(at, [at[0], axes.area.bottom], Pen::line(INK, 0.9).dashed("5 4").class("governing"));
-    sheet.avoid_line(&[at, [at[0], axes.area.bottom]]);
-    Mark::Full.draw(&mut sheet, at, INK);
+    panel.close();
+    let at = [governing.0, unit(governing.1)];
+    panel.curve([at, [at[0], panel.y.range[0]]], Pen::line(INK, 0.9).dashed("5 4").class("governing"));
+    panel.mark(at, Mark::Full, INK);
     let size = match quantity {
         Ordinate::Factor | Ordinate::Adequacy => words::four_digits(governing.1),
         Ordinate::Load => words::force(governing.1),
     };
-    let room = Room { area: axes.area.grown(-5.0), towards: [0.5, 0.8], clear: 10.0 };
-    let text = format!("governing: {size} at {}", words::metres(governing.0));
-    sheet.label(at, &text, Style::on_drawing(), room);
+    panel.label(at, format!("governing: {size} at {}", words::metres(governing.0)), [0.5, 0.8], 10.0);
 
-    let entries: Vec<Entry> = sweeps
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| !s.label.is_empty())
-        .map(|(k, s)| Entry { line: Some(STYLES[k % STYLES.len()]), mark: None, text: &s.label })
-        .collect();
-    if !entries.is_empty() {
-        bottom = key(&mut sheet, bottom, &entries);
-    }
-    if let Some(note) = note {
-        bottom = sheet.caption(bottom, note);
-    }
-    Some(sheet.finish(bottom))
+    let mut chart = Chart::of(panel, 340.0);
+    let styled = sweeps.iter().zip(STYLES.iter().cycle()).filter(|(sweep, _)| !sweep.label.is_empty());
+    chart.key = styled.map(|(sweep, style)| Entry::line(*style, &sweep.label)).collect();
+    chart.words.extend(note.map(str::to_owned));
+    Some(chart.draw("envelope", title, second))
 }

@@ -2,7 +2,7 @@
 
 use crate::chart::Axis;
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, WIDTH};
 
 /// Of bars that reach the line.
 pub const ENOUGH: &str = "#1f5fa8";
@@ -22,45 +22,26 @@ pub struct Bar<'a> {
     pub beyond: Option<f64>,
 }
 
-/// A drawing of bars.
-pub struct Bars<'a> {
-    /// Name of the drawing.
-    pub name: &'a str,
-    /// Title and second line.
-    pub title: &'a str,
-    /// See above.
-    pub second: &'a str,
-    /// Name of the axis.
-    pub axis: &'a str,
-    /// From top to bottom.
-    pub bars: &'a [Bar<'a>],
-    /// What is said below.
-    pub words: &'a str,
-}
-
-/// The drawing as SVG; none without bars.
-pub fn factor_bars(drawing: &Bars<'_>) -> Option<String> {
-    let bars = drawing.bars;
+/// The bars from top to bottom as SVG, under title and second line, with words below; none without bars.
+pub fn factor_bars(name: &str, titles: [&str; 2], axis: &str, bars: &[Bar<'_>], words: &str) -> Option<String> {
     if bars.is_empty() {
         return None;
     }
     let most = bars.iter().map(|b| b.beyond.unwrap_or(b.factor).max(b.factor)).fold(1.0, f64::max);
-    let mut sheet = Sheet::new(drawing.name);
-    let top = sheet.title(drawing.title, drawing.second);
-    let small = Style { size: SMALL, ..Style::default() };
-    let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
+    let (mut sheet, top) = Sheet::titled(name, titles[0], titles[1]);
+    let small = Style::small();
     let short = |label: &str| match label.chars().count() > LONGEST {
         true => label.chars().take(LONGEST - 1).chain(['…']).collect(),
         false => label.to_owned(),
     };
-    let names = bars.iter().map(|b| wide(&short(b.label))).fold(60.0, f64::max);
+    let names = bars.iter().map(|b| small.width(&short(b.label))).fold(60.0, f64::max);
     let area = Area {
         left: MARGIN + names + 10.0,
         right: WIDTH - MARGIN - 46.0,
         top: top + 8.0,
         bottom: top + 8.0 + ROW * bars.len() as f64 + 8.0,
     };
-    let axis = Axis::exact(drawing.axis, 0.0, 1.05 * most, 7);
+    let axis = Axis::exact(axis, 0.0, 1.05 * most, 7);
     let x = |value: f64| area.left + (area.right - area.left) * value / axis.range[1];
     sheet.open("axes");
     for &value in &axis.ticks.values {
@@ -86,12 +67,9 @@ pub fn factor_bars(drawing: &Bars<'_>) -> Option<String> {
         sheet.text([x(bar.factor) + 6.0, foot], &format!("{:.3}", bar.factor), Style { halo: true, ..small });
     }
     sheet.line([area.left, area.top], [area.left, area.bottom], Pen::line(INK, 0.9));
-    sheet.text(
-        [0.5 * (area.left + area.right), area.bottom + 36.0],
-        axis.name,
-        Style::default().anchored(Anchor::Middle),
-    );
-    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, drawing.words, small);
+    let middle = 0.5 * (area.left + area.right);
+    sheet.text([middle, area.bottom + 36.0], axis.name, Style::default().anchored(Anchor::Middle));
+    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, words, small);
     Some(sheet.finish(bottom + 4.0))
 }
 
@@ -99,12 +77,6 @@ pub fn factor_bars(drawing: &Bars<'_>) -> Option<String> {
 pub fn case_factors(bridge: &str, cases: &[(String, f64)]) -> Option<String> {
     let bars: Vec<Bar<'_>> =
         cases.iter().map(|(name, factor)| Bar { label: name, factor: *factor, beyond: None }).collect();
-    factor_bars(&Bars {
-        name: "cases",
-        title: bridge,
-        second: "Factor on the loads of each named case",
-        axis: "factor on loads [–]",
-        bars: &bars,
-        words: "right of the dashed line a case is carried with its own factors; cases without a factor are in the table alone",
-    })
+    let words = "right of the dashed line a case is carried with its own factors; cases without a factor are in the table alone";
+    factor_bars("cases", [bridge, "Factor on the loads of each named case"], "factor on loads [–]", &bars, words)
 }

@@ -3,13 +3,12 @@
 use crate::bar::{Scale, quantile};
 use crate::colour::{blue_for_much, red_for_much};
 use crate::discs;
-use crate::elevation::{self as draw, INK};
+use crate::elevation as draw;
 use crate::figure::Figure;
 use crate::near::means;
-use crate::panels::{load, outline, panel, shown};
-use crate::sheet::{MARGIN, Pen, Sheet, WIDTH};
+use crate::panels::{coloured, load, panel, shown};
+use crate::sheet::{MARGIN, Sheet, WIDTH};
 use crate::stress::most_compressive;
-use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
 use std::f64::consts::PI;
@@ -33,9 +32,8 @@ pub fn fill_stress(picture: &Picture) -> Option<String> {
     let share = solid_share(picture).unwrap_or(1.0);
     let fill = averaged(picture, state, radius, share);
 
-    let mut sheet = Sheet::new("fill-stress");
     let second = format!("Stress in fill and masonry at {}, compression positive", load(picture, at));
-    let mut y = sheet.title(&picture.title, &second);
+    let (mut sheet, mut y) = Sheet::titled("fill-stress", &picture.title, &second);
     type Measure = fn([f64; 3]) -> f64;
     let kinds: [(&str, &str, Measure); 2] =
         [("a", "mean stress", mean_compression), ("b", "most compressive principal stress", most_compressive)];
@@ -45,27 +43,11 @@ pub fn fill_stress(picture: &Picture) -> Option<String> {
         let free = of_blocks.iter().zip(&picture.shapes).filter(|(_, shape)| !shape.held).map(|(s, _)| *s);
         let soil = scale("fill [kPa]", of_fill.iter().copied(), blue_for_much);
         let stone = scale("masonry [MPa]", free, red_for_much);
-        y = panel(
-            &mut sheet,
-            extent,
-            y,
-            &format!("panel-{letter}"),
-            &format!("({letter}) {name}"),
-            &mut |sheet, view| {
-                let place = |p: usize| discs::place(picture, Some(state), p);
-                discs::draw(sheet, view, picture, place, |p| soil.of(of_fill[p]).into());
-                let width = draw::outline_width(&picture.shapes, view);
-                for (k, shape) in picture.shapes.iter().enumerate() {
-                    let spots = view.spots(&outline(picture, Some(state), k));
-                    match shape.held {
-                        true => sheet.hatched(&spots, Pen::line(INK, width).class("support")),
-                        false => {
-                            sheet.polygon(&spots, Pen::shape(&stone.of(of_blocks[k]), INK, width).class("block"));
-                        }
-                    }
-                }
-            },
-        );
+        y = panel(&mut sheet, extent, y, &format!("panel-{letter}"), &format!("({letter}) {name}"), |sheet, view| {
+            discs::draw(sheet, view, picture, Some(state), |p| soil.of(of_fill[p]).into());
+            let width = draw::outline_width(&picture.shapes, view);
+            coloured(sheet, view, picture, state, width, |k| stone.of(of_blocks[k]));
+        });
         let middle = 0.5 * WIDTH;
         soil.draw(&mut sheet, MARGIN, middle - 10.0, y - 4.0);
         y = stone.draw(&mut sheet, middle + 10.0, WIDTH - MARGIN, y - 4.0) + 14.0;
@@ -76,8 +58,7 @@ pub fn fill_stress(picture: &Picture) -> Option<String> {
         words::metres(radius),
         words::three_digits(100.0 * (1.0 - SHARE)),
     );
-    y = sheet.caption(y - 4.0, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y - 4.0, &caption))
 }
 
 /// Mean of the principal stresses in the plane [Pa], compression positive.
@@ -90,9 +71,7 @@ fn mean_compression([xx, yy, _]: [f64; 3]) -> f64 {
 fn scale(title: &'static str, values: impl Iterator<Item = f64> + Clone, colour: fn(f64) -> String) -> Scale<'static> {
     let end = quantile(values.clone(), SHARE);
     let largest = values.filter(|v| v.is_finite()).fold(0.0, f64::max);
-    let ticks = Ticks::over(0.0, if end > 0.0 { end } else { 1.0 }, 5);
-    let cut = largest > ticks.range()[1];
-    Scale { title, ticks, colour, cut }
+    Scale::upto(title, [end, largest], 5, colour)
 }
 
 /// Share of the region that particles cover as packed; none where the region is not known.

@@ -4,7 +4,7 @@ use crate::discs;
 use crate::elevation as draw;
 use crate::figure::Figure;
 use crate::geometry::{Extent, Turn, View, as_built, largest_displacement, moved, round_down};
-use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
 use crate::words;
 use outcome::picture::{Motion, Picture};
 
@@ -59,8 +59,7 @@ impl Frames {
     /// Draws one state, or the bridge as built.
     pub fn draw(&self, sheet: &mut Sheet, view: &View, picture: &Picture, panel: Option<usize>) {
         let state = panel.map(|k| &picture.snapshots[k]);
-        let place = |k: usize| discs::place(picture, state, k);
-        discs::draw(sheet, view, picture, place, |k| discs::band_colour(picture, k).into());
+        discs::draw(sheet, view, picture, state, |k| discs::band_colour(picture, k).into());
         draw::blocks(sheet, view, &picture.shapes, |k| match state {
             Some(s) => moved(&picture.shapes[k], s.motions[k], self.scale, Turn::Finite),
             None => picture.shapes[k].outline.clone(),
@@ -80,25 +79,23 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
     let run = Frames::of(picture)?;
     let panels = panels(picture, &run.usable);
     let whole = run.extent;
-    let mut sheet = Sheet::new("collapse");
-    let top = sheet.title(&picture.title, &format!("Collapse, displacements {}", run.how()));
+    let (mut sheet, top) = Sheet::titled("collapse", &picture.title, &format!("Collapse, displacements {}", run.how()));
     let [w, h] = whole.size();
-    let columns = if panels.len() == 1 {
-        1
-    } else if h > 1.4 * w {
-        3.min(panels.len())
-    } else {
-        2
+    let columns = match panels.len() {
+        1 => 1,
+        count if h > 1.4 * w => count.min(3),
+        _ => 2,
     };
     let wide = (WIDTH - 2.0 * MARGIN - GAP * (columns - 1) as f64) / columns as f64;
     let high = (wide * h / w.max(1e-9)).min(300.0);
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
+    let words = |panel: Option<usize>| panel.map_or("as built".into(), |k| crate::panels::load(picture, k));
     let texts: Vec<String> = panels
         .iter()
         .enumerate()
-        .map(|(n, panel)| format!("({}) {}", char::from(b'a' + (n % 26) as u8), words_for(picture, *panel)))
+        .map(|(n, panel)| format!("({}) {}", char::from(b'a' + (n % 26) as u8), words(*panel)))
         .collect();
-    let lines = texts.iter().map(|t| font::wrap(t, style.size, style.weight, wide).len()).max().unwrap_or(1);
+    let lines = texts.iter().map(|t| style.wrap(t, wide).len()).max().unwrap_or(1);
     let pitch = high + 1.3 * SMALL * lines as f64 + 14.0;
     for (n, panel) in panels.iter().enumerate() {
         let (row, column) = (n / columns, n % columns);
@@ -154,10 +151,6 @@ fn choose(usable: &[usize], last_stable: Option<usize>, most: usize) -> Vec<usiz
     // Even steps that end at the last one.
     chosen.extend((1..=count).map(|k| rest[k * rest.len() / count - 1]));
     chosen
-}
-
-fn words_for(picture: &Picture, panel: Option<usize>) -> String {
-    panel.map_or("as built".into(), |k| crate::panels::load(picture, k))
 }
 
 #[cfg(test)]

@@ -67,6 +67,10 @@ impl View {
         let spare = (area.right - area.left) - scale * w;
         View { scale, origin: [area.left + 0.5 * spare - scale * extent.low[0], area.top + scale * extent.high[1]] }
     }
+    /// With so many units of the sheet per metre, and the origin at a spot.
+    pub fn new(scale: f64, origin: Spot) -> View {
+        View { scale, origin }
+    }
     /// Units of the sheet per metre.
     pub fn scale(&self) -> f64 {
         self.scale
@@ -74,6 +78,11 @@ impl View {
     /// Where a point is drawn.
     pub fn spot(&self, p: Point) -> Spot {
         [self.origin[0] + self.scale * p[0], self.origin[1] - self.scale * p[1]]
+    }
+    /// Where an extent is drawn.
+    pub fn area(&self, extent: Extent) -> Area {
+        let ([left, bottom], [right, top]) = (self.spot(extent.low), self.spot(extent.high));
+        Area { left, top, right, bottom }
     }
     /// Where points are drawn.
     pub fn spots(&self, points: &[Point]) -> Vec<Spot> {
@@ -162,14 +171,7 @@ pub fn round_down(x: f64) -> f64 {
     let power = 10f64.powf(x.log10().floor());
     // The allowance takes 1.9999999 of a rounded product for 2.
     let lead = x / power * (1.0 + 1e-9);
-    let step = if lead >= 5.0 {
-        5.0
-    } else if lead >= 2.0 {
-        2.0
-    } else {
-        1.0
-    };
-    step * power
+    [5.0, 2.0].into_iter().find(|step| lead >= *step).unwrap_or(1.0) * power
 }
 
 /// Distance from a point to a polygon's area [m]; zero inside.

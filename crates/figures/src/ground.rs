@@ -1,10 +1,11 @@
 //! A bridge from above, with skew, cracks and lines of wheels; and cut across its crown.
 
-use crate::elevation::{INK, frame, scale_bar};
-use crate::geometry::{Extent, View};
-use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, SMALL, Sheet, Spot, Style};
+use crate::dimension::tick;
+use crate::elevation::{INK, fit, scale_bar};
+use crate::geometry::Extent;
+use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, Sheet, Spot, Style};
 use crate::words::metres;
-use outcome::ground::GroundPlan;
+use outcome::ground::{GroundPlan, SpanInPlan};
 
 const BARREL: &str = "#e9e2d3";
 const SUPPORT: &str = "#cfc6b3";
@@ -27,40 +28,36 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
         first.from_to[0] - lean(first.skew, half).abs() - beyond,
         last.from_to[1] + lean(last.skew, half).abs() + beyond,
     ];
-    let mut sheet = Sheet::new("plan");
-    let top = sheet.title(&ground.bridge, "Plan at the springings");
+    let (mut sheet, top) = Sheet::titled("plan", &ground.bridge, "Plan at the springings");
     let across = ground.piers.iter().flat_map(|pier| &pier.outline).map(|p| p[1]);
     let [lowest, highest] = across.fold([-half, half], |[low, high], y| [low.min(y), high.max(y)]);
     let extent =
         Extent { low: [ends[0], lowest - 0.12 * ground.width], high: [ends[1], highest + 0.06 * ground.width] };
-    let view = View::fit(extent, frame(extent, top + 6.0, TALLEST[0]));
+    let (_, view) = fit(extent, top + 6.0, TALLEST[0]);
     let spot = |x: f64, y: f64| view.spot([x, y]);
-    let strip = |from: [f64; 2], to: [f64; 2], [low, high]: [f64; 2]| {
-        let at = |[x, skew]: [f64; 2], y: f64| spot(x + lean(skew, y), y);
-        [at(from, low), at(to, low), at(to, high), at(from, high)]
+    // Where a place of the bridge, as if it were square, stands with its skew.
+    let skewed = |x: f64, skew: f64, y: f64| spot(x + lean(skew, y), y);
+    let strip = |span: &SpanInPlan, [low, high]: [f64; 2]| {
+        let [from, to] = span.from_to;
+        [(from, low), (to, low), (to, high), (from, high)].map(|(x, y)| skewed(x, span.skew, y))
     };
     sheet.open("supports");
     let whole = [spot(ends[0], -half), spot(ends[1], -half), spot(ends[1], half), spot(ends[0], half)];
     sheet.polygon(&whole, Pen::shape(SUPPORT, "none", 0.0));
     for pier in ground.piers.iter().filter(|pier| pier.cutwaters > 0) {
-        let outline: Vec<Spot> = pier.outline.iter().map(|[x, y]| spot(x + lean(pier.skew, *y), *y)).collect();
+        let outline: Vec<Spot> = pier.outline.iter().map(|[x, y]| skewed(*x, pier.skew, *y)).collect();
         sheet.polygon(&outline, Pen::shape(SUPPORT, INK, MEDIUM));
     }
     sheet.close();
     sheet.open("spans");
     let carries = ground.vehicle.as_ref().and_then(|vehicle| vehicle.strip);
     for span in &ground.spans {
-        let [from, to] = span.from_to.map(|x| [x, span.skew]);
-        sheet.polygon(&strip(from, to, [-half, half]), Pen::shape(BARREL, "none", 0.0));
-        if let Some([low, high]) = carries {
-            sheet.polygon(&strip(from, to, [low - half, high - half]), Pen::shape(STRIP, "none", 0.0));
+        sheet.polygon(&strip(span, [-half, half]), Pen::shape(BARREL, "none", 0.0));
+        if let Some(carries) = carries {
+            sheet.polygon(&strip(span, carries.map(|y| y - half)), Pen::shape(STRIP, "none", 0.0));
         }
         for x in span.from_to {
-            sheet.line(
-                spot(x + lean(span.skew, -half), -half),
-                spot(x + lean(span.skew, half), half),
-                Pen::line(INK, MEDIUM),
-            );
+            sheet.line(skewed(x, span.skew, -half), skewed(x, span.skew, half), Pen::line(INK, MEDIUM));
         }
     }
     sheet.close();
@@ -72,11 +69,8 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
     sheet.open("cracks");
     for crack in &ground.cracks {
         let y = crack - half;
-        sheet.line(
-            spot(first.from_to[0] + lean(first.skew, y), y),
-            spot(last.from_to[1] + lean(last.skew, y), y),
-            Pen::line(CRACK, 1.8).dashed("6 3"),
-        );
+        let ends = [skewed(first.from_to[0], first.skew, y), skewed(last.from_to[1], last.skew, y)];
+        sheet.line(ends[0], ends[1], Pen::line(CRACK, 1.8).dashed("6 3"));
     }
     sheet.close();
     sheet.open("wheels");
@@ -85,22 +79,20 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
     }
     sheet.close();
     let mut below = view.spot(extent.low)[1] + 16.0;
-    let middle = Style { size: SMALL, ..Style::default() }.anchored(Anchor::Middle);
+    let middle = Style::small().anchored(Anchor::Middle);
     for (k, span) in ground.spans.iter().enumerate() {
-        let [a, b] = span.from_to.map(|x| spot(x + lean(span.skew, -half), -half));
+        let [a, b] = span.from_to.map(|x| skewed(x, span.skew, -half));
         let y = view.spot(extent.low)[1];
         dimension(&mut sheet, [a[0], y], [b[0], y], a[1]);
         let along = span.from_to[1] - span.from_to[0];
-        let words = match span.skew > 1e-6 {
-            true => format!("{} along the road, {} square", metres(along), metres(along * span.skew.cos())),
-            false => metres(along),
+        let words = match ground.spans.len() <= 4 {
+            true if span.skew > 1e-6 => {
+                format!("{} along the road, {} square", metres(along), metres(along * span.skew.cos()))
+            }
+            false if k > 0 => String::new(),
+            _ => metres(along),
         };
-        let middle_x = 0.5 * (a[0] + b[0]);
-        if ground.spans.len() <= 4 {
-            sheet.text([middle_x, y + 14.0], &words, middle);
-        } else if k == 0 {
-            sheet.text([middle_x, y + 14.0], &metres(along), middle);
-        }
+        sheet.text([0.5 * (a[0] + b[0]), y + 14.0], &words, middle);
         if span.skew > 1e-6 && ground.spans.len() <= 6 {
             // The normal of the springings beside the road's axis.
             let centre = spot(0.5 * (span.from_to[0] + span.from_to[1]), 0.0);
@@ -109,17 +101,13 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
             let tip = [centre[0] + reach * cosine, centre[1] + reach * sine];
             sheet.arrow(centre, tip, Pen::line(INK, 1.0));
             let style = Style::on_drawing().anchored(Anchor::Middle);
-            sheet.text(
-                [centre[0] + 0.5 * reach, centre[1] - 6.0],
-                &format!("skew {:.0}°", span.skew.to_degrees()),
-                style,
-            );
+            let words = format!("skew {:.0}°", span.skew.to_degrees());
+            sheet.text([centre[0] + 0.5 * reach, centre[1] - 6.0], &words, style);
         }
         below = y + 24.0;
     }
     let below = scale_bar(&mut sheet, &view, below);
-    let bottom = sheet.caption(below, &told(ground));
-    Some(sheet.finish(bottom))
+    Some(sheet.end(below, &told(ground)))
 }
 
 /// A dimension line between two places, with strokes up to a height.
@@ -127,7 +115,7 @@ fn dimension(sheet: &mut Sheet, from: Spot, to: Spot, up: f64) {
     sheet.line(from, to, Pen::line(INK, HAIR));
     for p in [from, to] {
         sheet.line([p[0], up], [p[0], p[1] + 4.0], Pen::line("#777777", HAIR));
-        sheet.line([p[0] - 3.0, p[1] + 3.0], [p[0] + 3.0, p[1] - 3.0], Pen::line(INK, 1.4));
+        tick(sheet, p);
     }
 }
 
@@ -172,16 +160,16 @@ pub fn cross_section(ground: &GroundPlan) -> Option<String> {
         return None;
     }
     let high = thickness + depth + parapet.max(if ground.vehicle.is_some() { 0.06 * ground.width } else { 0.0 });
-    let mut sheet = Sheet::new("cross-section");
-    let top = sheet.title(&ground.bridge, "Cross-section at the crown of the first span");
+    let (mut sheet, top) =
+        Sheet::titled("cross-section", &ground.bridge, "Cross-section at the crown of the first span");
     // Room beside the barrel for its levels.
     let beside = 0.34 * ground.width;
     let extent = Extent { low: [-0.03 * ground.width, -0.09 * ground.width], high: [ground.width + beside, high] };
-    let view = View::fit(extent, frame(extent, top + 6.0, TALLEST[1]));
+    let (_, view) = fit(extent, top + 6.0, TALLEST[1]);
     let spot = |x: f64, y: f64| view.spot([x, y]);
     let slab =
         |from: f64, to: f64, low: f64, high: f64| [spot(from, low), spot(to, low), spot(to, high), spot(from, high)];
-    let label = Style { size: SMALL, ..Style::default() };
+    let label = Style::small();
     let mut level = 0.0;
     let mut rows: Vec<(f64, String)> = Vec::new();
     sheet.open("rings");
@@ -236,14 +224,13 @@ pub fn cross_section(ground: &GroundPlan) -> Option<String> {
         }
         None => "The barrel without vehicles.".to_owned(),
     };
-    let bottom = sheet.caption(below, &words);
-    Some(sheet.finish(bottom))
+    Some(sheet.end(below, &words))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use outcome::ground::{PierInPlan, SpanInPlan, VehicleAcross};
+    use outcome::ground::{PierInPlan, VehicleAcross};
 
     fn ground() -> GroundPlan {
         GroundPlan {

@@ -1,10 +1,9 @@
 //! Load against displacement.
 
-use crate::chart::{Axes, Axis, Entry, Mark, key};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place};
 use crate::elevation::INK;
 use crate::figure::Figure;
-use crate::sheet::place::Room;
-use crate::sheet::{Pen, Sheet, Spot, Style};
+use crate::sheet::Pen;
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Step};
@@ -17,7 +16,6 @@ pub(crate) const FIGURE: Figure = Figure {
 };
 
 const CURVE: &str = "#0b5394";
-const HEIGHT: f64 = 360.0;
 
 /// Load over the vertical displacement of the watched point, down positive; the last stable load marked, steps
 /// that did not come to rest hollow. Nothing without a load path.
@@ -38,78 +36,74 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
     let reach = 2.0 * (settled[1] - settled[0]);
     let cut = reach > 0.0 && (all[1] > reach.max(settled[1]) * 2.0 || all[0] < -2.0 * reach);
     let shown = if cut { [settled[0], reach.max(settled[1])] } else { all };
-    let x = Ticks::over(shown[0], shown[1], 6);
+    let x = Axis::round(
+        "vertical displacement of the watched point, down positive [mm]",
+        Ticks::over(shown[0], shown[1], 6),
+    );
     let loads = range(&mut steps.iter().map(|s| load(s)));
     let y = Ticks::over(loads[0], loads[1] + 0.04 * (loads[1] - loads[0]), 6);
+    let (second, y_name) = match picture.moves_supports {
+        true => ("Support movement against displacement", "support movement [mm]"),
+        false => ("Load against displacement", "load [kN/m]"),
+    };
+    let size = |s: &Step| if picture.moves_supports { words::metres(s.load) } else { words::force(s.load) };
 
-    let mut sheet = Sheet::new("load");
-    let second =
-        if picture.moves_supports { "Support movement against displacement" } else { "Load against displacement" };
-    let top = sheet.title(&picture.title, second);
-    let x_name = "vertical displacement of the watched point, down positive [mm]";
-    let y_name = if picture.moves_supports { "support movement [mm]" } else { "load [kN/m]" };
-    let (axes, y_below) = Axes::draw(&mut sheet, top, HEIGHT, &Axis::round(x_name, x), &Axis::round(y_name, y));
-
-    let spots: Vec<Spot> = steps.iter().map(|s| axes.spot(sink(s), load(s))).collect();
-    let inside = |p: &Spot| p[0] >= axes.area.left - 0.5 && p[0] <= axes.area.right + 0.5;
-    let stay: Vec<Spot> = spots.iter().copied().take_while(inside).collect();
+    let [first, end] = x.range;
+    let hair = 7e-4 * (end - first);
+    let inside = |place: &Place| place[0] >= first - hair && place[0] <= end + hair;
+    let places: Vec<Place> = steps.iter().map(|s| [sink(s), load(s)]).collect();
+    let stay: Vec<Place> = places.iter().copied().take_while(inside).collect();
+    let mut panel = Panel::new(x, Axis::round(y_name, y));
     let mut leaving = None;
-    sheet.open("curve");
-    sheet.polyline(&stay, Pen::line(CURVE, 1.8).class("path"));
-    let leaves = stay.len() < spots.len();
-    if leaves && let Some(&last) = stay.last() {
-        let out = spots[stay.len()];
-        let edge = if out[0] > axes.area.right { axes.area.right } else { axes.area.left };
+    panel.open("curve");
+    panel.curve(&stay[..], Pen::line(CURVE, 1.8).class("path"));
+    let out = places.get(stay.len()).copied();
+    if let (Some(out), Some(&last)) = (out, stay.last()) {
+        let edge = if out[0] > end { end } else { first };
         let share = (edge - last[0]) / (out[0] - last[0]);
         let tip = [edge, last[1] + share * (out[1] - last[1])];
-        sheet.arrow(last, tip, Pen::line(CURVE, 1.8).dashed("6 4").class("leaves"));
-        sheet.avoid_line(&[last, tip]);
+        panel.add(move |sheet, axes| {
+            let (tail, tip) = (axes.spot(last), axes.spot(tip));
+            sheet.arrow(tail, tip, Pen::line(CURVE, 1.8).dashed("6 4").class("leaves"));
+            sheet.avoid_line(&[tail, tip]);
+        });
         leaving = Some(([0.5 * (last[0] + tip[0]), 0.5 * (last[1] + tip[1])], steps[stay.len()]));
     }
-    sheet.close();
-    sheet.avoid_line(&stay);
+    panel.close();
 
     let last_stable = last_stable(&steps);
-    if let Some(k) = last_stable.filter(|&k| inside(&spots[k])) {
-        let at = spots[k];
-        sheet.line([axes.area.left, at[1]], at, Pen::line(INK, 0.9).dashed("5 4").class("last-stable"));
-        sheet.avoid_line(&[[axes.area.left, at[1]], at]);
-        Mark::Ring.draw(&mut sheet, at, CURVE);
+    let shown_stable = last_stable.filter(|&k| inside(&places[k]));
+    if let Some(at) = shown_stable.map(|k| places[k]) {
+        panel.curve([[first, at[1]], at], Pen::line(INK, 0.9).dashed("5 4").class("last-stable"));
+        panel.mark(at, Mark::Ring, CURVE);
     }
-    for (step, &at) in steps.iter().zip(&spots).filter(|(_, p)| inside(p)) {
-        let mark = if step.at_rest { Mark::Full } else { Mark::Hollow };
-        mark.draw(&mut sheet, at, CURVE);
+    for (step, &at) in steps.iter().zip(&places).filter(|(_, place)| inside(place)) {
+        panel.mark(at, if step.at_rest { Mark::Full } else { Mark::Hollow }, CURVE);
     }
-    if let Some(k) = last_stable.filter(|&k| inside(&spots[k])) {
-        let size = if picture.moves_supports { words::metres(steps[k].load) } else { words::force(steps[k].load) };
-        let room = Room { area: axes.area.grown(-5.0), towards: [0.7, 0.7], clear: 13.0 };
-        sheet.label(spots[k], &format!("last stable: {size}"), Style::on_drawing(), room);
+    if let Some(k) = shown_stable {
+        panel.label(places[k], format!("last stable: {}", size(steps[k])), [0.7, 0.7], 13.0);
     }
     if let Some((at, step)) = leaving {
-        let size = if picture.moves_supports { words::metres(step.load) } else { words::force(step.load) };
-        let text = if step.at_rest { size } else { format!("{size}: did not come to rest") };
-        let room = Room { area: axes.area.grown(-5.0), towards: [0.0, -1.0], clear: 6.0 };
-        sheet.label(at, &text, Style::on_drawing(), room);
+        let rest = if step.at_rest { "" } else { ": did not come to rest" };
+        panel.label(at, format!("{}{rest}", size(step)), [0.0, -1.0], 6.0);
     }
 
-    let mut entries = vec![Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "in balance" }];
-    if steps.iter().zip(&spots).any(|(s, p)| !s.at_rest && inside(p)) {
-        entries.push(Entry { line: None, mark: Some((Mark::Hollow, CURVE)), text: "did not come to rest" });
+    let mut chart = Chart::of(panel, 360.0);
+    chart.key.push(Entry::line((CURVE, ""), "in balance").marked(Mark::Full, CURVE));
+    if steps.iter().zip(&places).any(|(s, place)| !s.at_rest && inside(place)) {
+        chart.key.push(Entry::mark(Mark::Hollow, CURVE, "did not come to rest"));
     }
     if last_stable.is_some() {
-        entries.push(Entry { line: None, mark: Some((Mark::Ring, INK)), text: "last stable" });
+        chart.key.push(Entry::mark(Mark::Ring, INK, "last stable"));
     }
-    let mut bottom = key(&mut sheet, y_below, &entries);
-    if leaves {
-        let far =
-            steps[stay.len()..].iter().map(|s| sink(s)).fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
-        let text = format!(
+    if out.is_some() {
+        let far = places[stay.len()..].iter().fold(0.0_f64, |a, b| if b[0].abs() > a.abs() { b[0] } else { a });
+        chart.words.push(format!(
             "The arrow leads to steps that left the chart: displacement up to {} mm when the run was stopped.",
             words::four_digits(far)
-        );
-        bottom = sheet.caption(bottom, &text);
+        ));
     }
-    Some(sheet.finish(bottom))
+    Some(chart.draw("load", &picture.title, second))
 }
 
 /// The last step that came to rest before the first one that did not.

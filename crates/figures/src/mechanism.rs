@@ -68,20 +68,18 @@ pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
         Some(_) => ("soil-mechanism", "Mechanism of blocks and fill"),
         None => ("mechanism", "Mechanism"),
     };
-    let mut sheet = Sheet::new(name);
     let second = match draw::collapse_load(picture) {
         Some(load) if picture.moves_supports => format!("{what} at a support movement of {}", words::metres(load)),
         Some(load) => format!("{what} at collapse, {}", words::force(load)),
         None => what.to_string(),
     };
-    let top = draw::heading(&mut sheet, picture, &second);
+    let (mut sheet, top) = draw::heading(name, picture, &second);
     let deformed = Extent::of((0..motions.len()).flat_map(&place)).unwrap_or(built);
     let extent = draw::extent(picture).map_or(deformed, |e| e.with(deformed));
     let extent = soil::around(extent, picture, scale);
     // Labels of hinges and tails of arrows stand above and below the blocks.
-    let frame = draw::frame(extent, top + soil::above(picture), draw::TALLEST);
-    let view = View::fit(extent, frame);
-    draw::faint_surface(&mut sheet, &view, picture);
+    let (frame, view) = draw::fit(extent, top + soil::above(picture), draw::TALLEST);
+    draw::surface(&mut sheet, &view, picture, draw::FAINT);
     discs::pale(&mut sheet, &view, picture, None);
     if soil::of(picture).is_some() {
         soil::open(&mut sheet, &view, extent);
@@ -146,8 +144,7 @@ pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
     } else if !picture.loads.is_empty() {
         caption = format!("{caption} {}", draw::LOAD_WORDS);
     }
-    y = sheet.caption(y, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y, &caption))
 }
 
 /// Open circles with number and edge, the labels outside the ring on the hinge's own side.

@@ -1,8 +1,9 @@
 //! The finite element mesh by zones: the whole bridge, and a part of it at a larger scale.
 
+use crate::chart::Key;
 use crate::elevation::{self as draw, INK};
 use crate::geometry::{Extent, View};
-use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH};
+use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style};
 use outcome::mesh::{MadeOf, MeshPicture};
 use outcome::picture::Point;
 
@@ -31,12 +32,10 @@ const LEAST: f64 = 0.9;
 
 /// The mesh of a bridge by zones, with its key; `title` names the bridge.
 pub fn mesh(title: &str, picture: &MeshPicture) -> String {
-    let mut sheet = Sheet::new("mesh");
-    let top = sheet.title(title, "Finite element mesh by zones");
+    let (mut sheet, top) = Sheet::titled("mesh", title, "Finite element mesh by zones");
     let Some(whole) = Extent::of(picture.nodes.iter().copied()) else { return sheet.finish(top) };
     let whole = whole.grown(0.01 * whole.size()[0]);
-    let frame = draw::frame(whole, top, 230.0);
-    let view = View::fit(whole, frame);
+    let (frame, view) = draw::fit(whole, top, 230.0);
     elements(&mut sheet, &view, picture, whole);
     base(&mut sheet, &view, picture);
     let close = close_up(picture, whole);
@@ -47,10 +46,8 @@ pub fn mesh(title: &str, picture: &MeshPicture) -> String {
         y = draw::scale_bar(&mut sheet, &view, y) + 12.0;
         sheet.text([MARGIN, y + 8.0], "The part within the dashed lines", Style::default());
         y += 16.0;
-        let frame = draw::frame(part, y, 430.0);
-        let near = View::fit(part, frame);
-        let spots = near.spots(&[part.low, part.high]);
-        let window = Area { left: spots[0][0], right: spots[1][0], top: spots[1][1], bottom: spots[0][1] };
+        let (_, near) = draw::fit(part, y, 430.0);
+        let window = near.area(part);
         sheet.open_clipped("close-up", "close", window);
         elements(&mut sheet, &near, picture, part);
         base(&mut sheet, &near, picture);
@@ -61,8 +58,7 @@ pub fn mesh(title: &str, picture: &MeshPicture) -> String {
         y = draw::scale_bar(&mut sheet, &view, y);
     }
     y = key(&mut sheet, y + 6.0, picture);
-    let y = sheet.caption(y + 2.0, &format!("{}.", picture.remark));
-    sheet.finish(y)
+    sheet.end(y + 2.0, &format!("{}.", picture.remark))
 }
 
 /// Elements that touch a part, joints and contacts over them.
@@ -126,38 +122,25 @@ fn close_up(picture: &MeshPicture, whole: Extent) -> Option<Extent> {
 
 /// Zones with their colours, and lines.
 fn key(sheet: &mut Sheet, top: f64, picture: &MeshPicture) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
-    let mut entries: Vec<(String, &str, bool)> = Vec::new();
+    let mut entries: Vec<((&str, bool), String)> = Vec::new();
     for &made_of in MadeOf::ALL {
-        let fill = colour(made_of);
         let zones = picture.zones.iter().filter(|zone| zone.made_of == made_of);
         let count: usize = zones.map(|zone| zone.quads).sum();
         if count > 0 {
-            entries.push((format!("{made_of} ({count})"), fill, false));
+            entries.push(((colour(made_of), false), format!("{made_of} ({count})")));
         }
     }
     for (kind, stroke, words) in LINES {
         if picture.interfaces.iter().any(|(_, known)| known == kind) {
-            entries.push((words.to_owned(), stroke, true));
+            entries.push(((stroke, true), words.to_owned()));
         }
     }
-    let (mut x, mut y) = (MARGIN, top + 12.0);
-    sheet.open("key");
-    for (text, ink, is_line) in &entries {
-        let wide = 28.0 + crate::sheet::font::width(text, style.size, style.weight);
-        if x > MARGIN && x + wide > WIDTH - MARGIN {
-            x = MARGIN;
-            y += 18.0;
-        }
-        if *is_line {
-            sheet.line([x, y - 4.0], [x + 18.0, y - 4.0], Pen::line(ink, 2.0));
-        } else {
+    let key = Key { words: 23.0, wide: 28.0, gap: 16.0, ..Key::ELEVATION };
+    key.draw(sheet, top, entries, |sheet, [x, y], (ink, is_line)| match is_line {
+        true => sheet.line([x, y - 4.0], [x + 18.0, y - 4.0], Pen::line(ink, 2.0)),
+        false => {
             let area = Area { left: x, right: x + 18.0, top: y - 10.0, bottom: y + 1.0 };
             sheet.rectangle(area, Pen::shape(ink, INK, HAIR));
         }
-        sheet.text([x + 23.0, y], text, style);
-        x += wide + 16.0;
-    }
-    sheet.close();
-    y + 6.0
+    })
 }

@@ -7,7 +7,7 @@ use crate::figure::Figure;
 use crate::geometry::{Extent, View};
 use crate::panels::{blocks, fits};
 use crate::sheet::place::Room;
-use crate::sheet::{Anchor, HAIR, Pen, SMALL, Sheet, Style};
+use crate::sheet::{Anchor, HAIR, Pen, Sheet, Style};
 use crate::words;
 use outcome::picture::{DimensionLine, Measure, Picture, Shape};
 
@@ -23,7 +23,6 @@ const TALLEST: f64 = 330.0;
 /// let go, coloured by layer. None without particles.
 pub fn packing(picture: &Picture) -> Option<String> {
     let extent = draw::extent(picture).filter(|_| discs::drawable(picture))?;
-    let mut sheet = Sheet::new("packing");
     let sizes = picture.particles.iter().map(|d| 2.0 * d.radius);
     let (least, most) = (sizes.clone().fold(f64::INFINITY, f64::min), sizes.fold(0.0, f64::max));
     let second = format!(
@@ -32,12 +31,11 @@ pub fn packing(picture: &Picture) -> Option<String> {
         words::metres(least),
         words::metres(most)
     );
-    let top = sheet.title(&picture.title, &second);
+    let (mut sheet, top) = Sheet::titled("packing", &picture.title, &second);
 
     // (a) the blocks that bring loads come after the packing.
     let first = Picture { shapes: standing(picture), snapshots: Vec::new(), ..picture.clone() };
-    let frame = draw::frame(extent, top + 20.0, TALLEST);
-    let view = View::fit(extent, frame);
+    let (frame, view) = draw::fit(extent, top + 20.0, TALLEST);
     discs::by_layer(&mut sheet, &view, &first, None);
     blocks(&mut sheet, &view, &first, None);
     lid(&mut sheet, &view, picture);
@@ -48,7 +46,7 @@ pub fn packing(picture: &Picture) -> Option<String> {
         picture.dimensions.iter().filter(|d| d.measure != Measure::Thickness).copied().collect();
     sizes.extend(depths(picture));
     let y = dimension::draw(&mut sheet, &view, &sizes, extent, room) + 4.0;
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     let limit = crate::sheet::WIDTH - 2.0 * crate::sheet::MARGIN;
     let text = "(a) as packed: pressed together under the lid, the ring held";
     let mut y = sheet.paragraph(crate::sheet::MARGIN, y, limit, text, style) + 10.0;
@@ -56,11 +54,10 @@ pub fn packing(picture: &Picture) -> Option<String> {
     // (b)
     if fits(picture, 0) {
         let state = &picture.snapshots[0];
-        let frame = draw::frame(extent, y, TALLEST);
-        let view = View::fit(extent, frame);
+        let (frame, view) = draw::fit(extent, y, TALLEST);
         discs::by_layer(&mut sheet, &view, picture, Some(state));
         blocks(&mut sheet, &view, picture, Some(state));
-        draw::surface(&mut sheet, &view, picture);
+        draw::surface(&mut sheet, &view, picture, draw::SURFACE);
         let sunk = picture.particles.iter().zip(&state.particles).map(|(d, now)| d.centre[1] - now.centre[1]);
         let mean = sunk.sum::<f64>() / picture.particles.len() as f64;
         let sense = if mean < 0.0 { "rose" } else { "sank" };
@@ -98,7 +95,7 @@ fn lid(sheet: &mut Sheet, view: &View, picture: &Picture) {
     let y = a[1] - 10.0;
     sheet.line([a[0], y], [b[0], y], Pen::line(INK, HAIR).class("dimension"));
     for x in [a[0], b[0]] {
-        sheet.line([x - 3.0, y + 3.0], [x + 3.0, y - 3.0], Pen::line(INK, 1.4));
+        dimension::tick(sheet, [x, y]);
     }
     let style = Style::on_drawing().anchored(Anchor::Middle);
     sheet.text([0.5 * (a[0] + b[0]), y - 4.0], &words::metres(extent.size()[0]), style);

@@ -1,21 +1,24 @@
 //! Elevations one below the other, each with its words.
 
-use crate::elevation as draw;
+use crate::elevation::{self as draw, INK};
 use crate::geometry::{Extent, View};
-use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
+use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};
 use crate::words;
 use outcome::picture::{Picture, Snapshot};
 
 /// Tallest of two elevations on a sheet.
 const TALLEST: f64 = 330.0;
 
-/// What is drawn in a panel.
-pub type Drawing<'a> = &'a mut dyn FnMut(&mut Sheet, &View);
-
 /// Draws one panel of the whole width below `top`, framed; its words stand below it. Returns the y below them.
-pub fn panel(sheet: &mut Sheet, extent: Extent, top: f64, name: &str, text: &str, content: Drawing) -> f64 {
-    let area = draw::frame(extent, top, TALLEST);
-    let view = View::fit(extent, area);
+pub fn panel(
+    sheet: &mut Sheet,
+    extent: Extent,
+    top: f64,
+    name: &str,
+    text: &str,
+    content: impl FnOnce(&mut Sheet, &View),
+) -> f64 {
+    let (area, view) = draw::fit(extent, top, TALLEST);
     // The frame hugs a bridge that is narrower than the sheet.
     let half = 0.5 * view.scale() * extent.size()[0];
     let middle = 0.5 * (area.left + area.right);
@@ -24,13 +27,32 @@ pub fn panel(sheet: &mut Sheet, extent: Extent, top: f64, name: &str, text: &str
     content(sheet, &view);
     sheet.close();
     sheet.rectangle(area, Pen::line("#9a9a9a", HAIR));
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     sheet.paragraph(MARGIN, area.bottom + 3.0, WIDTH - 2.0 * MARGIN, text, style) + 6.0
 }
 
 /// The blocks where they are in a state; those whose role is "block" only where wanted.
 pub fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
     draw::blocks(sheet, view, &picture.shapes, |k| outline(picture, state, k));
+}
+
+/// The blocks where they are in a state, each free one of its colour, asked for in their order.
+pub fn coloured(
+    sheet: &mut Sheet,
+    view: &View,
+    picture: &Picture,
+    state: &Snapshot,
+    support: f64,
+    mut colour: impl FnMut(usize) -> String,
+) {
+    let width = draw::outline_width(&picture.shapes, view);
+    for (k, shape) in picture.shapes.iter().enumerate() {
+        let spots = view.spots(&outline(picture, Some(state), k));
+        match shape.held {
+            true => sheet.hatched(&spots, Pen::line(INK, support).class("support")),
+            false => sheet.polygon(&spots, Pen::shape(&colour(k), INK, width).class("block")),
+        }
+    }
 }
 
 /// Outline of a block where it is in a state, or as built [m].

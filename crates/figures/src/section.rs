@@ -1,9 +1,9 @@
 //! A surveyed section of an intrados: its points on the fitted curve, and how far each lies from it.
 
-use crate::chart::{Axes, Axis};
+use crate::chart::{Axis, Panel, Place};
 use crate::elevation::{INK, scale_bar};
-use crate::geometry::{Extent, View};
-use crate::sheet::{Area, MARGIN, MEDIUM, Pen, Sheet, Spot, WIDTH};
+use crate::geometry::Extent;
+use crate::sheet::{MEDIUM, Pen, Sheet, Spot};
 use crate::ticks::Ticks;
 use outcome::section::{Section, Surveyed};
 
@@ -16,7 +16,6 @@ const LEFT_OUT: &str = "#c02020";
 
 /// The section as SVG.
 pub fn section_drawing(name: &str, section: &Section) -> String {
-    let mut sheet = Sheet::new("section");
     let kept = section.points.iter().filter(|point| !point.is_left_out).count();
     let second = format!(
         "Smooth curve through {kept} surveyed points: span {:.3} m, rise {:.3} m; points scatter by {:.1} mm",
@@ -24,7 +23,7 @@ pub fn section_drawing(name: &str, section: &Section) -> String {
         section.rise(),
         1e3 * section.scatter
     );
-    let top = sheet.title(name, &second);
+    let (mut sheet, top) = Sheet::titled("section", name, &second);
     let below = elevation(&mut sheet, section, top);
     let below = deviations(&mut sheet, section, below + 8.0);
     let left_out = section.left_out().count();
@@ -40,8 +39,7 @@ pub fn section_drawing(name: &str, section: &Section) -> String {
         1 => " The face of an abutment (dashed) is no part of the arch.",
         _ => " The faces of the abutments (dashed) are no part of the arch.",
     };
-    let bottom = sheet.caption(below, &(words + faces));
-    sheet.finish(bottom)
+    sheet.end(below, &(words + faces))
 }
 
 /// Points on the curve, to scale; returns what is below.
@@ -49,8 +47,7 @@ fn elevation(sheet: &mut Sheet, section: &Section, top: f64) -> f64 {
     let faces = || section.faces.iter().map(|face| [[face.x, face.top], [face.foot, face.bottom]]);
     let all = section.drawn.iter().copied().chain(section.points.iter().map(|point| point.at)).chain(faces().flatten());
     let Some(extent) = Extent::of(all) else { return top };
-    let area = crate::elevation::frame(extent, top, TALLEST);
-    let view = View::fit(extent, area);
+    let (_, view) = crate::elevation::fit(extent, top, TALLEST);
     sheet.open("section");
     let dots = |left_out: bool| {
         let of = section.points.iter().filter(move |point| point.is_left_out == left_out);
@@ -75,19 +72,16 @@ fn deviations(sheet: &mut Sheet, section: &Section, top: f64) -> f64 {
     let [low, high] = [places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max)];
     let x = Axis::exact("along the bridge, as surveyed [m]", low, high, 8);
     let y = Axis::round("from the curve, outwards [mm]", Ticks::over(-1.15 * largest, 1.15 * largest, 6));
-    let (axes, below) = Axes::draw(sheet, top, HEIGHT, &x, &y);
-    let Area { left, right, .. } = axes.area;
-    let edge = y.range;
-    let spot = |point: &Surveyed| axes.spot(point.at[0], (1e3 * point.deviation).clamp(edge[0], edge[1]));
-    sheet.open("deviations");
-    let zero = axes.spot(low, 0.0)[1];
-    sheet.line([left, zero], [right, zero], Pen::line(INK, 1.2));
-    let dots = |left_out: bool| {
-        section.points.iter().filter(move |p| p.is_left_out == left_out).map(&spot).collect::<Vec<Spot>>()
-    };
-    sheet.dots(&dots(false), 1.8, POINT);
-    sheet.dots(&dots(true), 3.4, LEFT_OUT);
-    sheet.close();
-    debug_assert!(right <= WIDTH - MARGIN);
-    below
+    let [lowest, highest] = y.range;
+    let place = |point: &Surveyed| [point.at[0], (1e3 * point.deviation).clamp(lowest, highest)];
+    let mut panel = Panel::new(x, y);
+    panel.open("deviations");
+    panel.level(0.0, Pen::line(INK, 1.2));
+    for (left_out, radius, colour) in [(false, 1.8, POINT), (true, 3.4, LEFT_OUT)] {
+        let points = section.points.iter().filter(|point| point.is_left_out == left_out);
+        let places: Vec<Place> = points.map(place).collect();
+        panel.add(move |sheet, axes| sheet.dots(&axes.spots(&places), radius, colour));
+    }
+    panel.close();
+    panel.whole(sheet, top, HEIGHT)
 }

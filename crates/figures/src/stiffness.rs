@@ -1,10 +1,9 @@
 //! Load over the stiffness of the joints, with that of rigid blocks as its asymptote.
 
-use crate::chart::{Axes, Axis, Entry, Mark, key};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place};
 use crate::elevation::INK;
 use crate::figure::Figure;
-use crate::sheet::place::Room;
-use crate::sheet::{Pen, Sheet, Spot, Style};
+use crate::sheet::Pen;
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::Picture;
@@ -18,7 +17,6 @@ pub(crate) const FIGURE: Figure = Figure {
 
 const CURVE: &str = "#0b5394";
 const RIGID: &str = "#a02020";
-const HEIGHT: f64 = 300.0;
 
 /// The largest load in balance over the stiffness of the joints, that of the result marked, and the load of rigid blocks. Nothing
 /// where only one stiffness was tried.
@@ -26,32 +24,27 @@ fn over_stiffness(picture: &Picture) -> Option<String> {
     let over = picture.over_stiffness.as_ref().filter(|over| over.points.len() > 1)?;
     let [first, last] = [over.points.first()?[0], over.points.last()?[0]];
     let most = over.points.iter().map(|point| point[1]).fold(over.rigid, f64::max) / 1e3;
-    let mut sheet = Sheet::new("stiffness");
-    let top = sheet.title(&picture.title, "Largest load in balance over the stiffness of the joints");
     let x = Axis::logarithmic("stiffness of the joints, as a multiple of that of this result [–]", first, last);
-    let y = Axis::round("load [kN/m]", Ticks::over(0.0, 1.04 * most, 6));
-    let (axes, bottom) = Axes::draw(&mut sheet, top, HEIGHT, &x, &y);
-    let rigid = [axes.spot(first, over.rigid / 1e3), axes.spot(last, over.rigid / 1e3)];
-    sheet.polyline(&rigid, Pen::line(RIGID, 1.4).dashed("9 4").class("rigid"));
-    sheet.avoid_line(&rigid);
-    let spots: Vec<Spot> = over.points.iter().map(|[times, load]| axes.spot(*times, load / 1e3)).collect();
-    sheet.polyline(&spots, Pen::line(CURVE, 1.8).class("curve"));
-    sheet.avoid_line(&spots);
-    for (&at, [times, load]) in spots.iter().zip(&over.points) {
+    let mut panel = Panel::new(x, Axis::round("load [kN/m]", Ticks::over(0.0, 1.04 * most, 6)));
+    panel.curve(
+        [first, last].map(|times| [times, over.rigid / 1e3]),
+        Pen::line(RIGID, 1.4).dashed("9 4").class("rigid"),
+    );
+    let places: Vec<Place> = over.points.iter().map(|[times, load]| [*times, load / 1e3]).collect();
+    panel.curve(&places[..], Pen::line(CURVE, 1.8).class("curve"));
+    for (place, [times, load]) in places.into_iter().zip(&over.points) {
         let own = *times == 1.0;
-        Mark::Full.draw(&mut sheet, at, if own { INK } else { CURVE });
+        panel.mark(place, Mark::Full, if own { INK } else { CURVE });
         if own {
-            let room = Room { area: axes.area.grown(-5.0), towards: [0.7, 0.7], clear: 11.0 };
-            sheet.label(at, &format!("this result: {}", words::force(*load)), Style::on_drawing(), room);
+            panel.label(place, format!("this result: {}", words::force(*load)), [0.7, 0.7], 11.0);
         }
     }
-    let rigid_words = format!("rigid blocks: {}", words::force(over.rigid));
-    let entries = [
-        Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "deformable joints" },
-        Entry { line: Some((RIGID, "9 4")), mark: None, text: &rigid_words },
+    let mut chart = Chart::of(panel, 300.0);
+    chart.key = vec![
+        Entry::line((CURVE, ""), "deformable joints").marked(Mark::Full, CURVE),
+        Entry::line((RIGID, "9 4"), format!("rigid blocks: {}", words::force(over.rigid))),
     ];
-    let bottom = key(&mut sheet, bottom, &entries);
-    Some(sheet.finish(bottom))
+    Some(chart.draw("stiffness", &picture.title, "Largest load in balance over the stiffness of the joints"))
 }
 
 #[cfg(test)]

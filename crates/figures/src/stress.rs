@@ -9,7 +9,6 @@ use crate::geometry::{
     Extent, Turn, View, as_built, back, centroid, exaggerated, largest_displacement, moved, round_down,
 };
 use crate::sheet::{Area, MARGIN, Pen, Sheet, WIDTH};
-use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
 
@@ -47,7 +46,6 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let scale = exaggeration(picture, state, extent);
     let place = |k: usize| moved(&picture.shapes[k], state.motions[k], scale, Turn::Finite);
 
-    let mut sheet = Sheet::new(&format!("stress-{snapshot}"));
     let at = if picture.moves_supports {
         format!("a support movement of {}", words::metres(state.load))
     } else {
@@ -59,21 +57,20 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
         () if picture.last_stable == Some(snapshot) => ", last stable",
         () => "",
     };
-    let top = draw::heading(&mut sheet, picture, &format!("Compressive stress at {at}{which}"));
+    let (mut sheet, top) =
+        draw::heading(&format!("stress-{snapshot}"), picture, &format!("Compressive stress at {at}{which}"));
     let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
     let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
     let shown = blocks_only.with(deformed.within(roomy));
     // Room for the bars.
     let shown = shown.grown(BAR / WIDTH * shown.size()[0].max(shown.size()[1]));
-    let frame = draw::frame(shown, top, draw::TALLEST);
-    let view = View::fit(shown, frame);
+    let (frame, view) = draw::fit(shown, top, draw::TALLEST);
 
     let compression = |k: usize| most_compressive(state.stresses[k]);
     let free = || (0..count).filter(|&k| !picture.shapes[k].held);
     let largest = free().map(compression).filter(|s| s.is_finite()).fold(0.0, f64::max);
-    let ticks = Ticks::over(0.0, if largest > 0.0 { largest / 1e6 } else { 1.0 }, 6);
-    let title = "most compressive principal stress, average of each block [MPa]";
-    let scale_of_stress = Scale { title, ticks, colour: dark_for_much, cut: false };
+    let name = "most compressive principal stress, average of each block [MPa]";
+    let scale_of_stress = Scale::upto(name, [largest / 1e6, 0.0], 6, dark_for_much);
 
     sheet.open_clipped("blocks", "room", frame);
     discs::pale(&mut sheet, &view, picture, Some(state));
@@ -109,8 +106,7 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
         caption += &format!(" Longest bar: {} MPa.", words::four_digits(highest / 1e6));
     }
     caption += &format!(" Largest average stress of a block: {} MPa.", words::four_digits(largest / 1e6));
-    y = sheet.caption(y, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y, &caption))
 }
 
 /// How many times larger displacements are drawn: a round number.

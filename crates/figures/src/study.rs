@@ -9,17 +9,14 @@ pub use heat_map::heat_map;
 pub use response::response;
 pub use tornado::tornado;
 
-use crate::all::{File, both};
+use crate::all::{File, written};
 use crate::raster::RasterError;
+use crate::words;
 use outcome::study::{Design, Study};
 
 /// Every figure of a study that there is material for.
 pub fn study(study: &Study) -> Result<Vec<File>, RasterError> {
-    let mut files = Vec::new();
-    for (name, svg) in study_drawings(study) {
-        files.extend(both(&name, &svg)?);
-    }
-    Ok(files)
+    written(study_drawings(study))
 }
 
 /// The same as SVG: name without extension, and drawing.
@@ -58,21 +55,14 @@ pub fn name_and_unit(name: &str) -> (String, &'static str) {
     (words.replace('_', " "), unit)
 }
 
-/// A name with its unit in brackets, as axes have it.
+/// A number's name with its unit in brackets.
 fn axis_name(name: &str) -> String {
     let (words, unit) = name_and_unit(name);
-    if unit.is_empty() { words } else { format!("{words} [{unit}]") }
-}
-
-/// A value as print has it: exponents raised.
-fn pretty(text: &str) -> String {
-    text.replace("^2", "²").replace("^3", "³")
+    words::named(&words, unit)
 }
 
 fn with_unit(number: f64, name: &str) -> String {
-    let (_, unit) = name_and_unit(name);
-    let digits = crate::words::four_digits(number);
-    if unit.is_empty() { digits } else { format!("{digits} {unit}") }
+    words::with_unit(words::four_digits(number), name_and_unit(name).1)
 }
 
 /// A range wide enough that noise does not look like a finding: a tenth of the size of the numbers in it at least.

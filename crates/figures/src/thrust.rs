@@ -21,7 +21,6 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         return None;
     }
     let built = as_built(&picture.shapes)?;
-    let mut sheet = Sheet::new("thrust");
     // Discrete elements are in equilibrium at the last stable load; limit analysis at collapse itself.
     let at_rest = picture.last_stable.and_then(|k| picture.snapshots.get(k)).map(|s| s.load);
     let second = match (at_rest, draw::collapse_load(picture)) {
@@ -33,15 +32,14 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         (_, Some(load)) => format!("Line of thrust at collapse, {}", words::force(load)),
         _ => "Line of thrust".to_string(),
     };
-    let top = draw::heading(&mut sheet, picture, &second);
+    let (mut sheet, top) = draw::heading("thrust", picture, &second);
     let extent = soil::around(draw::extent(picture).unwrap_or(built), picture, 0.0);
-    let frame = draw::frame(extent, top + soil::above(picture), draw::TALLEST);
-    let view = View::fit(extent, frame);
+    let (frame, view) = draw::fit(extent, top + soil::above(picture), draw::TALLEST);
     discs::pale(&mut sheet, &view, picture, None);
     soil::behind(&mut sheet, &view, extent, picture);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
-    draw::faint_surface(&mut sheet, &view, picture);
+    draw::surface(&mut sheet, &view, picture, draw::FAINT);
     draw::load_arrows(&mut sheet, &view, picture, None);
     soil::plates(&mut sheet, &view, picture, 0.0);
     lines(&mut sheet, &view, picture);
@@ -159,14 +157,11 @@ fn magnitudes(sheet: &mut Sheet, view: &View, rings: &[&[ThrustPoint]], room: Ro
     let Some(lowest) = rings.last() else { return };
     for (n, k) in told(lowest).into_iter().enumerate() {
         // Into the opening: below the crown, and from the springings towards the middle of the span.
-        let side = if upright(lowest) {
-            [1.0, 0.0]
-        } else if k == 0 {
-            [0.8, 0.6]
-        } else if k + 1 == lowest.len() {
-            [-0.8, 0.6]
-        } else {
-            [0.0, 1.0]
+        let side = match k {
+            _ if upright(lowest) => [1.0, 0.0],
+            0 => [0.8, 0.6],
+            _ if k + 1 == lowest.len() => [-0.8, 0.6],
+            _ => [0.0, 1.0],
         };
         let style = Style { colour: THRUST, ..Style::on_drawing() };
         let forces = rings.iter().filter_map(|ring| told(ring).get(n).map(|&k| words::force(ring[k].thrust)));

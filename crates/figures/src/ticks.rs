@@ -19,16 +19,7 @@ impl Ticks {
         let raw = span / count.max(1) as f64;
         let power = 10f64.powf(raw.log10().floor());
         let lead = raw / power;
-        let step = power
-            * if lead <= 1.0 + 1e-9 {
-                1.0
-            } else if lead <= 2.0 + 1e-9 {
-                2.0
-            } else if lead <= 5.0 + 1e-9 {
-                5.0
-            } else {
-                10.0
-            };
+        let step = power * [1.0, 2.0, 5.0].into_iter().find(|step| lead <= step + 1e-9).unwrap_or(10.0);
         let (first, last) = ((low / step + 1e-9).floor() as i64, (high / step - 1e-9).ceil() as i64);
         let last = last.max(first + 1);
         let decimals = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 12.0) as usize;

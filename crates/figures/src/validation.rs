@@ -2,11 +2,11 @@
 
 mod marks;
 
-use crate::all::{File, both};
-use crate::chart::Axis;
+use crate::all::{File, written};
+use crate::chart::{Axis, Key};
 use crate::elevation::INK;
 use crate::raster::RasterError;
-use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
 use marks::{colour, mark};
 use outcome::validation::{Bias, Prediction, Predictor, Tested, Validation};
 
@@ -24,16 +24,15 @@ const FARTHEST: [f64; 2] = [0.02, 20.0];
 
 /// The figure of a validation, as the files it is written to.
 pub fn validation(found: &Validation) -> Result<Vec<File>, RasterError> {
-    let drawing = validation_drawing(found).map(|svg| both("validation", &svg)).transpose()?;
-    Ok(drawing.into_iter().flatten().collect())
+    written(validation_drawing(found).map(|svg| ("validation".to_owned(), svg)).into_iter().collect())
 }
 
 /// The same as SVG. None without a prediction.
 pub fn validation_drawing(found: &Validation) -> Option<String> {
     let methods: Vec<Predictor> = found.statistics.iter().map(|one| one.by).collect();
     let range = range(found)?;
-    let mut sheet = Sheet::new("validation");
-    let top = sheet.title(
+    let (mut sheet, top) = Sheet::titled(
+        "validation",
         "Prediction over test",
         "Bridges loaded to collapse, all predicted from one set of prior values; nothing is fitted to a test",
     );
@@ -49,8 +48,7 @@ pub fn validation_drawing(found: &Validation) -> Option<String> {
     let caption = "Thick: priors at their least and their largest values. Thin: dimensions that were not read at the ends of their intervals \
                    too; of particles, the packings. An arrow goes on beyond the axis. Right: prediction over test.";
     let bottom = sheet.caption(bottom + 2.0, caption);
-    let bottom = sheet.caption(bottom, &doubts(found));
-    Some(sheet.finish(bottom))
+    Some(sheet.end(bottom, &doubts(found)))
 }
 
 /// What a reader should know of tests, after their marks.
@@ -80,32 +78,30 @@ fn range(found: &Validation) -> Option<[f64; 2]> {
 /// Where everything is drawn.
 struct Plane {
     area: Area,
-    range: [f64; 2],
+    axis: Axis<'static>,
     methods: usize,
     /// The top of each row: tests, and all of them together.
     rows: Vec<f64>,
 }
 
 impl Plane {
-    fn new(found: &Validation, methods: usize, top: f64, range: [f64; 2]) -> Plane {
-        let bold = Style { weight: font::Weight::Bold, ..Style::default() };
-        let names =
-            found.tests.iter().map(|test| font::width(&name(test), bold.size, bold.weight)).fold(96.0, f64::max);
-        let high = LINE * methods as f64 + GAP;
-        let rows: Vec<f64> = (0..=found.tests.len()).map(|row| top + 26.0 + high * row as f64).collect();
+    fn new(found: &Validation, methods: usize, top: f64, [low, high]: [f64; 2]) -> Plane {
+        let bold = Style::bold();
+        let names = found.tests.iter().map(|test| bold.width(&name(test))).fold(96.0, f64::max);
+        let pitch = LINE * methods as f64 + GAP;
+        let rows: Vec<f64> = (0..=found.tests.len()).map(|row| top + 26.0 + pitch * row as f64).collect();
         let area = Area {
             left: MARGIN + names + 14.0,
             right: WIDTH - MARGIN - WORDS,
             top: top + 22.0,
-            bottom: top + 26.0 + high * rows.len() as f64,
+            bottom: top + 26.0 + pitch * rows.len() as f64,
         };
-        Plane { area, range, methods, rows }
+        Plane { area, axis: Axis::logarithmic("prediction over test", low, high), methods, rows }
     }
 
     fn x(&self, over: f64) -> f64 {
-        let [low, high] = self.range;
-        let share = (over.clamp(low, high) / low).ln() / (high / low).ln();
-        self.area.left + share * (self.area.right - self.area.left)
+        let [low, high] = self.axis.range;
+        self.area.left + self.axis.share(over.clamp(low, high)) * (self.area.right - self.area.left)
     }
 
     /// The middle of a method's line in a row.
@@ -115,53 +111,49 @@ impl Plane {
 
     fn draw(&self, sheet: &mut Sheet) {
         let Area { left, right, top, bottom } = self.area;
-        let small = Style { size: SMALL, ..Style::default() };
         sheet.open("axes");
         sheet.rectangle(Area { left: self.x(1.0), right, top, bottom }, Pen::shape(TOO_HIGH, "none", 0.0));
-        let axis = Axis::logarithmic("prediction over test", self.range[0], self.range[1]);
-        for &value in &axis.ticks.values {
+        for &value in &self.axis.ticks.values {
             let x = self.x(value);
             sheet.line([x, top], [x, bottom], Pen::line("#d0d0d0", HAIR));
             sheet.line([x, bottom], [x, bottom + 5.0], Pen::line(INK, 0.9));
-            sheet.text([x, bottom + 19.0], &axis.words(value), small.anchored(Anchor::Middle));
+            sheet.text([x, bottom + 19.0], &self.axis.words(value), Style::small().anchored(Anchor::Middle));
         }
         for &row in &self.rows[1..] {
             sheet.line([MARGIN, row], [WIDTH - MARGIN, row], Pen::line("#b0b0b0", HAIR));
         }
         sheet.rectangle(self.area, Pen::line(INK, 0.9));
-        sheet.text([0.5 * (left + right), bottom + 38.0], axis.name, Style::default().anchored(Anchor::Middle));
-        let grey = Style { colour: GREY_TEXT, ..small };
-        sheet.text([self.x(1.0) - 8.0, top - 6.0], "careful", grey.anchored(Anchor::End));
-        sheet.text([self.x(1.0) + 8.0, top - 6.0], "more than the test carried", grey);
+        sheet.text([0.5 * (left + right), bottom + 38.0], self.axis.name, Style::default().anchored(Anchor::Middle));
+        sheet.text([self.x(1.0) - 8.0, top - 6.0], "careful", Style::grey().anchored(Anchor::End));
+        sheet.text([self.x(1.0) + 8.0, top - 6.0], "more than the test carried", Style::grey());
         sheet.close();
     }
 
-    fn test(&self, sheet: &mut Sheet, row: usize, test: &Tested) {
-        let bold = Style { weight: font::Weight::Bold, ..Style::default() };
+    /// A row's name to the left of it, and words below the name.
+    fn name(&self, sheet: &mut Sheet, row: usize, name: &str, words: &str) {
         let middle = self.rows[row] + 0.5 * (GAP + LINE * self.methods as f64);
         let edge = self.area.left - 12.0;
-        sheet.text([edge, middle - 3.0], &name(test), bold.anchored(Anchor::End));
-        let load = format!("{:.0} kN", test.carried / 1e3);
-        let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
-        sheet.text([edge, middle + 13.0], &load, grey.anchored(Anchor::End));
+        sheet.text([edge, middle - 3.0], name, Style::bold().anchored(Anchor::End));
+        sheet.text([edge, middle + 13.0], words, Style::grey().anchored(Anchor::End));
+    }
+
+    fn test(&self, sheet: &mut Sheet, row: usize, test: &Tested) {
+        self.name(sheet, row, &name(test), &format!("{:.0} kN", test.carried / 1e3));
         for (line, one) in test.predictions.iter().enumerate() {
             let y = self.y(row, line);
             let over = |load: f64| test.over(load);
-            self.interval(sheet, y, one.by_dimensions.map(|ends| ends.map(over)), 1.0, colour(one.by));
-            self.interval(sheet, y, one.by_packings.map(|ends| ends.map(over)), 1.0, colour(one.by));
-            self.interval(sheet, y, one.by_priors.map(|ends| ends.map(over)), 4.0, colour(one.by));
+            for (ends, width) in [(one.by_dimensions, 1.0), (one.by_packings, 1.0), (one.by_priors, 4.0)] {
+                self.interval(sheet, y, ends.map(|ends| ends.map(over)), width, colour(one.by));
+            }
             for other in [one.half_strength, one.dilating].into_iter().flatten() {
                 self.tick(sheet, over(other), y, colour(one.by));
             }
             if let Some(load) = one.load {
                 mark(sheet, [self.x(over(load)), y], one.by);
-            }
-            if one.load.is_none() {
+            } else {
                 let words = Style { colour: ALARM, ..Style::on_drawing() };
-                let room = self.area.right - self.area.left - 16.0;
-                let lines = font::wrap(&one.ended.replace('-', " "), SMALL, words.weight, room);
-                let at = [self.area.left + 8.0, y + 0.5 * font::CAPITAL * SMALL];
-                sheet.text(at, lines.first().map_or("", String::as_str), words);
+                let ended = words.first_line(&one.ended.replace('-', " "), self.area.right - self.area.left - 16.0);
+                sheet.text([self.area.left + 8.0, y + 0.5 * font::CAPITAL * SMALL], &ended, words);
             }
             self.words(sheet, y, one.by, &one.load.map_or("no load".to_owned(), |load| number(over(load))));
         }
@@ -173,8 +165,8 @@ impl Plane {
         let pen = Pen::line(colour, width).class("interval");
         let (a, b) = (self.x(low), self.x(high));
         sheet.line([a, y], [b, y], pen);
-        let beyond = [low < self.range[0], high > self.range[1]];
-        for (x, side, beyond) in [(a, -1.0, beyond[0]), (b, 1.0, beyond[1])] {
+        let [first, last] = self.axis.range;
+        for (x, side, beyond) in [(a, -1.0, low < first), (b, 1.0, high > last)] {
             if beyond {
                 let wing = |up: f64| [x - 7.0 * side, y + 4.0 * up];
                 sheet.polygon(&[[x, y], wing(1.0), wing(-1.0)], Pen::shape(colour, colour, HAIR));
@@ -186,28 +178,22 @@ impl Plane {
 
     /// Another answer of the same method: with half of the strength, or with dilation.
     fn tick(&self, sheet: &mut Sheet, over: f64, y: f64, colour: &str) {
-        if over >= self.range[0] && over <= self.range[1] {
+        if self.axis.holds(over) {
             sheet.circle([self.x(over), y], 3.0, Pen::shape("white", colour, MEDIUM).class("other"));
         }
     }
 
     fn words(&self, sheet: &mut Sheet, y: f64, by: Predictor, words: &str) {
-        let small = Style { size: SMALL, ..Style::default() };
         let drop = y + 0.5 * font::CAPITAL * SMALL;
         let left = self.area.right + 12.0;
-        sheet.text([left, drop], by.word(), Style { colour: GREY_TEXT, ..small });
-        sheet.text([left + 76.0, drop], words, small);
+        sheet.text([left, drop], by.word(), Style::grey());
+        sheet.text([left + 76.0, drop], words, Style::small());
     }
 
     /// Medians of all tests with one standard deviation of the logarithm to both sides.
     fn all(&self, sheet: &mut Sheet, found: &Validation) {
         let row = self.rows.len() - 1;
-        let bold = Style { weight: font::Weight::Bold, ..Style::default() };
-        let middle = self.rows[row] + 0.5 * (GAP + LINE * self.methods as f64);
-        let edge = self.area.left - 12.0;
-        sheet.text([edge, middle - 3.0], "all tests", bold.anchored(Anchor::End));
-        let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
-        sheet.text([edge, middle + 13.0], "median, scatter", grey.anchored(Anchor::End));
+        self.name(sheet, row, "all tests", "median, scatter");
         for (line, one) in found.statistics.iter().enumerate() {
             let y = self.y(row, line);
             let Bias { by, median: Some(median), scatter, .. } = one else {
@@ -238,31 +224,20 @@ fn number(over: f64) -> String {
 
 /// What marks mean; returns the y below.
 fn key(sheet: &mut Sheet, top: f64, found: &Validation, methods: &[Predictor]) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
-    let (mut x, mut y) = (MARGIN, top + 14.0);
-    let mut place = |sheet: &mut Sheet, words: &str, draw: &dyn Fn(&mut Sheet, [f64; 2])| {
-        let wide = 24.0 + font::width(words, SMALL, style.weight);
-        if x > MARGIN && x + wide > WIDTH - MARGIN {
-            (x, y) = (MARGIN, y + 18.0);
-        }
-        draw(sheet, [x + 9.0, y - 4.0]);
-        sheet.text([x + 22.0, y], words, style);
-        x += wide + 18.0;
-        y
-    };
-    sheet.open("key");
-    let mut bottom = top;
-    for &by in methods {
-        bottom = place(sheet, &format!("{}: {}", by.word(), by.about()), &|sheet, at| mark(sheet, at, by));
-    }
+    let mut entries: Vec<(Option<Predictor>, String)> =
+        methods.iter().map(|by| (Some(*by), format!("{}: {}", by.word(), by.about()))).collect();
     let others = |one: &Prediction| one.half_strength.is_some() || one.dilating.is_some();
     if found.tests.iter().any(|test| test.predictions.iter().any(others)) {
-        let words = "continuum with half of its strength (left) and with dilation (right)";
-        let pen = Pen::shape("white", colour(Predictor::Continuum), MEDIUM);
-        bottom = place(sheet, words, &|sheet, at| sheet.circle(at, 3.0, pen));
+        entries.push((None, "continuum with half of its strength (left) and with dilation (right)".to_owned()));
     }
-    sheet.close();
-    bottom + 6.0
+    let key = Key { words: 22.0, wide: 24.0, below: 6.0, ..Key::CHART };
+    key.draw(sheet, top, entries, |sheet, [x, y], by| match by {
+        Some(by) => mark(sheet, [x + 9.0, y - 4.0], by),
+        None => {
+            let pen = Pen::shape("white", colour(Predictor::Continuum), MEDIUM);
+            sheet.circle([x + 9.0, y - 4.0], 3.0, pen);
+        }
+    })
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Adequacy factors of vehicles, worst first, and the factor of the governing one over its position.
 
 use crate::envelope::{Ordinate, Sweep, envelope};
-use crate::factor_bars::{Bar, Bars, factor_bars};
+use crate::factor_bars::{Bar, factor_bars};
 use outcome::vehicles::{Direction, EnvelopePoint, Swept, VehicleSweep};
 
 /// Names and drawings of a sweep of vehicles.
@@ -86,14 +86,9 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
         false => "right of the dashed line the bridge carries the vehicle with the rule's factors",
     };
     let outlined = if both { "; outlined: what rigid blocks would carry" } else { "" };
-    factor_bars(&Bars {
-        name: "adequacy",
-        title: &found.bridge,
-        second: &format!("Adequacy factor of vehicles{method}, rule \u{201c}{}\u{201d}", found.rule.code),
-        axis: "adequacy factor [–]",
-        bars: &bars,
-        words: &format!("{words}{outlined}"),
-    })
+    let second = format!("Adequacy factor of vehicles{method}, rule \u{201c}{}\u{201d}", found.rule.code);
+    let words = format!("{words}{outlined}");
+    factor_bars("adequacy", [&found.bridge, &second], "adequacy factor [–]", &bars, &words)
 }
 
 #[cfg(test)]

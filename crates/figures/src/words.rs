@@ -38,6 +38,21 @@ pub fn three_digits(x: f64) -> String {
     four_digits((x / unit).round() * unit)
 }
 
+/// A unit as print has it: exponents raised.
+pub fn raised(unit: &str) -> String {
+    unit.replace("^2", "²").replace("^3", "³")
+}
+
+/// A name with its unit in brackets, as axes have it.
+pub fn named(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} [{}]", raised(unit)) }
+}
+
+/// A number with its unit.
+pub fn with_unit(number: String, unit: &str) -> String {
+    if unit.is_empty() { number } else { format!("{number} {}", raised(unit)) }
+}
+
 /// A factor by which something is drawn larger.
 pub fn times(x: f64) -> String {
     format!("{} times", four_digits(x))

@@ -7,7 +7,6 @@ mod palette;
 use crate::discs;
 use crate::elevation as draw;
 use crate::frames::{BANDS, Frames};
-use crate::geometry::View;
 use crate::raster::{RasterError, Rasteriser};
 use crate::sheet::font::Weight;
 use crate::sheet::{MARGIN, Sheet, Style, TITLE, WIDTH};
@@ -50,10 +49,8 @@ fn thinned(usable: &[usize], last_stable: Option<usize>) -> Vec<usize> {
 
 /// One frame, of the same size as all others.
 fn frame(picture: &Picture, run: &Frames, snapshot: usize) -> String {
-    let mut sheet = Sheet::new("frame");
-    let top = sheet.title(&picture.title, &format!("Displacements {}", run.how()));
-    let area = draw::frame(run.extent, top, TALLEST);
-    let view = View::fit(run.extent, area);
+    let (mut sheet, top) = Sheet::titled("frame", &picture.title, &format!("Displacements {}", run.how()));
+    let (area, view) = draw::fit(run.extent, top, TALLEST);
     sheet.open_clipped("bridge", "room", area);
     run.draw(&mut sheet, &view, picture, Some(snapshot));
     sheet.close();

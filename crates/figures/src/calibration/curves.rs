@@ -1,12 +1,10 @@
 //! Stress over strain at each multiple of the stiffness.
 
 use super::STYLES;
-use crate::chart::{Axes, Axis, Entry, key};
-use crate::sheet::{HAIR, Pen, Sheet, Spot};
+use crate::chart::{Axis, Chart, Entry, Panel, Place};
+use crate::sheet::{HAIR, Pen};
 use crate::ticks::Ticks;
 use outcome::calibration::{CalibrationReport, Measured};
-
-const HEIGHT: f64 = 380.0;
 
 /// Mean curves of the table's multiples with a band of one standard deviation of the strain to either side.
 pub fn stress_strain(report: &CalibrationReport) -> Option<String> {
@@ -17,46 +15,40 @@ pub fn stress_strain(report: &CalibrationReport) -> Option<String> {
     if !(strain > 0.0 && strain.is_finite() && stress > 0.0) {
         return None;
     }
-    let mut sheet = Sheet::new("stress-strain");
+    let x = Axis::round("strain since the block rested by itself [per mille]", Ticks::over(0.0, 1e3 * strain, 7));
+    let y = Axis::round("mean stress under the block [kPa]", Ticks::over(0.0, 1e-3 * stress, 6));
+    let styles = || rows.iter().zip(STYLES.iter().cycle());
+    let pales: Vec<String> = styles().map(|(_, (colour, _))| pale(colour)).collect();
+    // The curve, moved by so many standard deviations of its strain.
+    let line = |m: &Measured, by: f64| -> Vec<Place> {
+        m.curve.iter().map(|(p, deviation)| [1e3 * (p.strain + by * deviation), 1e-3 * p.stress]).collect()
+    };
+    let mut panel = Panel::new(x, y);
+    panel.clip("bands", "plane");
+    for (m, pale) in rows.iter().zip(&pales) {
+        let band: Vec<Place> = line(m, 1.0).into_iter().chain(line(m, -1.0).into_iter().rev()).collect();
+        panel.area(band, Pen::shape(pale, "none", 0.0).class("band"));
+    }
+    // Bands lie over one another: their edges show through.
+    for (m, (colour, _)) in styles() {
+        for by in [-1.0, 1.0] {
+            panel.line(line(m, by), Pen::line(colour, HAIR).class("edge"));
+        }
+    }
+    panel.close();
+    panel.clip("curves", "plane-curves");
+    for (m, (colour, dashes)) in styles() {
+        panel.line(line(m, 0.0), Pen::line(colour, 1.8).dashed(dashes).class("curve"));
+        panel.circles(line(m, 0.0), 2.2, Pen::shape(colour, "none", 0.0));
+    }
+    panel.close();
+    let mut chart = Chart::of(panel, 380.0);
+    chart.key = styles().map(|(m, style)| Entry::line(*style, label(report, m))).collect();
     let second = format!(
         "Stress over strain of confined squares of fill; mean of {} squares and one standard deviation",
         report.squares
     );
-    let top = sheet.title(&report.bridge, &second);
-    let x = Axis::round("strain since the block rested by itself [per mille]", Ticks::over(0.0, 1e3 * strain, 7));
-    let y = Axis::round("mean stress under the block [kPa]", Ticks::over(0.0, 1e-3 * stress, 6));
-    let (axes, mut bottom) = Axes::draw(&mut sheet, top, HEIGHT, &x, &y);
-    let spot = |strain: f64, stress: f64| axes.spot(1e3 * strain, 1e-3 * stress);
-    sheet.open_clipped("bands", "plane", axes.area);
-    for (k, m) in rows.iter().enumerate() {
-        let (colour, _) = STYLES[k % STYLES.len()];
-        let side = |sign: f64| m.curve.iter().map(move |(p, d)| (p.strain + sign * d, p.stress));
-        let band: Vec<Spot> = side(1.0).chain(side(-1.0).rev()).map(|(strain, stress)| spot(strain, stress)).collect();
-        sheet.polygon(&band, Pen::shape(&pale(colour), "none", 0.0).class("band"));
-    }
-    // Bands lie over one another: their edges show through.
-    for (k, m) in rows.iter().enumerate() {
-        for sign in [-1.0, 1.0] {
-            let edge: Vec<Spot> = m.curve.iter().map(|(p, d)| spot(p.strain + sign * d, p.stress)).collect();
-            sheet.polyline(&edge, Pen::line(STYLES[k % STYLES.len()].0, HAIR).class("edge"));
-        }
-    }
-    sheet.close();
-    sheet.open_clipped("curves", "plane-curves", axes.area);
-    for (k, m) in rows.iter().enumerate() {
-        let (colour, dashes) = STYLES[k % STYLES.len()];
-        let line: Vec<Spot> = m.curve.iter().map(|(p, _)| spot(p.strain, p.stress)).collect();
-        sheet.polyline(&line, Pen::line(colour, 1.8).dashed(dashes).class("curve"));
-        for &at in &line {
-            sheet.circle(at, 2.2, Pen::shape(colour, "none", 0.0));
-        }
-    }
-    sheet.close();
-    let words: Vec<String> = rows.iter().map(|m| label(report, m)).collect();
-    let entry = |k: usize| Entry { line: Some(STYLES[k % STYLES.len()]), mark: None, text: &words[k] };
-    let entries: Vec<Entry> = (0..rows.len()).map(entry).collect();
-    bottom = key(&mut sheet, bottom, &entries);
-    Some(sheet.finish(bottom))
+    Some(chart.draw("stress-strain", &report.bridge, &second))
 }
 
 fn label(report: &CalibrationReport, m: &Measured) -> String {

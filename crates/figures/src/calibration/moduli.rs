@@ -1,15 +1,12 @@
 //! Moduli over the multiple of the stiffness.
 
 use super::STYLES;
-use crate::chart::{Axes, Axis, Entry, Mark, key};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place};
 use crate::elevation::INK;
-use crate::sheet::place::Room;
-use crate::sheet::{MEDIUM, Pen, Sheet, Spot, Style};
+use crate::sheet::{MEDIUM, Pen};
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::calibration::{At, CalibrationReport, Measured, Spread};
-
-const HEIGHT: f64 = 380.0;
 
 /// Mean moduli with bars of two standard errors to either side, moduli from elsewhere, the wanted modulus and what was
 /// found for it.
@@ -37,60 +34,53 @@ pub fn moduli(report: &CalibrationReport) -> Option<String> {
         return None;
     }
     let high = high.max(report.plan.wanted_modulus.unwrap_or(0.0));
-    let mut sheet = Sheet::new("moduli");
-    let top = sheet.title(&report.bridge, "Modulus of confined fill over the stiffness of its contacts");
     let x_name =
         format!("multiple of the contact stiffness of the file, {:.3} GPa/m normal", report.stiffness[0] / 1e9);
     let x = Axis::round(&x_name, Ticks::over(0.0, 1.04 * wide, 8));
-    let y = Axis::round("modulus [MPa]", Ticks::over(0.0, high / 1e6, 7));
-    let (axes, mut bottom) = Axes::draw(&mut sheet, top, HEIGHT, &x, &y);
+    let mut panel = Panel::new(x, Axis::round("modulus [MPa]", Ticks::over(0.0, high / 1e6, 7)));
     let mut entries: Vec<Entry> = Vec::new();
-    sheet.open_clipped("moduli", "plane", axes.area);
+    panel.clip("moduli", "plane");
     for (k, (name, of)) in kinds.iter().enumerate() {
         let (colour, dashes) = STYLES[k];
         let points: Vec<(f64, Spread)> = rows.iter().filter_map(|m| Some((m.multiple, of(m)?))).collect();
-        let line: Vec<Spot> = points.iter().map(|(m, s)| axes.spot(*m, s.mean / 1e6)).collect();
-        sheet.polyline(&line, Pen::line(colour, 1.8).dashed(dashes).class("modulus"));
-        sheet.avoid_line(&line);
-        // Bars of different kinds stand beside one another.
-        let aside = 3.0 * (k as f64 - 1.0);
-        for (multiple, s) in &points {
-            let end = |sign: f64| {
-                let [at, y] = axes.spot(*multiple, (s.mean + sign * 2.0 * s.standard_error) / 1e6);
-                [at + aside, y]
-            };
-            sheet.line(end(-1.0), end(1.0), Pen::line(colour, MEDIUM).class("error"));
-        }
-        entries.push(Entry { line: Some(STYLES[k]), mark: None, text: name });
+        let line: Vec<Place> = points.iter().map(|(m, s)| [*m, s.mean / 1e6]).collect();
+        panel.curve(line, Pen::line(colour, 1.8).dashed(dashes).class("modulus"));
+        panel.add(move |sheet, axes| {
+            for (multiple, s) in &points {
+                let end = |sign: f64| {
+                    let [at, y] = axes.spot([*multiple, (s.mean + sign * 2.0 * s.standard_error) / 1e6]);
+                    // Bars of different kinds stand beside one another.
+                    [at + 3.0 * (k as f64 - 1.0), y]
+                };
+                sheet.line(end(-1.0), end(1.0), Pen::line(colour, MEDIUM).class("error"));
+            }
+        });
+        entries.push(Entry::line(STYLES[k], *name));
     }
-    sheet.close();
-    let which = format!("{}, given for comparison", report.matched());
+    panel.close();
     for at in &compared {
-        Mark::Hollow.draw(&mut sheet, axes.spot(at.multiple, at.modulus / 1e6), INK);
+        panel.mark([at.multiple, at.modulus / 1e6], Mark::Hollow, INK);
     }
     if !compared.is_empty() {
-        entries.push(Entry { line: None, mark: Some((Mark::Hollow, INK)), text: &which });
+        entries.push(Entry::mark(Mark::Hollow, INK, format!("{}, given for comparison", report.matched())));
     }
     let found = report.found.as_ref().and_then(|m| m.at(report.modulus));
     if let (Some(wanted), Some(at)) = (report.plan.wanted_modulus, found) {
-        let spot = axes.spot(at.multiple, at.modulus / 1e6);
         let pen = Pen::line(INK, 0.9).dashed("5 4").class("wanted");
-        let across = [axes.spot(0.0, wanted / 1e6), axes.spot(at.multiple, wanted / 1e6)];
-        sheet.line(across[0], across[1], pen);
-        sheet.line(across[1], axes.spot(at.multiple, 0.0), pen);
-        sheet.avoid_line(&across);
-        Mark::Ring.draw(&mut sheet, spot, INK);
-        let room = Room { area: axes.area.grown(-5.0), towards: [0.9, 0.4], clear: 13.0 };
+        panel.curve([0.0, at.multiple].map(|multiple| [multiple, wanted / 1e6]), pen);
+        panel.line([wanted / 1e6, 0.0].map(|modulus| [at.multiple, modulus]), pen);
+        let place = [at.multiple, at.modulus / 1e6];
+        panel.mark(place, Mark::Ring, INK);
         let normal = at.multiple * report.stiffness[0] / 1e9;
         let text = format!("{:.0} MPa at {} times, {normal:.3} GPa/m", wanted / 1e6, words::three_digits(at.multiple));
-        sheet.label(spot, &text, Style::on_drawing(), room);
+        panel.label(place, text, [0.9, 0.4], 13.0);
     }
-    bottom = key(&mut sheet, bottom, &entries);
-    let caption = format!(
+    let mut chart = Chart::of(panel, 380.0);
+    chart.key = entries;
+    chart.words.push(format!(
         "Bars: two standard errors of the mean to either side, {} squares out of {}.",
         report.squares,
         report.packings()
-    );
-    bottom = sheet.caption(bottom, &caption);
-    Some(sheet.finish(bottom))
+    ));
+    Some(chart.draw("moduli", &report.bridge, "Modulus of confined fill over the stiffness of its contacts"))
 }

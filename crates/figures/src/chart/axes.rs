@@ -2,7 +2,7 @@
 //! colour than the fill), and because charts then share font, line widths and label places with the drawings.
 
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH};
 use crate::ticks::Ticks;
 use crate::words::four_digits;
 

@@ -5,8 +5,7 @@ use crate::bar::{Scale, quantile};
 use crate::colour::{blue_for_much, red_for_much};
 use crate::elevation::{self as draw};
 use crate::geometry::{View, round_down};
-use crate::sheet::{Area, MARGIN, Sheet, Spot, WIDTH};
-use crate::ticks::Ticks;
+use crate::sheet::{MARGIN, Sheet, Spot, WIDTH};
 use crate::words;
 use outcome::passage::Moment;
 use outcome::passage::Passage;
@@ -32,7 +31,7 @@ pub fn displacement(passage: &Passage, index: usize) -> Option<String> {
     let values: Vec<f64> = mesh.quads.iter().map(of_quad).collect();
     let what = if index == 0 { "displacement by self-weight [mm]" } else { "displacement by the train [mm]" };
     let largest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
-    let scale = Scale { title: what, ticks: Ticks::over(0.0, largest.max(1e-9), 6), colour: blue_for_much, cut: false };
+    let scale = Scale::upto(what, [largest.max(1e-9), 0.0], 6, blue_for_much);
     drawn(passage, index, ["displacement", "Displacement"], &moved, &values, &scale)
 }
 
@@ -45,10 +44,8 @@ pub fn stress(passage: &Passage, index: usize) -> Option<String> {
     }
     let values: Vec<f64> = moment.stresses.iter().map(|stress| 1e-6 * compression(stress).max(0.0)).collect();
     let end = quantile(values.iter().copied(), COVERED).max(1e-6);
-    let beyond = values.iter().any(|value| *value > end);
-    let ticks = Ticks::over(0.0, end, 6);
-    let cut = beyond && values.iter().any(|value| *value > ticks.range()[1]);
-    let scale = Scale { title: "largest compression, self-weight included [MPa]", ticks, colour: red_for_much, cut };
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let scale = Scale::upto("largest compression, self-weight included [MPa]", [end, largest], 6, red_for_much);
     let moved = movement(passage, index, moment);
     drawn(passage, index, ["stress", "Compression"], &moved, &values, &scale)
 }
@@ -77,11 +74,9 @@ fn drawn(
     let times = if largest > 0.0 { round_down(LARGEST * extent.size()[0] / largest).max(1.0) } else { 1.0 };
     let mut sheet = Sheet::new(&format!("moment-{index}-{name}"));
     let top = sheet.title(&passage.bridge, &scene::second_line(passage, moment, what)) + scene::AXLES;
-    let frame = draw::frame(extent, top, draw::TALLEST);
-    let view = View::fit(extent, frame);
+    let (_, view) = draw::fit(extent, top, draw::TALLEST);
     let nodes = scene::moved(mesh, displacements, times);
-    let corner = view.spots(&[extent.low, extent.high]);
-    let window = Area { left: corner[0][0], right: corner[1][0], top: corner[1][1] - 4.0, bottom: corner[0][1] + 4.0 };
+    let window = view.area(extent).taller(4.0);
     sheet.open_clipped("field", "window", window);
     fill(&mut sheet, &view, &nodes, &mesh.quads, values, scale);
     scene::draw_outlines(&mut sheet, &view, &nodes, &scene::outlines(mesh), 0.25);
@@ -92,22 +87,17 @@ fn drawn(
     let yielding = moment.yielding.iter().filter(|yields| **yields).count();
     let mut caption = format!("Displacements are drawn {} as large.", words::times(times));
     if yielding > 0 {
-        caption += &format!(
-            " Of {} elements {yielding} {}.",
-            mesh.quads.len(),
-            if yielding == 1 { "yields" } else { "yield" }
-        );
+        let yields = if yielding == 1 { "yields" } else { "yield" };
+        caption += &format!(" Of {} elements {yielding} {yields}.", mesh.quads.len());
     }
-    let y = sheet.caption(y + 2.0, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y + 2.0, &caption))
 }
 
 /// Elements by shade, one path each.
 fn fill(sheet: &mut Sheet, view: &View, nodes: &[Point], quads: &[[usize; 4]], values: &[f64], scale: &Scale) {
-    let [low, high] = scale.ticks.range();
     let mut shades: Vec<Vec<[Spot; 4]>> = vec![Vec::new(); SHADES + 1];
     for (quad, value) in quads.iter().zip(values) {
-        let share = ((value - low) / (high - low)).clamp(0.0, 1.0);
+        let share = scale.axis.share(*value).clamp(0.0, 1.0);
         let shade = if share.is_nan() { SHADES } else { ((share * SHADES as f64) as usize).min(SHADES - 1) };
         shades[shade].push(quad.map(|node| view.spot(nodes[node])));
     }

@@ -6,7 +6,7 @@ mod ring;
 mod scene;
 mod vtu;
 
-use crate::all::{File, both};
+use crate::all::{File, written};
 use crate::raster::RasterError;
 use outcome::passage::Passage;
 
@@ -44,10 +44,7 @@ pub fn passage_paraview(passage: &Passage) -> Vec<File> {
 
 /// Every figure and ParaView file of a passage.
 pub fn passage(passage: &Passage) -> Result<Vec<File>, RasterError> {
-    let mut files = Vec::new();
-    for (name, svg) in passage_drawings(passage) {
-        files.extend(both(&name, &svg)?);
-    }
+    let mut files = written(passage_drawings(passage))?;
     files.extend(vtu::files(passage));
     Ok(files)
 }

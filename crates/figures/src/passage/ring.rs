@@ -3,11 +3,11 @@
 use super::scene;
 use crate::elevation::{self as draw, INK, THRUST};
 use crate::geometry::{Extent, View};
-use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THICK, font};
+use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, Sheet, Spot, Style, THICK};
 use crate::words;
 use outcome::mesh::MadeOf;
 use outcome::passage::Passage;
-use outcome::passage::{Moment, Pair, PairState, Row, RowKind};
+use outcome::passage::{Moment, PairState, Row, RowKind};
 use outcome::picture::Point;
 
 /// Colours of the states, told apart in grey print by their size and fill.
@@ -25,9 +25,8 @@ pub fn ring(passage: &Passage, index: usize) -> Option<String> {
     let mut sheet = Sheet::new(&format!("moment-{index}-ring"));
     let top =
         sheet.title(&passage.bridge, &scene::second_line(passage, moment, "Line of thrust and joints")) + scene::AXLES;
-    let frame = draw::frame(extent, top, 230.0);
-    let view = View::fit(extent, frame);
-    let window = window(&view, extent);
+    let (_, view) = draw::fit(extent, top, 230.0);
+    let window = view.area(extent).taller(2.0);
     sheet.open_clipped("bridge", "whole", window);
     stones(&mut sheet, &view, passage);
     thrust(&mut sheet, &view, moment);
@@ -38,9 +37,8 @@ pub fn ring(passage: &Passage, index: usize) -> Option<String> {
     if let Some(part) = close_up(moment, span) {
         let words = format!("Joints of span {}, {}", span + 1, counts(moment, span));
         y = sheet.paragraph(MARGIN, y, 768.0, &words, Style::default()) + 4.0;
-        let frame = draw::frame(part, y, 330.0);
-        let view = View::fit(part, frame);
-        let window = self::window(&view, part);
+        let (_, view) = draw::fit(part, y, 330.0);
+        let window = view.area(part).taller(2.0);
         sheet.open_clipped("span", "close", window);
         stones(&mut sheet, &view, passage);
         thrust(&mut sheet, &view, moment);
@@ -54,13 +52,7 @@ pub fn ring(passage: &Passage, index: usize) -> Option<String> {
     y = key(&mut sheet, y + 2.0);
     let largest = joints().flat_map(|row| &row.pairs).map(|pair| pair.opening).fold(0.0, f64::max);
     let caption = format!("The widest joint of the bridge opens by {} mm.", words::three_digits(1e3 * largest));
-    let y = sheet.caption(y + 2.0, &caption);
-    Some(sheet.finish(y))
-}
-
-fn window(view: &View, extent: Extent) -> Area {
-    let corner = view.spots(&[extent.low, extent.high]);
-    Area { left: corner[0][0], right: corner[1][0], top: corner[1][1] - 2.0, bottom: corner[0][1] + 2.0 }
+    Some(sheet.end(y + 2.0, &caption))
 }
 
 fn of_span(row: &Row, span: usize) -> bool {
@@ -134,13 +126,13 @@ fn states(sheet: &mut Sheet, view: &View, row: &Row) {
     let spots: Vec<Spot> = row.pairs.iter().map(|pair| view.spot(pair.at)).collect();
     sheet.polyline(&spots, Pen::line(INK, HAIR));
     for (pair, spot) in row.pairs.iter().zip(&spots) {
-        dot(sheet, *spot, pair);
+        dot(sheet, *spot, pair.state);
     }
     sheet.close();
 }
 
-fn dot(sheet: &mut Sheet, at: Spot, pair: &Pair) {
-    match pair.state {
+fn dot(sheet: &mut Sheet, at: Spot, state: PairState) {
+    match state {
         PairState::Closed => sheet.circle(at, 1.5, Pen::shape(CLOSED, "none", 0.0).class("closed")),
         PairState::Open => sheet.circle(at, 2.7, Pen::shape("white", OPEN, 1.2).class("open")),
         PairState::Sliding => sheet.circle(at, 2.5, Pen::shape(SLIDING, INK, HAIR).class("sliding")),
@@ -148,14 +140,13 @@ fn dot(sheet: &mut Sheet, at: Spot, pair: &Pair) {
 }
 
 fn key(sheet: &mut Sheet, top: f64) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     let (mut x, y) = (MARGIN, top + 14.0);
-    let pair = |state| Pair { at: [0.0; 2], area: 0.0, normal: 0.0, shear: 0.0, opening: 0.0, sliding: 0.0, state };
     sheet.open("key");
     for (state, text) in [(PairState::Closed, "closed"), (PairState::Open, "open"), (PairState::Sliding, "sliding")] {
-        dot(sheet, [x + 6.0, y - 4.0], &pair(state));
+        dot(sheet, [x + 6.0, y - 4.0], state);
         sheet.text([x + 14.0, y], text, style);
-        x += 34.0 + font::width(text, style.size, style.weight);
+        x += 34.0 + style.width(text);
     }
     sheet.line([x, y - 4.0], [x + 24.0, y - 4.0], Pen::line(THRUST, THICK));
     sheet.text([x + 30.0, y], "line of thrust, through the resultant of each joint", style);

@@ -2,7 +2,7 @@
 
 use crate::elevation::{INK, LOAD};
 use crate::geometry::{Extent, View};
-use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, SMALL, Sheet, Spot, Style};
+use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, Sheet, Spot, Style};
 use crate::words;
 use outcome::mesh::MeshPicture;
 use outcome::passage::Moment;
@@ -83,7 +83,7 @@ pub fn draw_axles(sheet: &mut Sheet, view: &View, moment: &Moment, mesh: &MeshPi
     let ends = [view.spot([from, level]), view.spot([to, level])];
     sheet.line([ends[0][0], ends[0][1] - 1.0], [ends[1][0], ends[1][1] - 1.0], Pen::line(INK, HAIR));
     // One word for each run of equal axles.
-    let style = Style { size: SMALL, colour: LOAD, ..Style::default() }.anchored(Anchor::Middle);
+    let style = Style { colour: LOAD, ..Style::small() }.anchored(Anchor::Middle);
     let mut start = 0;
     let mut last_end = f64::NEG_INFINITY;
     while start < shown.len() {
@@ -92,7 +92,7 @@ pub fn draw_axles(sheet: &mut Sheet, view: &View, moment: &Moment, mesh: &MeshPi
         let middle = 0.5 * (view.spot([run[0].0, level])[0] + view.spot([run[run.len() - 1].0, level])[0]);
         let kilo = words::three_digits(run[0].1 / 1e3);
         let text = if run.len() > 1 { format!("{} axles of {kilo} kN", run.len()) } else { format!("{kilo} kN") };
-        let half = 0.5 * crate::sheet::font::width(&text, style.size, style.weight);
+        let half = 0.5 * style.width(&text);
         let middle = middle.clamp(ends[0][0] + half, (ends[1][0] - half).max(ends[0][0] + half));
         // Where words would run into one another, the later ones are left out; the table of axles has them.
         if middle - half > last_end + 6.0 {

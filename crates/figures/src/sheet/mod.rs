@@ -66,6 +66,10 @@ impl Area {
             bottom: a.bottom.max(p[1]),
         }))
     }
+    /// A rectangle larger by `by` above and below.
+    pub fn taller(&self, by: f64) -> Area {
+        Area { top: self.top - by, bottom: self.bottom + by, ..*self }
+    }
     /// A rectangle larger by `by` on all sides.
     pub fn grown(&self, by: f64) -> Area {
         Area { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
@@ -143,6 +147,13 @@ impl Sheet {
     /// can stand in one document.
     pub fn new(name: &str) -> Sheet {
         Sheet { name: name.into(), body: String::new(), texts: Vec::new(), obstacles: Vec::new() }
+    }
+
+    /// A sheet with a title over a lighter second line, and the y below them.
+    pub fn titled(name: &str, title: &str, second: &str) -> (Sheet, f64) {
+        let mut sheet = Sheet::new(name);
+        let top = sheet.title(title, second);
+        (sheet, top)
     }
 
     /// An open or closed chain of points. Shapes with a coordinate that is not finite are left out.
@@ -223,9 +234,16 @@ impl Sheet {
         self.write_text(at, text, style, 0.0);
         self.texts.push(area);
     }
+    /// Lines of text, the middle of their letters at the height of `at`.
+    pub fn lines(&mut self, at: Spot, lines: &[impl AsRef<str>], pitch: f64, style: Style) {
+        let first = at[1] + 0.5 * font::CAPITAL * style.size - 0.5 * pitch * lines.len().saturating_sub(1) as f64;
+        for (k, line) in lines.iter().enumerate() {
+            self.text([at[0], first + pitch * k as f64], line.as_ref(), style);
+        }
+    }
     /// A text that reads upwards, centred on `at`.
     pub fn text_upwards(&mut self, at: Spot, text: &str, style: Style) {
-        let half = font::width(text, style.size, style.weight) / 2.0;
+        let half = style.width(text) / 2.0;
         self.write_text(at, text, Style { anchor: Anchor::Middle, ..style }, -90.0);
         self.texts.push(Area {
             left: at[0] - font::CAPITAL * style.size,
@@ -260,7 +278,7 @@ impl Sheet {
     /// Lines of a paragraph, `limit` wide; returns the y below them.
     pub fn paragraph(&mut self, left: f64, top: f64, limit: f64, text: &str, style: Style) -> f64 {
         let mut y = top;
-        for line in font::wrap(text, style.size, style.weight, limit) {
+        for line in style.wrap(text, limit) {
             y += 1.3 * style.size;
             self.text([left, y - 0.3 * style.size], &line, style);
         }
@@ -278,8 +296,7 @@ impl Sheet {
     }
     /// Small print at the foot of the sheet; returns the y below it.
     pub fn caption(&mut self, top: f64, text: &str) -> f64 {
-        let style = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
-        self.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, text, style)
+        self.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, text, Style::grey())
     }
 
     /// Something that a label had better not cover.
@@ -308,6 +325,11 @@ impl Sheet {
         &self.texts
     }
 
+    /// The figure with small print at its foot.
+    pub fn end(mut self, top: f64, words: &str) -> String {
+        let bottom = self.caption(top, words);
+        self.finish(bottom)
+    }
     /// The figure, cut off below `bottom`.
     pub fn finish(self, bottom: f64) -> String {
         let height = (bottom + MARGIN).ceil();
@@ -344,19 +366,43 @@ impl Default for Style {
 }
 
 impl Style {
+    /// Small print.
+    pub fn small() -> Style {
+        Style { size: SMALL, ..Style::default() }
+    }
+    /// Small print that stands back.
+    pub fn grey() -> Style {
+        Style { colour: GREY_TEXT, ..Style::small() }
+    }
+    /// A name.
+    pub fn bold() -> Style {
+        Style { weight: Weight::Bold, ..Style::default() }
+    }
     /// A label set in a drawing.
     pub fn on_drawing() -> Style {
-        Style { size: SMALL, halo: true, ..Style::default() }
+        Style { halo: true, ..Style::small() }
     }
     pub fn anchored(mut self, anchor: Anchor) -> Style {
         self.anchor = anchor;
         self
     }
+    /// Width of a text.
+    pub fn width(&self, text: &str) -> f64 {
+        font::width(text, self.size, self.weight)
+    }
+    /// Lines of a text no wider than a limit.
+    pub fn wrap(&self, text: &str, limit: f64) -> Vec<String> {
+        font::wrap(text, self.size, self.weight, limit)
+    }
+    /// The first of these lines.
+    pub fn first_line(&self, text: &str, limit: f64) -> String {
+        self.wrap(text, limit).into_iter().next().unwrap_or_default()
+    }
 }
 
 /// The rectangle that a text covers.
 pub fn text_area(at: Spot, text: &str, style: Style) -> Area {
-    let w = font::width(text, style.size, style.weight);
+    let w = style.width(text);
     let left = match style.anchor {
         Anchor::Start => at[0],
         Anchor::Middle => at[0] - w / 2.0,

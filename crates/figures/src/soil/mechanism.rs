@@ -6,7 +6,7 @@ use crate::elevation::INK;
 use crate::figure::Figure;
 use crate::geometry::View;
 use crate::mechanism::{Ground, drawn};
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Style};
 use outcome::picture::Picture;
 use outcome::soil::SoilPicture;
 
@@ -59,7 +59,7 @@ pub(crate) fn dissipating(sheet: &mut Sheet, view: &View, soil: &SoilPicture, sc
 
 /// What the colours stand for; returns the y below.
 pub(crate) fn key(sheet: &mut Sheet, top: f64) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     let title = "Power dissipated per area of the fill, relative to the largest";
     let (left, wide) = (MARGIN + 18.0, 320.0);
     let y = sheet.paragraph(MARGIN, top, 760.0, title, style);

@@ -6,7 +6,7 @@ pub mod stress;
 
 use crate::elevation::{self as draw, INK};
 use crate::geometry::{Extent, View};
-use crate::sheet::{Area, HAIR, Pen, Sheet, Spot, THICK};
+use crate::sheet::{HAIR, Pen, Sheet, Spot, THICK};
 use outcome::picture::{Picture, Point};
 use outcome::soil::SoilPicture;
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,9 +53,7 @@ pub fn around(extent: Extent, picture: &Picture, scale: f64) -> Extent {
 
 /// Begins a group in which soil is drawn no farther than the drawing goes.
 pub fn open(sheet: &mut Sheet, view: &View, extent: Extent) {
-    let [left, bottom] = view.spot(extent.low);
-    let [right, top] = view.spot(extent.high);
-    sheet.open_clipped("ground", "ground", Area { left, top, right, bottom }.grown(1.0));
+    sheet.open_clipped("ground", "ground", view.area(extent).grown(1.0));
 }
 
 /// The fill pale behind something, as built.

@@ -36,14 +36,12 @@ pub fn soil_pressure(picture: &Picture) -> Option<String> {
     // Metres of the drawing for a pascal.
     let scale = SHARE * built.size()[0].max(built.size()[1]) / largest;
 
-    let mut sheet = Sheet::new("soil-pressure");
     let second = "Pressure of the fill on the blocks at the lower bound of the load";
-    let top = draw::heading(&mut sheet, picture, second);
+    let (mut sheet, top) = draw::heading("soil-pressure", picture, second);
     let extent = soil::around(draw::extent(picture).unwrap_or(built), picture, 0.0);
     let tips = Extent::of(sides.iter().flat_map(|p| band(p, scale)));
     let extent = tips.map_or(extent, |e| extent.with(e));
-    let frame = draw::frame(extent, top + soil::above(picture), draw::TALLEST);
-    let view = View::fit(extent, frame);
+    let (frame, view) = draw::fit(extent, top + soil::above(picture), draw::TALLEST);
     soil::behind(&mut sheet, &view, extent, picture);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
@@ -71,8 +69,7 @@ pub fn soil_pressure(picture: &Picture) -> Option<String> {
             words::three_digits(shear / 1e3)
         );
     }
-    y = sheet.caption(y + 2.0, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y + 2.0, &caption))
 }
 
 fn drawable(p: &&SoilPressure) -> bool {
@@ -178,7 +175,7 @@ fn name_largest(sheet: &mut Sheet, view: &View, sides: &[&SoilPressure], scale: 
 
 /// How high a round pressure is drawn; returns the y below.
 fn scales(sheet: &mut Sheet, top: f64, kilopascals: f64, height: f64) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     let (left, y) = (MARGIN + 4.0, top + height + 8.0);
     sheet.open("pressure-scale");
     sheet.line([left, y], [left, y - height], Pen::line(PRESSURE[1], MEDIUM).class("pressure-bar"));

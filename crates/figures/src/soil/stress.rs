@@ -5,7 +5,7 @@ use crate::bar::quantile;
 use crate::elevation::{self as draw, INK, Sign, TENSION};
 use crate::figure::Figure;
 use crate::geometry::{View, as_built, round_down};
-use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, font};
+use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, Sheet, Spot, Style, THIN};
 use crate::thrust;
 use crate::{soil, words};
 use outcome::picture::{Picture, Point};
@@ -51,15 +51,13 @@ impl Cross {
 pub fn soil_stress(picture: &Picture) -> Option<String> {
     let soil = of(picture).filter(|soil| soil.stresses.len() == soil.triangles.len())?;
     let built = as_built(&picture.shapes)?;
-    let mut sheet = Sheet::new("soil-stress");
     let second = match picture.thrust_lines.is_empty() {
         true => "Principal stresses in the fill at the lower bound of the load",
         false => "Principal stresses in the fill and line of thrust at the lower bound of the load",
     };
-    let top = draw::heading(&mut sheet, picture, second);
+    let (mut sheet, top) = draw::heading("soil-stress", picture, second);
     let extent = soil::around(draw::extent(picture).unwrap_or(built), picture, 0.0);
-    let frame = draw::frame(extent, top + soil::above(picture), draw::TALLEST);
-    let view = View::fit(extent, frame);
+    let (frame, view) = draw::fit(extent, top + soil::above(picture), draw::TALLEST);
     let [[left, _], [right, _]] = [view.spot(extent.low), view.spot(extent.high)];
     let mut crosses = crosses(soil, &view);
     crosses.retain(|c| left < c.at[0] && c.at[0] < right);
@@ -94,8 +92,7 @@ pub fn soil_stress(picture: &Picture) -> Option<String> {
         "Each cross stands for the mean stress of a square of {side}. The length of a stroke grows with the square root of the stress; the larger compression is the thicker stroke. Largest stress of a square: {} kPa.",
         words::three_digits(largest / 1e3)
     );
-    y = sheet.caption(y + 2.0, &caption);
-    Some(sheet.finish(y))
+    Some(sheet.end(y + 2.0, &caption))
 }
 
 /// Length of a stroke on the sheet over the root of its stress [Pa].
@@ -194,7 +191,7 @@ fn strokes(sheet: &mut Sheet, crosses: &[Cross], scale: f64) {
 
 /// Strokes of round stresses; returns the y below.
 fn lengths(sheet: &mut Sheet, top: f64, largest: f64, scale: f64) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     let most = round_down(largest / 1e3);
     let (mut x, y) = (MARGIN, top + 12.0);
     sheet.open("lengths");
@@ -206,7 +203,7 @@ fn lengths(sheet: &mut Sheet, top: f64, largest: f64, scale: f64) -> f64 {
         sheet.line([x, y - 4.0], [x + long, y - 4.0], Pen::line(INK, MEDIUM).class("length"));
         let text = format!("{} kPa", words::four_digits(part * most));
         sheet.text([x + long + 6.0, y], &text, style);
-        x += long + font::width(&text, style.size, style.weight) + 26.0;
+        x += long + style.width(&text) + 26.0;
     }
     sheet.close();
     y + 6.0

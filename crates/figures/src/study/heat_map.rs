@@ -1,11 +1,13 @@
 //! The answer over the plane of two quantities.
 
-use super::{axis_name, name_and_unit, pretty, with_unit};
+use super::{axis_name, name_and_unit, with_unit};
+use crate::bar::Scale;
+use crate::chart::Axis;
 use crate::colour::dark_for_much;
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH};
 use crate::ticks::Ticks;
-use crate::words::four_digits;
+use crate::words::{four_digits, raised};
 use bridge::vary::Setting;
 use outcome::study::{Row, Study};
 
@@ -22,12 +24,11 @@ pub fn heat_map(study: &Study) -> Option<String> {
     let (low, high) = (answers().reduce(f64::min)?, answers().reduce(f64::max)?);
     let (columns, lines) = (order(&across.values), order(&up.values));
 
-    let mut sheet = Sheet::new("heat-map");
     let (name, _) = name_and_unit(&study.outcome);
     let second = format!("The {name} over {} and {}, by {}", across.path, up.path, study.method_in_words());
-    let top = sheet.title(&study.bridge, &second);
-    let small = Style { size: SMALL, ..Style::default() };
-    let wide = |setting: &Setting| font::width(&pretty(&setting.text), SMALL, small.weight);
+    let (mut sheet, top) = Sheet::titled("heat-map", &study.bridge, &second);
+    let small = Style::small();
+    let wide = |setting: &Setting| small.width(&raised(&setting.text));
     let area = Area {
         left: MARGIN + 30.0 + up.values.iter().map(wide).fold(0.0, f64::max),
         right: WIDTH - MARGIN,
@@ -51,19 +52,18 @@ pub fn heat_map(study: &Study) -> Option<String> {
         };
         // The middle of the colour map is about as dark as letters may be read on in black.
         let letters = if found.is_some_and(|number| share(number) > 0.5) { "#ffffff" } else { "#111111" };
-        let lines = font::wrap(&text, SMALL, small.weight, cell[0] - 8.0);
+        let lines = small.wrap(&text, cell[0] - 8.0);
         let high = 1.25 * SMALL * lines.len() as f64;
         if numbers && high < cell[1] - 4.0 {
-            let middle = [left + 0.5 * cell[0], bottom - 0.5 * cell[1] + 0.5 * font::CAPITAL * SMALL];
-            for (at, line) in lines.iter().enumerate() {
-                let drop = 1.25 * SMALL * (at as f64 - 0.5 * (lines.len() - 1) as f64);
-                let style = Style { colour: letters, ..small.anchored(Anchor::Middle) };
-                sheet.text([middle[0], middle[1] + drop], line, style);
-            }
+            let style = Style { colour: letters, ..small.anchored(Anchor::Middle) };
+            sheet.lines([left + 0.5 * cell[0], bottom - 0.5 * cell[1]], &lines, 1.25 * SMALL, style);
         }
     }
     let bottom = names(&mut sheet, study, area, cell, [&columns, &lines]);
-    let bottom = legend(&mut sheet, bottom, [low, high], &study.outcome);
+    let name = axis_name(&study.outcome);
+    let axis = Axis { name: &name, ticks: Ticks::over(low, high, 5).inside(low, high), ..Axis::blank(low, high) };
+    let scale = Scale { axis, colour: dark_for_much, cut: false };
+    let bottom = scale.draw(&mut sheet, MARGIN, MARGIN + 444.0, bottom + 4.0);
     Some(sheet.finish(bottom))
 }
 
@@ -86,20 +86,19 @@ fn place(order: &[usize], row: &Row, quantity: usize) -> Option<usize> {
 
 /// Values along both sides, the file's own framed; returns the y below.
 fn names(sheet: &mut Sheet, study: &Study, area: Area, cell: [f64; 2], orders: [&[usize]; 2]) -> f64 {
-    let small = Style { size: SMALL, ..Style::default() };
+    let small = Style::small();
     let [columns, lines] = orders;
     let values = |quantity: usize| &study.quantities[quantity].values;
-    let widest =
-        values(0).iter().map(|value| font::width(&pretty(&value.text), SMALL, small.weight)).fold(0.0, f64::max);
+    let widest = values(0).iter().map(|value| small.width(&raised(&value.text))).fold(0.0, f64::max);
     let every = (widest / (cell[0] - 6.0).max(1.0)).ceil().max(1.0) as usize;
     for (at, value) in columns.iter().enumerate().filter(|(at, _)| at % every == 0) {
         let x = area.left + cell[0] * (at as f64 + 0.5);
-        sheet.text([x, area.bottom + 17.0], &pretty(&values(0)[*value].text), small.anchored(Anchor::Middle));
+        sheet.text([x, area.bottom + 17.0], &raised(&values(0)[*value].text), small.anchored(Anchor::Middle));
     }
     let every = (1.4 * SMALL / cell[1]).ceil().max(1.0) as usize;
     for (at, value) in lines.iter().enumerate().filter(|(at, _)| at % every == 0) {
-        let y = area.bottom - cell[1] * (at as f64 + 0.5) + 0.5 * font::CAPITAL * SMALL;
-        sheet.text([area.left - 7.0, y], &pretty(&values(1)[*value].text), small.anchored(Anchor::End));
+        let y = area.bottom - cell[1] * (at as f64 + 0.5);
+        sheet.lines([area.left - 7.0, y], &[raised(&values(1)[*value].text)], 0.0, small.anchored(Anchor::End));
     }
     let own = |quantity: usize, order: &[usize]| {
         let own = study.quantities[quantity].own.as_ref()?;
@@ -122,31 +121,4 @@ fn names(sheet: &mut Sheet, study: &Study, area: Area, cell: [f64; 2], orders: [
     let caption = own
         .map(|own| format!("As the file has it: {}; framed where it is in the grid.", with_unit(own, &study.outcome)));
     sheet.caption(area.bottom + 42.0, &caption.unwrap_or_default())
-}
-
-/// The colours with their values; returns the y below.
-fn legend(sheet: &mut Sheet, top: f64, [low, high]: [f64; 2], outcome: &str) -> f64 {
-    const STEPS: usize = 96;
-    let style = Style { size: SMALL, ..Style::default() };
-    let y = sheet.paragraph(MARGIN, top + 4.0, WIDTH - 2.0 * MARGIN, &axis_name(outcome), style);
-    let (left, right) = (MARGIN + 10.0, MARGIN + 430.0);
-    let (upper, lower) = (y + 5.0, y + 19.0);
-    let at = |share: f64| left + share * (right - left);
-    sheet.open("legend");
-    for k in 0..STEPS {
-        let (a, b) = (k as f64 / STEPS as f64, (k + 1) as f64 / STEPS as f64);
-        let colour = dark_for_much(0.5 * (a + b));
-        // Neighbours overlap a little, so that no white seam shows between them.
-        let end = (at(b) + 0.4).min(right);
-        sheet.rectangle(Area { left: at(a), right: end, top: upper, bottom: lower }, Pen::shape(&colour, "none", 0.0));
-    }
-    sheet.rectangle(Area { left, right, top: upper, bottom: lower }, Pen::line(INK, HAIR));
-    let ticks = Ticks::over(low, high, 5).inside(low, high);
-    for &value in ticks.values.iter().filter(|_| high > low) {
-        let x = at((value - low) / (high - low));
-        sheet.line([x, lower], [x, lower + 4.0], Pen::line(INK, 0.9));
-        sheet.text([x, lower + 17.0], &ticks.words(value), style.anchored(Anchor::Middle));
-    }
-    sheet.close();
-    lower + 24.0
 }

@@ -1,9 +1,11 @@
 //! The tornado chart: one bar a quantity, the one that moves the answer most on top.
 
-use super::{axis_name, honest, name_and_unit, pretty, with_unit};
-use crate::chart::{Axis, Mark};
+use super::{axis_name, honest, name_and_unit, with_unit};
+use crate::chart::{Axes, Axis, Key, Mark};
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
+use crate::sheet::{Anchor, Area, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, THIN, WIDTH, font};
+use crate::ticks::Ticks;
+use crate::words::raised;
 use outcome::study::{Extreme, Row, Sensitivity, Study, Trend, sensitivity};
 
 /// Where the quantity is below its own value, above it, and where it has no order: told apart in grey print too.
@@ -23,14 +25,15 @@ pub fn tornado(study: &Study) -> Option<String> {
     let numbers = || bars.iter().flat_map(ends).chain(own).filter(|number| number.is_finite());
     let (low, high) = (numbers().reduce(f64::min)?, numbers().reduce(f64::max)?);
 
-    let mut sheet = Sheet::new("tornado");
     let (name, _) = name_and_unit(&study.outcome);
-    let top = sheet.title(
+    let (mut sheet, top) = Sheet::titled(
+        "tornado",
         &study.bridge,
         &format!("What moves the {name}, one quantity at a time, by {}", study.method_in_words()),
     );
-    let plane = Plane::new(study, &bars, top, honest(low, high));
-    plane.axis(&mut sheet, &study.outcome);
+    let name = axis_name(&study.outcome);
+    let plane = Plane::new(study, &bars, top, &name, honest(low, high));
+    Axes::across(&mut sheet, plane.area, &plane.axis, 38.0);
     for (place, one) in bars.iter().enumerate() {
         plane.bar(&mut sheet, study, one, place, own);
     }
@@ -38,9 +41,9 @@ pub fn tornado(study: &Study) -> Option<String> {
         let x = plane.x(own);
         sheet.line([x, plane.area.top - 4.0], [x, plane.area.bottom], Pen::line(INK, MEDIUM).class("baseline"));
         let text = format!("as the file has it: {}", with_unit(own, &study.outcome));
-        let half = 0.5 * font::width(&text, SMALL, font::Weight::Regular);
+        let half = 0.5 * Style::small().width(&text);
         let middle = x.clamp(MARGIN + half, WIDTH - MARGIN - half);
-        sheet.text([middle, plane.area.top - 8.0], &text, small().anchored(Anchor::Middle));
+        sheet.text([middle, plane.area.top - 8.0], &text, Style::small().anchored(Anchor::Middle));
     }
     for (place, one) in bars.iter().enumerate() {
         plane.notes(&mut sheet, study, one, place);
@@ -49,27 +52,18 @@ pub fn tornado(study: &Study) -> Option<String> {
     Some(sheet.finish(bottom))
 }
 
-fn small() -> Style {
-    Style { size: SMALL, ..Style::default() }
-}
-
-fn grey() -> Style {
-    Style { colour: GREY_TEXT, ..small() }
-}
-
 /// Where bars are drawn.
-struct Plane {
+struct Plane<'a> {
     area: Area,
-    /// Between which the bars lie; their labels need the rest of the area.
-    inner: [f64; 2],
-    range: [f64; 2],
+    axis: Axis<'a>,
     heights: Vec<f64>,
 }
 
-impl Plane {
-    fn new(study: &Study, bars: &[Sensitivity], top: f64, range: [f64; 2]) -> Plane {
-        let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
-        let label = |one: &Sensitivity| font::width(&label(study, one), 13.0, font::Weight::Regular);
+impl<'a> Plane<'a> {
+    /// Bars of a range; their labels need the rest of the area.
+    fn new(study: &Study, bars: &[Sensitivity], top: f64, name: &'a str, range: [f64; 2]) -> Plane<'a> {
+        let wide = |text: &str| Style::small().width(text);
+        let label = |one: &Sensitivity| Style::default().width(&label(study, one));
         let names = bars.iter().map(label).fold(90.0, f64::max).min(WIDEST_NAME);
         let reserve = |end: usize| {
             let apart = bars.iter().filter(|one| one.trend != Trend::Flat);
@@ -90,37 +84,21 @@ impl Plane {
             top: top + 24.0,
             bottom: top + 24.0 + heights.iter().sum::<f64>() + 6.0,
         };
-        Plane { inner: [area.left + left, area.right - right], area, range, heights }
+        // The axis goes as far as the frame does on both sides of the bars.
+        let per_unit = (range[1] - range[0]) / (area.right - right - area.left - left);
+        let (low, high) = (range[0] - per_unit * left, range[1] + per_unit * right);
+        let mut ticks = Ticks::over(low, high, 6);
+        ticks.values.retain(|value| (low..=high).contains(value));
+        Plane { area, axis: Axis { name, ticks, ..Axis::blank(low, high) }, heights }
     }
 
     fn x(&self, number: f64) -> f64 {
-        let share = (number - self.range[0]) / (self.range[1] - self.range[0]);
-        self.inner[0] + share * (self.inner[1] - self.inner[0])
+        self.area.left + self.axis.share(number) * (self.area.right - self.area.left)
     }
 
     /// The middle of a bar.
     fn y(&self, place: usize) -> f64 {
         self.area.top + 6.0 + self.heights[..place].iter().sum::<f64>() + 17.0
-    }
-
-    fn axis(&self, sheet: &mut Sheet, outcome: &str) {
-        let name = axis_name(outcome);
-        // As far as the frame goes on both sides of the bars.
-        let per_unit = (self.range[1] - self.range[0]) / (self.inner[1] - self.inner[0]);
-        let low = self.range[0] - per_unit * (self.inner[0] - self.area.left);
-        let high = self.range[1] + per_unit * (self.area.right - self.inner[1]);
-        let axis = Axis::exact(&name, low, high, 6);
-        sheet.open("axes");
-        for &value in axis.ticks.values.iter().filter(|value| (low..=high).contains(*value)) {
-            let x = self.x(value);
-            sheet.line([x, self.area.top], [x, self.area.bottom], Pen::line("#d8d8d8", HAIR));
-            sheet.line([x, self.area.bottom], [x, self.area.bottom + 5.0], Pen::line(INK, 0.9));
-            sheet.text([x, self.area.bottom + 19.0], &axis.ticks.words(value), small().anchored(Anchor::Middle));
-        }
-        sheet.rectangle(self.area, Pen::line(INK, 0.9));
-        let middle = 0.5 * (self.area.left + self.area.right);
-        sheet.text([middle, self.area.bottom + 38.0], &name, Style::default().anchored(Anchor::Middle));
-        sheet.close();
     }
 
     fn bar(&self, sheet: &mut Sheet, study: &Study, one: &Sensitivity, place: usize, own: Option<f64>) {
@@ -131,7 +109,7 @@ impl Plane {
         for (end, _) in sides.into_iter().filter(|(_, apart)| *apart) {
             let (a, b) = (self.x(start.min(end.outcome)), self.x(start.max(end.outcome)));
             let area = Area { left: a, right: b, top: y - 0.5 * BAR, bottom: y + 0.5 * BAR };
-            sheet.rectangle(area, Pen::shape(side(study, one, end).0, INK, THIN).class("swing"));
+            sheet.rectangle(area, Pen::shape(side(study, one, end), INK, THIN).class("swing"));
         }
         for row in study.rows_of(one.quantity) {
             let Some(number) = study.number(row) else { continue };
@@ -142,13 +120,12 @@ impl Plane {
         let left = self.x(low.outcome.min(start)) - 8.0;
         let right = self.x(high.outcome.max(start)) + 8.0;
         let [first, last] = end_texts(study, one);
-        sheet.text([left, y + drop], &first, small().anchored(Anchor::End));
-        sheet.text([right, y + drop], &last, small());
+        sheet.text([left, y + drop], &first, Style::small().anchored(Anchor::End));
+        sheet.text([right, y + drop], &last, Style::small());
         let name = Style::default().anchored(Anchor::End);
         let edge = self.area.left - 10.0;
-        let lines = font::wrap(&label(study, one), name.size, name.weight, WIDEST_NAME);
-        sheet.text([edge, y - 1.0], lines.first().map_or("", String::as_str), name);
-        sheet.text([edge, y + 14.0], &own_text(study, one), grey().anchored(Anchor::End));
+        sheet.text([edge, y - 1.0], &name.first_line(&label(study, one), WIDEST_NAME), name);
+        sheet.text([edge, y + 14.0], &own_text(study, one), Style::grey().anchored(Anchor::End));
     }
 
     /// How runs of a quantity ended that ended otherwise, over everything else that is drawn.
@@ -166,7 +143,7 @@ fn label(study: &Study, one: &Sensitivity) -> String {
 }
 
 fn own_text(study: &Study, one: &Sensitivity) -> String {
-    study.quantities[one.quantity].own.as_ref().map_or("not in the file".to_owned(), |own| pretty(&own.text))
+    study.quantities[one.quantity].own.as_ref().map_or("not in the file".to_owned(), |own| raised(&own.text))
 }
 
 /// What stands at both ends of a bar: the value, and what it does to the answer. The file's own value is the line through
@@ -175,7 +152,7 @@ fn end_texts(study: &Study, one: &Sensitivity) -> [String; 2] {
     let varied = &study.quantities[one.quantity];
     if one.trend == Trend::Flat {
         let ends = [varied.values.first(), varied.values.last()].map(|end| end.map_or("", |end| end.text.as_str()));
-        return [String::new(), pretty(&format!("no change from {} to {}", ends[0], ends[1]))];
+        return [String::new(), raised(&format!("no change from {} to {}", ends[0], ends[1]))];
     }
     let own = varied.own.as_ref().map(|own| own.text.as_str());
     let start = study.baseline().and_then(|row| study.number(row));
@@ -185,21 +162,21 @@ fn end_texts(study: &Study, one: &Sensitivity) -> [String; 2] {
         Some(end) if start.is_some_and(|start| sign * (end.outcome - start) < 0.0) => String::new(),
         Some(end) => {
             let change = end.change_percent.map_or(String::new(), |change| format!(": {change:+.1} %"));
-            pretty(&format!("{}{}", end.value, change.replace('-', "−")))
+            raised(&format!("{}{}", end.value, change.replace('-', "−")))
         }
         None => String::new(),
     };
     [text(&one.low, -1.0), text(&one.high, 1.0)]
 }
 
-/// Colour and words of the side on which a value lies.
-fn side(study: &Study, one: &Sensitivity, end: &Extreme) -> (&'static str, &'static str) {
+/// Colour of the side on which a value lies.
+fn side(study: &Study, one: &Sensitivity, end: &Extreme) -> &'static str {
     let varied = &study.quantities[one.quantity];
     let number = |text: &str| varied.values.iter().find(|value| value.text == text).and_then(|value| value.number);
     match (number(&end.value), varied.own.as_ref().and_then(|own| own.number)) {
-        (Some(value), Some(own)) if value < own => (BELOW, "value below the file's own"),
-        (Some(value), Some(own)) if value > own => (ABOVE, "value above the file's own"),
-        _ => (WORDS, "another word, or a value that the file does not give"),
+        (Some(value), Some(own)) if value < own => BELOW,
+        (Some(value), Some(own)) if value > own => ABOVE,
+        _ => WORDS,
     }
 }
 
@@ -211,7 +188,7 @@ fn ends_otherwise(study: &Study, row: &Row) -> bool {
 fn notes(study: &Study, one: &Sensitivity) -> Vec<String> {
     let mut notes: Vec<(String, Vec<String>)> = Vec::new();
     for row in study.rows_of(one.quantity).filter(|row| ends_otherwise(study, row)) {
-        let value = study.setting(row, one.quantity).map_or(String::new(), |setting| pretty(&setting.text));
+        let value = study.setting(row, one.quantity).map_or(String::new(), |setting| raised(&setting.text));
         match notes.iter_mut().find(|(status, _)| *status == row.outcome.status) {
             Some((_, values)) => values.push(value),
             None => notes.push((row.outcome.status.clone(), vec![value])),
@@ -225,35 +202,24 @@ fn key(sheet: &mut Sheet, top: f64, study: &Study, bars: &[Sensitivity]) -> f64 
     let own = study.baseline().and_then(|row| study.number(row));
     let used = |colour: &str| {
         let ends = bars.iter().flat_map(|one| [&one.low, &one.high].into_iter().flatten().map(move |end| (one, end)));
-        ends.filter(|(_, end)| Some(end.outcome) != own).any(|(one, end)| side(study, one, end).0 == colour)
+        ends.filter(|(_, end)| Some(end.outcome) != own).any(|(one, end)| side(study, one, end) == colour)
     };
-    let texts = ["value below the file's own", "value above the file's own", "another word, or not in the file"];
-    let (mut x, mut y) = (MARGIN, top + 14.0);
-    let mut entry = |sheet: &mut Sheet, text: &str, sign: &dyn Fn(&mut Sheet, Spot)| {
-        let wide = 32.0 + font::width(text, SMALL, font::Weight::Regular);
-        if x > MARGIN && x + wide > WIDTH - MARGIN {
-            (x, y) = (MARGIN, y + 18.0);
-        }
-        sign(sheet, [x + 14.0, y - 4.5]);
-        sheet.text([x + 32.0, y], text, small());
-        x += wide + 16.0;
-        y
-    };
-    let mut bottom = top;
-    sheet.open("key");
-    for (colour, text) in [BELOW, ABOVE, WORDS].into_iter().zip(texts).filter(|(colour, _)| used(colour)) {
-        bottom = entry(sheet, text, &|sheet, [x, y]| {
-            let area = Area { left: x - 12.0, right: x + 12.0, top: y - 5.5, bottom: y + 5.5 };
-            sheet.rectangle(area, Pen::shape(colour, INK, THIN));
-        });
-    }
     let answered = || study.rows.iter().skip(1).filter(|row| study.number(row).is_some());
+    let texts = ["value below the file's own", "value above the file's own", "another word, or not in the file"];
+    let bars = [BELOW, ABOVE, WORDS].into_iter().zip(texts).filter(|(colour, _)| used(colour));
+    let mut entries: Vec<((&str, Option<Mark>), &str)> = bars.map(|(colour, text)| ((colour, None), text)).collect();
     if answered().any(|row| !ends_otherwise(study, row)) {
-        bottom = entry(sheet, "one run", &|sheet, at| Mark::Full.draw(sheet, at, INK));
+        entries.push(((INK, Some(Mark::Full)), "one run"));
     }
     if answered().any(|row| ends_otherwise(study, row)) {
-        bottom = entry(sheet, "ended otherwise", &|sheet, at| Mark::Hollow.draw(sheet, at, INK));
+        entries.push(((INK, Some(Mark::Hollow)), "ended otherwise"));
     }
-    sheet.close();
-    bottom + 8.0
+    let key = Key { words: 32.0, wide: 32.0, gap: 16.0, ..Key::CHART };
+    key.draw(sheet, top, entries, |sheet, [x, y], (colour, mark)| match mark {
+        Some(mark) => mark.draw(sheet, [x + 14.0, y - 4.5], colour),
+        None => {
+            let area = Area { left: x + 2.0, right: x + 26.0, top: y - 10.0, bottom: y + 1.0 };
+            sheet.rectangle(area, Pen::shape(colour, INK, THIN));
+        }
+    })
 }

@@ -1,11 +1,11 @@
 //! How parameters go together in the posterior: samples of each pair below the diagonal, correlation above it.
 
 use super::marginals::bars;
-use super::{pretty, second_line};
+use super::second_line;
 use crate::colour::either_way;
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
-use crate::words::four_digits;
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH};
+use crate::words::{four_digits, raised};
 use outcome::calibrate::Parameter;
 use outcome::calibrate::posterior::Posterior;
 use outcome::update::Update;
@@ -25,9 +25,8 @@ pub fn correlation(update: &Update) -> Option<String> {
     if n < 2 || posterior.samples.is_empty() || posterior.correlation.len() != n {
         return None;
     }
-    let mut sheet = Sheet::new("correlation");
     let what = "How the parameters go together in the posterior";
-    let top = sheet.title(&update.bridge, &second_line(update, what));
+    let (mut sheet, top) = Sheet::titled("correlation", &update.bridge, &second_line(update, what));
     let clouds = n <= MOST_CLOUDS;
     let left = MARGIN + names_width(parameters) + 8.0;
     let side = ((WIDTH - MARGIN - left) / n as f64).min(150.0);
@@ -47,7 +46,10 @@ pub fn correlation(update: &Update) -> Option<String> {
             }
             sheet.rectangle(area, Pen::line(INK, 0.7));
         }
-        name(&mut sheet, &parameters[row], cell(row, 0), left);
+        let first = cell(row, 0);
+        let lines = lines(&parameters[row], WIDEST_NAME, 3);
+        let at = [left - 8.0, 0.5 * (first.top + first.bottom)];
+        sheet.lines(at, &lines, 1.3 * SMALL, Style::small().anchored(Anchor::End));
     }
     let below = values(&mut sheet, parameters, |column| cell(n - 1, column));
     let mut words = "On the diagonal each parameter over its range; above it the correlation coefficient, red where two rise together, blue \
@@ -57,40 +59,29 @@ pub fn correlation(update: &Update) -> Option<String> {
         let drawn = posterior.samples.len().div_ceil(every(posterior));
         words += &format!(" Below it {drawn} samples of each pair, both over their ranges.");
     }
-    let bottom = sheet.caption(below, &words);
-    Some(sheet.finish(bottom))
+    Some(sheet.end(below, &words))
 }
 
 const WIDEST_NAME: f64 = 118.0;
 
 fn names_width(parameters: &[Parameter]) -> f64 {
-    let wide =
-        |p: &Parameter| lines(p).iter().map(|line| font::width(line, SMALL, font::Weight::Regular)).fold(0.0, f64::max);
-    parameters.iter().map(wide).fold(40.0, f64::max)
+    let lines = parameters.iter().flat_map(|parameter| lines(parameter, WIDEST_NAME, 3));
+    lines.map(|line| Style::small().width(&line)).fold(40.0, f64::max)
 }
 
-fn lines(parameter: &Parameter) -> Vec<String> {
-    let mut lines = font::wrap(&parameter.name, SMALL, font::Weight::Regular, WIDEST_NAME);
-    lines.truncate(3);
+/// Name of a parameter, of so many lines at most, and its unit.
+fn lines(parameter: &Parameter, limit: f64, most: usize) -> Vec<String> {
+    let mut lines = Style::small().wrap(&parameter.name, limit);
+    lines.truncate(most);
     if !parameter.unit.is_empty() {
-        lines.push(format!("[{}]", pretty(&parameter.unit)));
+        lines.push(format!("[{}]", raised(&parameter.unit)));
     }
     lines
 }
 
-fn name(sheet: &mut Sheet, parameter: &Parameter, row: Area, left: f64) {
-    let lines = lines(parameter);
-    let middle = 0.5 * (row.top + row.bottom) + 0.5 * font::CAPITAL * SMALL;
-    let style = Style { size: SMALL, ..Style::default() }.anchored(Anchor::End);
-    for (k, line) in lines.iter().enumerate() {
-        let drop = 1.3 * SMALL * (k as f64 - 0.5 * (lines.len() - 1) as f64);
-        sheet.text([left - 8.0, middle + drop], line, style);
-    }
-}
-
 /// Names and ends of the ranges below the last row; returns the y below.
 fn values(sheet: &mut Sheet, parameters: &[Parameter], cell: impl Fn(usize) -> Area) -> f64 {
-    let small = Style { size: SMALL, ..Style::default() };
+    let small = Style::small();
     let mut below: f64 = 0.0;
     for (column, parameter) in parameters.iter().enumerate() {
         let area = cell(column);
@@ -98,14 +89,9 @@ fn values(sheet: &mut Sheet, parameters: &[Parameter], cell: impl Fn(usize) -> A
         sheet.text([area.left + 3.0, area.bottom + 15.0], &ends[0], small);
         sheet.text([area.right - 3.0, area.bottom + 15.0], &ends[1], small.anchored(Anchor::End));
         let mut y = area.bottom + 20.0;
-        for line in font::wrap(&parameter.name, SMALL, small.weight, area.right - area.left - 6.0) {
+        for line in lines(parameter, area.right - area.left - 6.0, usize::MAX) {
             y += 1.3 * SMALL;
             sheet.text([0.5 * (area.left + area.right), y], &line, small.anchored(Anchor::Middle));
-        }
-        if !parameter.unit.is_empty() {
-            y += 1.3 * SMALL;
-            let unit = format!("[{}]", pretty(&parameter.unit));
-            sheet.text([0.5 * (area.left + area.right), y], &unit, small.anchored(Anchor::Middle));
         }
         below = below.max(y);
     }
@@ -149,6 +135,5 @@ fn number(sheet: &mut Sheet, correlation: f64, area: Area) {
     let text = format!("{correlation:+.2}").replace('-', "−");
     let letters = if correlation.abs() > 0.75 { "#ffffff" } else { "#111111" };
     let style = Style { colour: letters, ..Style::default() }.anchored(Anchor::Middle);
-    let middle = [0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + 0.5 * font::CAPITAL * style.size];
-    sheet.text(middle, &text, style);
+    sheet.lines([0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom)], &[text], 0.0, style);
 }

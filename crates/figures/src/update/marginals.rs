@@ -1,10 +1,9 @@
 //! What the data leave open of each parameter: its posterior over its range, beside what was believed before.
 
 use super::{UPDATED, axis, fitting, second_line, value_words};
-use crate::chart::{Axes, Axis, Entry, Mark, Words, key};
+use crate::chart::{Axis, Entry, Mark, Panel, Place, key};
 use crate::elevation::INK;
-use crate::sheet::{Area, GREY_TEXT, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font, font::Weight};
-use crate::ticks::Ticks;
+use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};
 use crate::words::{four_digits, three_digits};
 use outcome::calibrate::Parameter;
 use outcome::calibrate::posterior::{Marginal, Posterior, Prior, Status};
@@ -26,9 +25,8 @@ pub fn marginals(update: &Update) -> Option<String> {
     if posterior.samples.is_empty() || posterior.parameters.is_empty() {
         return None;
     }
-    let mut sheet = Sheet::new("posterior");
     let what = "What the records leave open: the posterior of each parameter over its range";
-    let top = sheet.title(&update.bridge, &second_line(update, what));
+    let (mut sheet, top) = Sheet::titled("posterior", &update.bridge, &second_line(update, what));
     let wide = 0.5 * (WIDTH - 2.0 * MARGIN - 8.0 - GAP);
     let found = update.found().map(|found| found.point());
     for (k, marginal) in posterior.parameters.iter().enumerate() {
@@ -42,17 +40,18 @@ pub fn marginals(update: &Update) -> Option<String> {
     let rows = posterior.parameters.len().div_ceil(2) as f64;
     let below = top + 34.0 + rows * (HEIGHT + BETWEEN) - BETWEEN + 50.0;
     let entries = [
-        Entry { line: Some((BAR, "")), mark: None, text: "posterior" },
-        Entry { line: Some((PRIOR, "5 3")), mark: None, text: "prior" },
-        Entry { line: Some((WITHIN, "")), mark: None, text: "95 % interval" },
-        Entry { line: None, mark: Some((Mark::Hollow, INK)), text: "mean" },
-        Entry { line: Some((UPDATED, "")), mark: None, text: "where the search ended" },
+        Entry::line((BAR, ""), "posterior"),
+        Entry::line((PRIOR, "5 3"), "prior"),
+        Entry::line((WITHIN, ""), "95 % interval"),
+        Entry::mark(Mark::Hollow, INK, "mean"),
+        Entry::line((UPDATED, ""), "where the search ended"),
     ];
     let bottom = key(&mut sheet, below, &entries[..if found.is_some() { 5 } else { 4 }]);
-    Some(sheet_end(sheet, bottom, posterior, &report.surrogate))
+    Some(sheet.end(bottom, &told(posterior, &report.surrogate)))
 }
 
-fn sheet_end(mut sheet: Sheet, bottom: f64, posterior: &Posterior, surrogate: &str) -> String {
+/// What stands below the panels.
+fn told(posterior: &Posterior, surrogate: &str) -> String {
     let mut words = format!(
         "{} effective samples, R-hat {}.",
         four_digits(posterior.effective_samples.round()),
@@ -70,8 +69,7 @@ fn sheet_end(mut sheet: Sheet, bottom: f64, posterior: &Posterior, surrogate: &s
         let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
         words += &format!(" {first}{}.", letters.as_str().trim_end_matches('.'));
     }
-    let bottom = sheet.caption(bottom, &words);
-    sheet.finish(bottom)
+    words
 }
 
 /// Shares of the samples by even parts of the range.
@@ -93,20 +91,19 @@ fn panel(
     answer: Option<f64>,
     frame: Area,
 ) {
-    let bold = Style { weight: Weight::Bold, ..Style::default() };
+    let bold = Style::bold();
     let alarm = if marginal.identifiable { "" } else { "hardly determined by the records" };
-    let room = frame.right - frame.left - 14.0 - font::width(alarm, SMALL, Weight::Regular);
-    let lines = font::wrap(&marginal.name, bold.size, bold.weight, room);
+    let room = frame.right - frame.left - 14.0 - Style::small().width(alarm);
+    let lines = bold.wrap(&marginal.name, room);
     let name = match &lines[..] {
         [] => String::new(),
         [one] => one.clone(),
         [first, ..] => format!("{first} …"),
     };
     sheet.text([frame.left, frame.top - 21.0], &name, bold);
-    let at = frame.left + font::width(&name, bold.size, bold.weight) + 12.0;
+    let at = frame.left + bold.width(&name) + 12.0;
     if !alarm.is_empty() {
-        let red = Style { size: SMALL, colour: "#a02020", ..Style::default() };
-        sheet.text([at, frame.top - 21.0], alarm, red);
+        sheet.text([at, frame.top - 21.0], alarm, Style { colour: "#a02020", ..Style::small() });
     }
     let summary = &marginal.summary;
     let [from, to] = summary.interval_95;
@@ -117,42 +114,29 @@ fn panel(
         three_digits(from),
         value_words(to, &parameter.unit)
     );
-    sheet.text([frame.left, frame.top - 6.0], &text, Style { size: SMALL, colour: GREY_TEXT, ..Style::default() });
+    sheet.text([frame.left, frame.top - 6.0], &text, Style::grey());
     let name = fitting(&parameter.name, &parameter.unit, frame.right - frame.left);
     let x = axis(parameter, &name, [parameter.lower, parameter.upper], 7);
     let prior = prior(parameter, bars.len());
     let most = bars.iter().chain(&prior).copied().fold(1e-9, f64::max);
-    let up = Axis {
-        name: "",
-        range: [0.0, 1.15 * most],
-        ticks: Ticks { values: Vec::new(), decimals: 0 },
-        logarithmic: false,
-    };
-    let axes = Axes::within(sheet, frame, &x, &up, Words { x: true, y: false, y_name: None });
-    let across = |value: f64| axes.spot(value, 0.0)[0];
-    let within = Area { left: across(from), right: across(to), ..frame };
-    sheet.rectangle(within, Pen::shape(WITHIN, "none", 0.0).class("interval"));
+    let mut panel = Panel::new(x, Axis::blank(0.0, 1.15 * most));
+    panel.bar([from, 0.0], [to, panel.y.range[1]], Pen::shape(WITHIN, "none", 0.0).class("interval"));
+    let edge = |bar: usize| parameter.at(bar as f64 / bars.len() as f64);
     for (bar, height) in bars.iter().enumerate().filter(|(_, height)| **height > 0.0) {
-        let edge = |k: usize| across(parameter.at(k as f64 / bars.len() as f64));
-        let top = axes.spot(parameter.lower, *height)[1];
-        let area = Area { left: edge(bar), right: edge(bar + 1), top, bottom: frame.bottom };
-        sheet.rectangle(area, Pen::shape(BAR, "#5f8fbf", HAIR).class("bar"));
+        panel.bar([edge(bar), 0.0], [edge(bar + 1), *height], Pen::shape(BAR, "#5f8fbf", HAIR).class("bar"));
     }
     let middle = |k: usize| parameter.at((k as f64 + 0.5) / prior.len() as f64);
-    let mut spots: Vec<Spot> = prior.iter().enumerate().map(|(k, height)| axes.spot(middle(k), *height)).collect();
-    if let [first, .., last] = &mut spots[..] {
-        (first[0], last[0]) = (frame.left, frame.right);
+    let mut places: Vec<Place> = prior.iter().enumerate().map(|(k, height)| [middle(k), *height]).collect();
+    if let [first, .., last] = &mut places[..] {
+        [first[0], last[0]] = panel.x.range;
     }
-    sheet.polyline(&spots, Pen::line(PRIOR, 1.2).dashed("5 3").class("prior"));
-    sheet.rectangle(frame, Pen::line(INK, 0.9));
+    panel.line(places, Pen::line(PRIOR, 1.2).dashed("5 3").class("prior"));
+    panel.add(|sheet, axes| sheet.rectangle(axes.area, Pen::line(INK, 0.9)));
     if let Some(answer) = answer {
-        sheet.line(
-            [across(answer), frame.top],
-            [across(answer), frame.bottom],
-            Pen::line(UPDATED, 2.6).class("answer"),
-        );
+        panel.upright(answer, Pen::line(UPDATED, 2.6).class("answer"));
     }
-    Mark::Hollow.draw(sheet, [across(summary.mean), frame.bottom], INK);
+    panel.mark([summary.mean, 0.0], Mark::Hollow, INK);
+    panel.within(sheet, frame, None);
 }
 
 /// What was believed before, as bars like those of the samples.

@@ -9,11 +9,11 @@ mod residuals;
 mod sensitivity;
 mod surface;
 
-use crate::all::{File, both};
+use crate::all::{File, written};
 use crate::chart::Axis;
 use crate::raster::RasterError;
-use crate::sheet::{GREY_TEXT, LABEL, SMALL, Sheet, Spot, Style, font};
-use crate::words::three_digits;
+use crate::sheet::Style;
+use crate::words::{named, raised, three_digits, with_unit};
 use outcome::calibrate::Start;
 use outcome::calibrate::misfit::Scaling;
 use outcome::calibrate::search::hierarchical::Variant;
@@ -38,11 +38,7 @@ pub const UPDATE_FIGURES: [(&str, &str); 6] = [
 
 /// Every figure of an update that there is material for.
 pub fn update(update: &Update) -> Result<Vec<File>, RasterError> {
-    let mut files = Vec::new();
-    for (name, svg) in update_drawings(update) {
-        files.extend(both(&name, &svg)?);
-    }
-    Ok(files)
+    written(update_drawings(update))
 }
 
 /// The same as SVG: name without extension, and drawing.
@@ -101,74 +97,17 @@ fn search_words(update: &Update, paper: &PaperSearch) -> String {
     format!("rules {rules}, started from {start}{more}")
 }
 
-/// A name with its unit in brackets.
-fn with_unit(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.to_owned() } else { format!("{name} [{}]", pretty(unit)) }
-}
-
-/// The same no wider than a limit; a long name is cut, the unit stays.
+/// A name with its unit in brackets, no wider than a limit; a long name is cut, the unit stays.
 fn fitting(name: &str, unit: &str, limit: f64) -> String {
-    let wide = |text: &str| font::width(text, LABEL, font::Weight::Regular);
-    let whole = with_unit(name, unit);
-    if wide(&whole) <= limit {
-        return whole;
-    }
-    let lengths = (1..=name.chars().count()).rev();
-    let cut = lengths.map(|length| {
-        let kept: String = name.chars().take(length).collect();
-        with_unit(&format!("{}…", kept.trim_end()), unit)
-    });
-    let mut cut = cut.skip_while(|text| wide(text) > limit);
-    cut.next().unwrap_or_else(|| pretty(unit))
-}
-
-/// As much of a line as a limit allows.
-fn shortened(words: &str, size: f64, limit: f64) -> String {
-    let fits = |text: &str| font::width(text, size, font::Weight::Regular) <= limit;
-    if fits(words) {
-        return words.to_owned();
-    }
-    let cut = |length: usize| format!("{}…", words.chars().take(length).collect::<String>().trim_end());
-    (1..words.chars().count()).rev().map(cut).find(|text| fits(text)).unwrap_or_default()
-}
-
-/// A name in bold and words about it, beside it where there is room up to `right` and below it otherwise; `at` is where the last
-/// line begins.
-fn heading(sheet: &mut Sheet, at: Spot, right: f64, name: &str, words: &str) {
-    let (bold, small) = heading_styles();
-    let beside = at[0] + font::width(name, bold.size, bold.weight) + 14.0;
-    if heading_lines(at[0], right, name, words) == 1.0 {
-        sheet.text(at, name, bold);
-        sheet.text([beside, at[1]], words, small);
-    } else {
-        sheet.text([at[0], at[1] - HEADING_LINE], name, bold);
-        sheet.text(at, &shortened(words, small.size, right - at[0]), small);
-    }
-}
-
-/// Height of a line of a heading.
-const HEADING_LINE: f64 = 17.0;
-
-/// How many lines a heading needs.
-fn heading_lines(left: f64, right: f64, name: &str, words: &str) -> f64 {
-    let (bold, small) = heading_styles();
-    let wide = font::width(name, bold.size, bold.weight) + 14.0 + font::width(words, small.size, small.weight);
-    if left + wide <= right { 1.0 } else { 2.0 }
-}
-
-fn heading_styles() -> (Style, Style) {
-    let bold = Style { weight: font::Weight::Bold, ..Style::default() };
-    (bold, Style { size: SMALL, colour: GREY_TEXT, ..Style::default() })
+    let fits = |text: &String| Style::default().width(text) <= limit;
+    let cut = |length: usize| format!("{}…", name.chars().take(length).collect::<String>().trim_end());
+    let shorter = (1..=name.chars().count()).rev().map(|length| named(&cut(length), unit));
+    std::iter::once(named(name, unit)).chain(shorter).find(fits).unwrap_or_else(|| raised(unit))
 }
 
 /// A value with its unit, three digits.
 fn value_words(value: f64, unit: &str) -> String {
-    if unit.is_empty() { three_digits(value) } else { format!("{} {}", three_digits(value), pretty(unit)) }
-}
-
-/// A unit as print has it: exponents raised.
-fn pretty(unit: &str) -> String {
-    unit.replace("^2", "²").replace("^3", "³")
+    with_unit(three_digits(value), unit)
 }
 
 /// The axis of a parameter from one value to another, divided as its range is.

@@ -1,9 +1,9 @@
 //! What is left between record and model, channel by channel, before and after the update.
 
 use super::{START, UPDATED, errors_in, second_line, signed};
-use crate::chart::Axis;
+use crate::chart::{Axes, Axis, Key, NAME};
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
+use crate::sheet::{Anchor, Area, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, THIN, WIDTH, font};
 use crate::words::three_digits;
 use outcome::calibrate::misfit::{Compare, Scaling};
 use outcome::update::Update;
@@ -19,42 +19,29 @@ pub fn residuals(update: &Update) -> Option<String> {
     let (low, high) = (numbers().fold(0.0, f64::min), numbers().fold(0.0, f64::max));
     numbers().next()?;
 
-    let mut sheet = Sheet::new("residuals");
-    let top = sheet.title(&update.bridge, &second_line(update, "What is left between records and model"));
+    let (mut sheet, top) =
+        Sheet::titled("residuals", &update.bridge, &second_line(update, "What is left between records and model"));
     let name = axis_name(update);
     let room = 0.12 * (high - low).max(1e-6);
     let (low, high) = (if low < 0.0 { low - room } else { low }, if high > 0.0 { high + room } else { high });
     let axis = Axis::exact(&name, low, high.max(low + 1e-6), 7);
-    let small = Style { size: SMALL, ..Style::default() };
-    let wide = |row: &Row| font::width(&row.name, 13.0, font::Weight::Regular);
+    let wide = |row: &Row| Style::default().width(&row.name);
     let left = MARGIN + rows.iter().map(wide).fold(90.0, f64::max).min(WIDEST_NAME) + 12.0;
     let area = Area { left, right: WIDTH - MARGIN, top: top + 4.0, bottom: top + 4.0 + ROW * rows.len() as f64 };
-    let x =
-        |value: f64| area.left + (value - axis.range[0]) / (axis.range[1] - axis.range[0]) * (area.right - area.left);
-    sheet.open("axes");
-    for value in &axis.ticks.values {
-        sheet.line([x(*value), area.top], [x(*value), area.bottom], Pen::line("#d8d8d8", HAIR));
-        sheet.line([x(*value), area.bottom], [x(*value), area.bottom + 5.0], Pen::line(INK, 0.9));
-        sheet.text([x(*value), area.bottom + 19.0], &axis.words(*value), small.anchored(Anchor::Middle));
-    }
-    sheet.rectangle(area, Pen::line(INK, 0.9));
-    let middle = 0.5 * (area.left + area.right);
-    sheet.text([middle, area.bottom + 40.0], &name, Style::default().anchored(Anchor::Middle));
-    sheet.close();
+    let axes = Axes::across(&mut sheet, area, &axis, NAME);
     for (place, row) in rows.iter().enumerate() {
         let y = area.top + ROW * (place as f64 + 0.5);
         for (side, error) in row.errors.iter().enumerate() {
             let at = y + (side as f64 - 0.5) * (BAR + 2.0);
             let Some(error) = error else { continue };
-            bar(&mut sheet, [x(0.0), x(*error)], at, pen(side, row.left_out.is_some()), (&axis, area), *error);
+            bar(&mut sheet, &axes, at, pen(side, row.left_out.is_some()), *error);
         }
         let end = Style::default().anchored(Anchor::End);
-        let lines = font::wrap(&row.name, end.size, end.weight, WIDEST_NAME);
-        sheet.text([area.left - 10.0, y - 2.0], lines.first().map_or("", String::as_str), end);
-        let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() }.anchored(Anchor::End);
-        sheet.text([area.left - 10.0, y + 14.0], &row.about, grey);
+        sheet.text([area.left - 10.0, y - 2.0], &end.first_line(&row.name, WIDEST_NAME), end);
+        sheet.text([area.left - 10.0, y + 14.0], &row.about, Style::grey().anchored(Anchor::End));
     }
-    sheet.line([x(0.0), area.top], [x(0.0), area.bottom], Pen::line(INK, MEDIUM));
+    let zero = axes.x(0.0);
+    sheet.line([zero, area.top], [zero, area.bottom], Pen::line(INK, MEDIUM));
     let bottom = key(&mut sheet, area.bottom + 48.0, update);
     let out: Vec<String> =
         rows.iter().filter_map(|row| Some(format!("{}: {}", row.name, row.left_out.as_ref()?))).collect();
@@ -111,15 +98,15 @@ fn pen(side: usize, hollow: bool) -> Pen<'static> {
     if hollow { Pen::shape("white", colour, MEDIUM).class(class) } else { Pen::shape(colour, INK, THIN).class(class) }
 }
 
-fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, pen: Pen, (axis, area): (&Axis, Area), error: f64) {
+fn bar(sheet: &mut Sheet, axes: &Axes, y: f64, pen: Pen, error: f64) {
+    let (from, to) = (axes.x(0.0), axes.x(error));
     let bar = Area { left: from.min(to), right: from.max(to), top: y - 0.5 * BAR, bottom: y + 0.5 * BAR };
     sheet.rectangle(bar, pen);
-    let digits = axis.ticks.decimals.max(1);
-    let text = signed(error, digits);
+    let text = signed(error, axes.x.ticks.decimals.max(1));
     let style = Style::on_drawing();
-    let wide = font::width(&text, style.size, style.weight) + 6.0;
+    let wide = style.width(&text) + 6.0;
     // Beside the bar's end; on its other side where the frame is in the way.
-    let beyond = if to >= from { to + wide < area.right } else { to - wide > area.left };
+    let beyond = if to >= from { to + wide < axes.area.right } else { to - wide > axes.area.left };
     let right = (to >= from) == beyond;
     let (anchor, at) = if right { (Anchor::Start, to + 6.0) } else { (Anchor::End, to - 6.0) };
     sheet.text([at, y + 0.5 * font::CAPITAL * SMALL], &text, style.anchored(anchor));
@@ -127,19 +114,12 @@ fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, pen: Pen, (axis, area): 
 
 /// What the colours mean, with the norms; returns the y below.
 fn key(sheet: &mut Sheet, top: f64, update: &Update) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
     let norms = [update.basis.as_ref().map(|basis| basis.start.norm), update.found().map(|found| found.norm)];
-    let names = ["start model", "updated model"];
-    let mut at: Spot = [MARGIN, top + 14.0];
-    sheet.open("key");
-    for (side, norm) in norms.iter().enumerate() {
-        let Some(norm) = norm else { continue };
-        let text = format!("{}: norm {}", names[side], three_digits(*norm));
-        let swatch = Area { left: at[0] + 4.0, right: at[0] + 30.0, top: at[1] - 10.0, bottom: at[1] };
+    let sides = ["start model", "updated model"].into_iter().zip(norms).enumerate();
+    let entries =
+        sides.filter_map(|(side, (name, norm))| Some((side, format!("{name}: norm {}", three_digits(norm?)))));
+    Key { wide: 38.0, gap: 24.0, ..Key::CHART }.draw(sheet, top, entries, |sheet, [x, y], side| {
+        let swatch = Area { left: x + 4.0, right: x + 30.0, top: y - 10.0, bottom: y };
         sheet.rectangle(swatch, Pen { class: "", ..pen(side, false) });
-        sheet.text([at[0] + 38.0, at[1]], &text, style);
-        at[0] += 38.0 + font::width(&text, style.size, style.weight) + 24.0;
-    }
-    sheet.close();
-    at[1] + 8.0
+    })
 }

@@ -1,9 +1,9 @@
 //! How the norm and every channel's error follow each parameter alone (railway paper, Figs. 5, 6 and 10).
 
-use super::{HEADING_LINE, axis, errors_in, fitting, heading, heading_lines, search_words, second_line, value_words};
-use crate::chart::{Axes, Axis, Entry, Mark, Words, key};
+use super::{axis, errors_in, fitting, search_words, second_line, value_words};
+use crate::chart::{Axes, Axis, Entry, HEADING, Heading, Mark, Panel, Place, ZERO, heading, heading_lines, key, runs};
 use crate::elevation::INK;
-use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, WIDTH};
+use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
 use crate::words::three_digits;
 use outcome::calibrate::search::sweep::Sweep;
@@ -33,52 +33,43 @@ pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Optio
         ranked.map(|sweep| (sweep, false)).chain(pass.last.iter().map(|s| (s, true))).collect();
     let norms = || rows.iter().flat_map(|(sweep, _)| &sweep.norms).flatten().copied().filter(|norm| norm.is_finite());
     let most = norms().reduce(f64::max)?;
-    let pieces: Vec<(usize, Vec<(f64, f64)>)> = rows.iter().flat_map(|(sweep, _)| errors(update, sweep)).collect();
-    let sizes = || pieces.iter().flat_map(|(_, points)| points).map(|point| point.1);
+    let pieces: Vec<(usize, Vec<Place>)> = rows.iter().flat_map(|(sweep, _)| errors(update, sweep)).collect();
+    let sizes = || pieces.iter().flat_map(|(_, run)| run).map(|place| place[1]);
     let (low, high) = (sizes().fold(0.0, f64::min), sizes().fold(0.0, f64::max));
 
-    let mut sheet = Sheet::new(&format!("sensitivity-{}", number + 1));
     let what = format!("Each parameter varied alone, pass {}; {}", number + 1, search_words(update, paper));
-    let top = sheet.title(&update.bridge, &second_line(update, &what));
-    let (factor, unit) = errors_in(update);
-    let error_name = format!("error [{unit}]");
-    let up = [
-        Axis::round("norm", Ticks::over(0.0, most, 4)),
-        Axis::round(&error_name, Ticks::over(factor * low, factor * high, 4)),
-    ];
+    let (mut sheet, top) =
+        Sheet::titled(&format!("sensitivity-{}", number + 1), &update.bridge, &second_line(update, &what));
+    let error_name = format!("error [{}]", errors_in(update).1);
+    let up = [Axis::round("norm", Ticks::over(0.0, most, 4)), Axis::round(&error_name, Ticks::over(low, high, 4))];
     let mut below = top + 2.0;
     for (place, (sweep, last)) in rows.iter().enumerate() {
-        let [name, about] = told(update, sweep, place, *last);
-        let (left, right) = (frames(&up, 0.0)[0].left, WIDTH - MARGIN);
-        let frames = frames(&up, below + 8.0 + HEADING_LINE * heading_lines(left, right, &name, &about));
-        heading(&mut sheet, [left, frames[0].top - 8.0], right, &name, &about);
+        let told = told(update, sweep, place, *last);
+        let (left, right) = (Axes::left(up[0].widest()), WIDTH - MARGIN);
+        let frames = frames(&up, below + 8.0 + HEADING * heading_lines(left, right, &told));
+        heading(&mut sheet, [left, frames[0].top - 8.0], right, &told);
         row(&mut sheet, update, sweep, frames, &up);
         below = frames[0].bottom + 50.0;
     }
-    let mut entries = vec![Entry { line: Some((NORM, "")), mark: Some((Mark::Full, NORM)), text: "norm" }];
-    entries.push(Entry { line: None, mark: Some((Mark::Hollow, INK)), text: "least norm" });
-    let channels = update.problem.channels();
+    let mut entries = vec![Entry::line((NORM, ""), "norm").marked(Mark::Full, NORM)];
+    entries.push(Entry::mark(Mark::Hollow, INK, "least norm"));
     let drawn = |k: &usize| pieces.iter().any(|(channel, _)| channel == k);
-    for (k, channel) in channels.iter().enumerate().filter(|(k, _)| drawn(k)) {
-        entries.push(Entry { line: Some(CHANNELS[k % CHANNELS.len()]), mark: None, text: &channel.name });
+    for (k, channel) in update.problem.channels().iter().enumerate().filter(|(k, _)| drawn(k)) {
+        entries.push(Entry::line(CHANNELS[k % CHANNELS.len()], &channel.name));
     }
     let bottom = key(&mut sheet, below, &entries);
-    let bottom = sheet.caption(
-        bottom,
-        "Dashed upright: the model about which parameters were varied. All panels of a column have one scale. Where a \
-         curve is broken, the model found no answer.",
-    );
-    Some(sheet.finish(bottom))
+    let words = "Dashed upright: the model about which parameters were varied. All panels of a column have one scale. Where a \
+                 curve is broken, the model found no answer.";
+    Some(sheet.end(bottom, words))
 }
 
 /// Both panels of a row below `top`.
 fn frames(up: &[Axis; 2], top: f64) -> [Area; 2] {
-    let [one, two] = [Axes::widest(&up[0]), Axes::widest(&up[1])];
-    let left = MARGIN + 24.0 + one + 8.0;
+    let (left, bottom) = (Axes::left(up[0].widest()), top + HEIGHT);
+    let between = 46.0 + up[1].widest();
     // Norm and errors share what is left of the sheet evenly.
-    let wide = 0.5 * (WIDTH - MARGIN - 14.0 - left - (46.0 + two));
-    let bottom = top + HEIGHT;
-    let second = left + wide + 46.0 + two;
+    let wide = 0.5 * (WIDTH - MARGIN - 14.0 - left - between);
+    let second = left + wide + between;
     [Area { left, right: left + wide, top, bottom }, Area { left: second, right: second + wide, top, bottom }]
 }
 
@@ -87,61 +78,52 @@ fn row(sheet: &mut Sheet, update: &Update, sweep: &Sweep, frames: [Area; 2], up:
     let (Some(first), Some(last)) = (sweep.values.first(), sweep.values.last()) else { return };
     let name = fitting(&parameter.name, &parameter.unit, frames[0].right - frames[0].left);
     let x = axis(parameter, &name, [*first, *last], 7);
-    for (side, (frame, up)) in frames.into_iter().zip(up).enumerate() {
-        let y_name = frame.left - 20.0 - Axes::widest(up);
-        let axes = Axes::within(sheet, frame, &x, up, Words { x: true, y: true, y_name: Some(y_name) });
-        if let Some(own) = sweep.model.get(sweep.parameter).filter(|own| (x.range[0]..=x.range[1]).contains(*own)) {
-            let at = axes.spot(*own, up.range[0])[0];
-            sheet.line([at, frame.top], [at, frame.bottom], Pen::line("#707070", HAIR + 0.3).dashed("4 3"));
+    let fill: [fn(&mut Panel, &Update, &Sweep); 2] = [add_norms, add_errors];
+    for ((frame, up), fill) in frames.into_iter().zip(up).zip(fill) {
+        let mut panel = Panel::new(x.clone(), up.clone());
+        if let Some(own) = sweep.model.get(sweep.parameter).filter(|own| x.holds(**own)) {
+            panel.upright(*own, Pen::line("#707070", HAIR + 0.3).dashed("4 3"));
         }
-        if side == 0 {
-            norms(sheet, sweep, &axes);
-        } else {
-            let ends = x.range.map(|x| axes.spot(x, 0.0));
-            sheet.line(ends[0], ends[1], Pen::line("#8a8a8a", HAIR + 0.2));
-            let (factor, _) = errors_in(update);
-            for (k, points) in errors(update, sweep) {
-                let (colour, dashes) = CHANNELS[k % CHANNELS.len()];
-                let spots: Vec<Spot> = points.iter().map(|(x, error)| axes.spot(*x, factor * error)).collect();
-                sheet.polyline(&spots, Pen::line(colour, 1.5).dashed(dashes).class("error"));
-            }
-        }
+        fill(&mut panel, update, sweep);
+        panel.within(sheet, frame, Some(up.widest()));
     }
 }
 
-fn norms(sheet: &mut Sheet, sweep: &Sweep, axes: &Axes) {
-    let mut run: Vec<Spot> = Vec::new();
-    for (value, norm) in sweep.values.iter().zip(&sweep.norms).map(|(v, n)| (*v, *n)).chain([(0.0, None)]) {
-        match norm.filter(|norm| norm.is_finite()) {
-            Some(norm) => run.push(axes.spot(value, norm)),
-            None => {
-                sheet.polyline(&run, Pen::line(NORM, 1.8).class("norm"));
-                run.iter().for_each(|at| sheet.circle(*at, 2.4, Pen::shape(NORM, NORM, HAIR)));
-                run.clear();
-            }
-        }
+fn add_norms(panel: &mut Panel, _: &Update, sweep: &Sweep) {
+    let norms = sweep.values.iter().zip(&sweep.norms);
+    let places: Vec<Place> = norms.map(|(value, norm)| [*value, norm.unwrap_or(f64::NAN)]).collect();
+    for run in runs(&places) {
+        panel.line(run, Pen::line(NORM, 1.8).class("norm"));
+        panel.circles(run, 2.4, Pen::shape(NORM, NORM, HAIR));
     }
     if let Some(minimum) = &sweep.minimum {
-        Mark::Hollow.draw(sheet, axes.spot(sweep.values[minimum.place], minimum.norm), INK);
+        panel.mark([sweep.values[minimum.place], minimum.norm], Mark::Hollow, INK);
     }
 }
 
-/// Errors along a sweep by channel, those that count, in pieces without a gap: value and error.
-fn errors(update: &Update, sweep: &Sweep) -> Vec<(usize, Vec<(f64, f64)>)> {
+fn add_errors(panel: &mut Panel, update: &Update, sweep: &Sweep) {
+    panel.level(0.0, ZERO);
+    for (k, run) in errors(update, sweep) {
+        let (colour, dashes) = CHANNELS[k % CHANNELS.len()];
+        panel.line(run, Pen::line(colour, 1.5).dashed(dashes).class("error"));
+    }
+}
+
+/// Errors along a sweep by channel, those that count, in pieces without a gap [as the axis has them].
+fn errors(update: &Update, sweep: &Sweep) -> Vec<(usize, Vec<Place>)> {
     let channels = update.problem.channels();
+    let (factor, _) = errors_in(update);
     let mut pieces = Vec::new();
     for k in (0..channels.len()).filter(|k| channels[*k].counts()) {
         let points = sweep.values.iter().zip(&sweep.errors);
-        let points: Vec<(f64, f64)> =
-            points.map(|(x, errors)| (*x, errors.get(k).copied().unwrap_or(f64::NAN))).collect();
-        let split = points.split(|point| !point.1.is_finite()).filter(|piece| !piece.is_empty());
-        pieces.extend(split.map(|piece| (k, piece.to_vec())));
+        let places = points.map(|(x, errors)| [*x, factor * errors.get(k).copied().unwrap_or(f64::NAN)]);
+        pieces.extend(runs(&places.collect::<Vec<Place>>()).map(|run| (k, run.to_vec())));
     }
     pieces
 }
 
 /// Name with rank, and what the sweep showed.
-fn told(update: &Update, sweep: &Sweep, place: usize, last: bool) -> [String; 2] {
+fn told(update: &Update, sweep: &Sweep, place: usize, last: bool) -> Heading {
     let parameter = &update.problem.parameters()[sweep.parameter];
     let name =
         if last { format!("{}, last sweep", parameter.name) } else { format!("{}. {}", place + 1, parameter.name) };
@@ -157,5 +139,5 @@ fn told(update: &Update, sweep: &Sweep, place: usize, last: bool) -> [String; 2]
         let (factor, unit) = errors_in(update);
         words += &format!("; mean range of errors {} {unit}", three_digits(factor * sweep.mean_error_range(weights)));
     }
-    [name, words]
+    (name, Some(words))
 }

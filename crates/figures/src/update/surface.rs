@@ -2,11 +2,11 @@
 
 use super::bands::Grid;
 use super::{axis, fitting, search_words, second_line, value_words};
-use crate::chart::{Axes, Entry, Mark, Words, key};
+use crate::chart::{Axes, Entry, Mark, Panel, key};
 use crate::colour::dark_for_much;
 use crate::elevation::INK;
 use crate::sheet::place::Room;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};
 use crate::ticks::Ticks;
 use crate::words::{four_digits, three_digits};
 use outcome::calibrate::search::hierarchical::Stage;
@@ -32,7 +32,6 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
     let (low, high) = (known().reduce(f64::min)?, known().reduce(f64::max)?);
     let levels = levels(low, high);
 
-    let mut sheet = Sheet::new(&format!("surface-{}-{}", number + 1, place + 1));
     let names = surface.parameters.map(|k| {
         let parameter = &update.problem.parameters()[k];
         fitting(&parameter.name, &parameter.unit, HEIGHT)
@@ -43,33 +42,30 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
         place + 1,
         search_words(update, paper)
     );
-    let top = sheet.title(&update.bridge, &second_line(update, &what));
-    let (axes, below) = frame(&mut sheet, update, surface, &names, top)?;
-    sheet.open_clipped("surface", "bands", axes.area);
-    bands(&mut sheet, surface, &axes, &levels);
-    sheet.close();
-    sheet.rectangle(axes.area, Pen::line(INK, 0.9));
-    evaluated(&mut sheet, surface, &axes);
+    let (mut sheet, top) =
+        Sheet::titled(&format!("surface-{}-{}", number + 1, place + 1), &update.bridge, &second_line(update, &what));
     let travelled = path(paper, number, place, surface);
-    walk(&mut sheet, &axes, &travelled);
-    least(&mut sheet, update, surface, &axes);
+    let mut panel = plane(update, surface, &names)?;
+    panel.clip("surface", "bands");
+    panel.add(|sheet, axes| bands(sheet, surface, axes, &levels));
+    panel.close();
+    panel.add(|sheet, axes| sheet.rectangle(axes.area, Pen::line(INK, 0.9)));
+    panel.add(|sheet, axes| evaluated(sheet, surface, axes));
+    panel.add(|sheet, axes| walk(sheet, axes, &travelled));
+    panel.add(|sheet, axes| least(sheet, update, surface, axes));
+    let below = panel.whole(&mut sheet, top, HEIGHT);
 
     let bottom = legend(&mut sheet, below, &levels, [low, high]);
-    let mut entries = vec![Entry { line: None, mark: Some((Mark::Full, "#555555")), text: "point of the grid" }];
-    let near = format!("{} % above the least norm", three_digits(100.0 * NEAR));
+    let mut entries = vec![Entry::mark(Mark::Full, "#555555", "point of the grid")];
     if known().any(|norm| norm > (1.0 + NEAR) * low) {
-        entries.push(Entry { line: Some((INK, NEAR_DASHES)), mark: None, text: &near });
+        let near = format!("{} % above the least norm", three_digits(100.0 * NEAR));
+        entries.push(Entry::line((INK, NEAR_DASHES), near));
     }
     if travelled.len() > 1 {
-        entries.push(Entry {
-            line: Some((PATH, "")),
-            mark: Some((Mark::Hollow, PATH)),
-            text: "path of the search so far",
-        });
+        entries.push(Entry::line((PATH, ""), "path of the search so far").marked(Mark::Hollow, PATH));
     }
     let bottom = key(&mut sheet, bottom, &entries);
-    let bottom = sheet.caption(bottom, &words(update, stage, travelled.len() > 1));
-    Some(sheet.finish(bottom))
+    Some(sheet.end(bottom, &words(update, stage, travelled.len() > 1)))
 }
 
 /// Round levels between two norms. Where the norm grows manifold they stand closer below than above: troughs are what is looked
@@ -95,19 +91,15 @@ fn levels(low: f64, high: f64) -> Vec<f64> {
     made.reduce(|finer, coarser| if finer.len() <= MOST { finer } else { coarser }).unwrap_or_default()
 }
 
-/// The axes over both ranges; none where a parameter has fewer than two values.
-fn frame(sheet: &mut Sheet, update: &Update, surface: &Surface, names: &[String; 2], top: f64) -> Option<(Axes, f64)> {
+/// The plane of both ranges; none where a parameter has fewer than two values.
+fn plane<'a>(update: &Update, surface: &Surface, names: &'a [String; 2]) -> Option<Panel<'a>> {
     let side = |side: usize, count: usize| {
         let values = &surface.values[side];
         let (first, last) = (*values.first()?, *values.last()?);
         let parameter = &update.problem.parameters()[surface.parameters[side]];
         (last > first).then(|| axis(parameter, &names[side], [first, last], count))
     };
-    let (x, y) = (side(0, 8)?, side(1, 7)?);
-    let left = MARGIN + 24.0 + Axes::widest(&y) + 8.0;
-    let area = Area { left, right: WIDTH - MARGIN - 16.0, top: top + 6.0, bottom: top + 6.0 + HEIGHT };
-    let words = Words { x: true, y: true, y_name: Some(MARGIN + 12.0) };
-    Some((Axes::within(sheet, area, &x, &y, words), area.bottom + 50.0))
+    Some(Panel::new(side(0, 8)?, side(1, 7)?))
 }
 
 /// Norm at a place of the grid.
@@ -117,8 +109,8 @@ fn norm(surface: &Surface, i: usize, j: usize) -> Option<f64> {
 
 fn bands(sheet: &mut Sheet, surface: &Surface, axes: &Axes, levels: &[f64]) {
     let (first, last) = (surface.values[0][0], surface.values[1][0]);
-    let x: Vec<f64> = surface.values[0].iter().map(|value| axes.spot(*value, last)[0]).collect();
-    let y: Vec<f64> = surface.values[1].iter().map(|value| axes.spot(first, *value)[1]).collect();
+    let x: Vec<f64> = surface.values[0].iter().map(|value| axes.spot([*value, last])[0]).collect();
+    let y: Vec<f64> = surface.values[1].iter().map(|value| axes.spot([first, *value])[1]).collect();
     let height = |i: usize, j: usize| norm(surface, i, j);
     let grid = Grid { x: &x, y: &y, height: &height };
     sheet.rectangle(axes.area, Pen::shape("#ffffff", "none", 0.0));
@@ -147,7 +139,7 @@ fn colour(band: usize, levels: usize) -> String {
 fn evaluated(sheet: &mut Sheet, surface: &Surface, axes: &Axes) {
     for (i, x) in surface.values[0].iter().enumerate() {
         for (j, y) in surface.values[1].iter().enumerate() {
-            let at = axes.spot(*x, *y);
+            let at = axes.spot([*x, *y]);
             if norm(surface, i, j).is_some() {
                 sheet.circle(at, 1.5, Pen::shape("#555555", "#ffffff", 0.4).class("asked"));
             } else {
@@ -172,7 +164,7 @@ fn path(paper: &PaperSearch, number: usize, place: usize, surface: &Surface) -> 
 }
 
 fn walk(sheet: &mut Sheet, axes: &Axes, travelled: &[[f64; 2]]) {
-    let spots: Vec<Spot> = travelled.iter().map(|[x, y]| axes.spot(*x, *y)).collect();
+    let spots = axes.spots(travelled);
     if spots.len() < 2 {
         return;
     }
@@ -194,7 +186,7 @@ fn walk(sheet: &mut Sheet, axes: &Axes, travelled: &[[f64; 2]]) {
 /// The least point with its words.
 fn least(sheet: &mut Sheet, update: &Update, surface: &Surface, axes: &Axes) {
     let values = [0, 1].map(|side| surface.values[side][surface.minima[side].place]);
-    let at = axes.spot(values[0], values[1]);
+    let at = axes.spot(values);
     for (colour, width) in [("#ffffff", 5.0), (INK, 2.2)] {
         sheet.line([at[0] - ARM, at[1]], [at[0] + ARM, at[1]], Pen::line(colour, width));
         sheet.line([at[0], at[1] - ARM], [at[0], at[1] + ARM], Pen::line(colour, width));
@@ -215,7 +207,7 @@ fn least(sheet: &mut Sheet, update: &Update, surface: &Surface, axes: &Axes) {
 
 /// The bands in a row, a value between each two; returns the y below.
 fn legend(sheet: &mut Sheet, top: f64, levels: &[f64], [low, high]: [f64; 2]) -> f64 {
-    let style = Style { size: SMALL, ..Style::default() };
+    let style = Style::small();
     let text = format!("norm [-], {} to {}", three_digits(low), three_digits(high));
     let y = sheet.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, &text, style);
     let (left, wide) = (MARGIN + 10.0, (560.0 / (levels.len() + 1) as f64).min(70.0));

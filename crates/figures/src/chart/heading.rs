@@ -1,0 +1,41 @@
+//! Headings of panels: a name in bold and words about it.
+
+use crate::sheet::{Sheet, Spot, Style};
+
+/// A name, and words about it where there are to be any.
+pub type Heading = (String, Option<String>);
+
+/// Height of a line.
+pub const HEADING: f64 = 17.0;
+
+/// Name and words, these beside the name where there is room up to `right` and below it otherwise; `at` is where the last line
+/// begins.
+pub fn heading(sheet: &mut Sheet, at: Spot, right: f64, told: &Heading) {
+    let (name, words) = (&told.0, told.1.as_deref().unwrap_or_default());
+    if heading_lines(at[0], right, told) == 1.0 {
+        sheet.text(at, name, Style::bold());
+        sheet.text([at[0] + name_width(name), at[1]], words, Style::grey());
+    } else {
+        sheet.text([at[0], at[1] - HEADING], name, Style::bold());
+        sheet.text(at, &shortened(words, right - at[0]), Style::grey());
+    }
+}
+
+/// How many lines a heading needs.
+pub fn heading_lines(left: f64, right: f64, (name, words): &Heading) -> f64 {
+    let fits = |words: &String| left + name_width(name) + Style::small().width(words) <= right;
+    if words.as_ref().is_none_or(fits) { 1.0 } else { 2.0 }
+}
+
+/// Width of a name with the gap beside it.
+fn name_width(name: &str) -> f64 {
+    Style::bold().width(name) + 14.0
+}
+
+/// As much of a line of small print as a limit allows.
+fn shortened(words: &str, limit: f64) -> String {
+    let fits = |text: &String| Style::small().width(text) <= limit;
+    let cut = |length: usize| format!("{}…", words.chars().take(length).collect::<String>().trim_end());
+    let shorter = (1..words.chars().count()).rev().map(cut);
+    std::iter::once(words.to_owned()).chain(shorter).find(fits).unwrap_or_default()
+}

@@ -1,0 +1,129 @@
+//! A panel of a chart: its axes, and what stands in its plane.
+
+use super::{Axes, Axis, Heading, Mark, NAME};
+use crate::sheet::place::Room;
+use crate::sheet::{Area, HAIR, Pen, Sheet, Spot, Style};
+use crate::thinned::thinned;
+
+/// A place in the plane: a value along each axis.
+pub type Place = [f64; 2];
+
+/// The line of zero, darker than the grid.
+pub const ZERO: Pen = Pen::line("#8a8a8a", HAIR + 0.2);
+
+/// Axes, and layers in the order of drawing.
+pub struct Panel<'a> {
+    /// What stands above it.
+    pub heading: Heading,
+    pub x: Axis<'a>,
+    pub y: Axis<'a>,
+    layers: Vec<Box<dyn Fn(&mut Sheet, &Axes) + 'a>>,
+}
+
+impl<'a> Panel<'a> {
+    /// An empty plane.
+    pub fn new(x: Axis<'a>, y: Axis<'a>) -> Panel<'a> {
+        Panel { heading: Default::default(), x, y, layers: Vec::new() }
+    }
+    /// Draws it within an area; values stand to the left where they have a width.
+    pub fn within(&self, sheet: &mut Sheet, area: Area, widest: Option<f64>) {
+        let axes = Axes { area, x: &self.x, y: &self.y };
+        axes.draw(sheet, Some(NAME), widest);
+        self.draw(sheet, &axes);
+    }
+    /// Draws it across the sheet; returns the y below.
+    pub fn whole(&self, sheet: &mut Sheet, top: f64, height: f64) -> f64 {
+        let axes = Axes::whole(sheet, [top, height], [&self.x, &self.y], self.y.widest(), true);
+        self.draw(sheet, &axes);
+        axes.area.bottom + 50.0
+    }
+    /// Draws what stands in the plane.
+    pub fn draw(&self, sheet: &mut Sheet, axes: &Axes) {
+        self.layers.iter().for_each(|layer| layer(sheet, axes));
+    }
+
+    /// A layer of its own kind.
+    pub fn add(&mut self, layer: impl Fn(&mut Sheet, &Axes) + 'a) {
+        self.layers.push(Box::new(layer));
+    }
+    /// Begins a group of a class.
+    pub fn open(&mut self, class: &'a str) {
+        self.add(move |sheet, _| sheet.open(class));
+    }
+    /// Begins a group that is drawn only inside the frame.
+    pub fn clip(&mut self, class: &'a str, id: impl Into<String>) {
+        let id = id.into();
+        self.add(move |sheet, axes| sheet.open_clipped(class, &id, axes.area));
+    }
+    /// Ends a group.
+    pub fn close(&mut self) {
+        self.add(|sheet, _| sheet.close());
+    }
+    /// A line through places.
+    pub fn line(&mut self, places: impl Into<Vec<Place>>, pen: Pen<'a>) {
+        let places = places.into();
+        self.add(move |sheet, axes| sheet.polyline(&axes.spots(&places), pen));
+    }
+    /// A line of which labels keep clear.
+    pub fn curve(&mut self, places: impl Into<Vec<Place>>, pen: Pen<'a>) {
+        let places = places.into();
+        self.add(move |sheet, axes| {
+            let spots = axes.spots(&places);
+            sheet.polyline(&spots, pen);
+            sheet.avoid_line(&spots);
+        });
+    }
+    /// A long record, no more of it than is seen.
+    pub fn record(&mut self, x: &[f64], y: &[f64], pen: Pen<'a>) {
+        let places: Vec<Place> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
+        self.add(move |sheet, axes| {
+            for run in runs(&places) {
+                let spots = thinned(&axes.spots(run));
+                sheet.polyline(&spots, pen);
+                sheet.avoid_line(&spots);
+            }
+        });
+    }
+    /// A line over the whole height.
+    pub fn upright(&mut self, x: f64, pen: Pen<'a>) {
+        let [low, high] = self.y.range;
+        self.line([[x, high], [x, low]], pen);
+    }
+    /// A line over the whole width.
+    pub fn level(&mut self, y: f64, pen: Pen<'a>) {
+        self.line(self.x.range.map(|x| [x, y]), pen);
+    }
+    /// The area within places.
+    pub fn area(&mut self, places: impl Into<Vec<Place>>, pen: Pen<'a>) {
+        let places = places.into();
+        self.add(move |sheet, axes| sheet.polygon(&axes.spots(&places), pen));
+    }
+    /// A rectangle between two corners.
+    pub fn bar(&mut self, low: Place, high: Place, pen: Pen<'a>) {
+        self.add(move |sheet, axes| {
+            let ([left, bottom], [right, top]) = (axes.spot(low), axes.spot(high));
+            sheet.rectangle(Area { left, top, right, bottom }, pen);
+        });
+    }
+    /// Small circles.
+    pub fn circles(&mut self, places: impl Into<Vec<Place>>, radius: f64, pen: Pen<'a>) {
+        let places = places.into();
+        self.add(move |sheet, axes| axes.spots(&places).iter().for_each(|at| sheet.circle(*at, radius, pen)));
+    }
+    /// A mark in a colour.
+    pub fn mark(&mut self, at: Place, mark: Mark, colour: &'a str) {
+        self.add(move |sheet, axes| mark.draw(sheet, axes.spot(at), colour));
+    }
+    /// Words beside a place, no closer than `clear`.
+    pub fn label(&mut self, at: Place, text: String, towards: Spot, clear: f64) {
+        self.add(move |sheet, axes| {
+            let room = Room { area: axes.area.grown(-5.0), towards, clear };
+            sheet.label(axes.spot(at), &text, Style::on_drawing(), room);
+        });
+    }
+}
+
+/// The pieces of a line between its gaps, where a value is not finite.
+pub fn runs(places: &[Place]) -> impl Iterator<Item = &[Place]> {
+    places.split(|place| place.iter().any(|value| !value.is_finite())).filter(|run| !run.is_empty())
+}
