@@ -57,11 +57,10 @@ pub fn force_chains(picture: &Picture) -> Option<String> {
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 8.0);
     y = widths(&mut sheet, y + 4.0, scale, largest);
-    let mut entries = Vec::new();
-    if !picture.thrust_lines.is_empty() {
-        entries.push((Sign::Thrust, "line of thrust in the ring (dashed)"));
-    }
-    entries.push((Sign::Support, "support"));
+    let entries = [
+        (Sign::Thrust, "line of thrust in the ring (dashed)", !picture.thrust_lines.is_empty()),
+        (Sign::Support, "support", true),
+    ];
     y = draw::key(&mut sheet, y, &entries);
     let caption = format!(
         "Each line joins the centres of two particles that touch, or a centre and the place where its particle touches a block. Its width is proportional to the compression between them; dark lines carry more than the mean of {}, pale ones less. Largest: {}. {} contacts of {} particles.",

@@ -37,19 +37,15 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     let room = Room::between(top, frame.bottom);
     let mut y = dimension::draw(&mut sheet, &view, &picture.dimensions, extent, room) + 8.0;
     y = draw::scale_bar(&mut sheet, &view, y);
-    let mut entries = Vec::new();
-    if picture.shapes.iter().any(|s| s.held) {
-        entries.push((Sign::Support, "support"));
-    }
-    if on_surface || !picture.loads.is_empty() {
-        entries.push((Sign::Load, if on_surface { "variable load on the surface" } else { "variable load" }));
-    }
     y = discs::key(&mut sheet, y + 4.0, picture, false);
     y = cover::key(&mut sheet, y, picture);
     y = defects::key(&mut sheet, y, picture);
-    if !entries.is_empty() {
-        y = draw::key(&mut sheet, y, &entries);
-    }
+    let load = if on_surface { "variable load on the surface" } else { "variable load" };
+    let entries = [
+        (Sign::Support, "support", picture.shapes.iter().any(|s| s.held)),
+        (Sign::Load, load, on_surface || !picture.loads.is_empty()),
+    ];
+    y = draw::key(&mut sheet, y, &entries);
     if let Some(words) = discs::left_out(picture) {
         y = sheet.caption(y, &format!("{words}."));
     }

@@ -211,10 +211,13 @@ pub fn heading(name: &str, picture: &Picture, second: &str) -> (Sheet, f64) {
     (sheet, below)
 }
 
-/// A small row of signs and what they mean; returns the y below it.
-pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str)]) -> f64 {
-    Key::ELEVATION
-        .draw(sheet, top, entries.iter().copied(), |sheet, [x, y], sign| sign.draw(sheet, [x + 11.0, y - 4.0]))
+/// A small row of signs and what they mean, those that are there; returns the y below it.
+pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str, bool)]) -> f64 {
+    let mut there = entries.iter().filter(|entry| entry.2).map(|entry| (entry.0, entry.1)).peekable();
+    if there.peek().is_none() {
+        return top;
+    }
+    Key::ELEVATION.draw(sheet, top, there, |sheet, [x, y], sign| sign.draw(sheet, [x + 11.0, y - 4.0]))
 }
 
 /// The signs of a key, and of the drawing it belongs to.

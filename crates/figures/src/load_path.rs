@@ -89,13 +89,12 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
     }
 
     let mut chart = Chart::of(panel, 360.0);
-    chart.key.push(Entry::line((CURVE, ""), "in balance").marked(Mark::Full, CURVE));
-    if steps.iter().zip(&places).any(|(s, place)| !s.at_rest && inside(place)) {
-        chart.key.push(Entry::mark(Mark::Hollow, CURVE, "did not come to rest"));
-    }
-    if last_stable.is_some() {
-        chart.key.push(Entry::mark(Mark::Ring, INK, "last stable"));
-    }
+    let unrest = steps.iter().zip(&places).any(|(s, place)| !s.at_rest && inside(place));
+    chart.key = vec![
+        Entry::line((CURVE, ""), "in balance").marked(Mark::Full, CURVE),
+        Entry::mark(Mark::Hollow, CURVE, "did not come to rest").when(unrest),
+        Entry::mark(Mark::Ring, INK, "last stable").when(last_stable.is_some()),
+    ];
     if out.is_some() {
         let far = places[stay.len()..].iter().fold(0.0_f64, |a, b| if b[0].abs() > a.abs() { b[0] } else { a });
         chart.words.push(format!(

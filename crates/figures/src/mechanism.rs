@@ -113,18 +113,14 @@ pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
     mark_hinges(&mut sheet, &picture.shapes, &view, &hinges, middle, room);
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 26.0);
-    let mut entries = Vec::new();
-    if !hinges.is_empty() {
-        let few = hinges.len() <= MANY;
-        entries.push((Sign::Hinge, if few { "hinge, named after the edge about which it turns" } else { "hinge" }));
-    }
-    if !picture.sliding.is_empty() {
-        entries.push((Sign::Sliding, "sliding joint"));
-    }
-    if !picture.loads.is_empty() || soil::loaded(picture) {
-        entries.push((Sign::Load, "load"));
-    }
-    entries.push((Sign::AsBuilt, if picture.surface.len() > 1 { "as built, and road surface" } else { "as built" }));
+    let hinge = if hinges.len() <= MANY { "hinge, named after the edge about which it turns" } else { "hinge" };
+    let built = if picture.surface.len() > 1 { "as built, and road surface" } else { "as built" };
+    let entries = [
+        (Sign::Hinge, hinge, !hinges.is_empty()),
+        (Sign::Sliding, "sliding joint", !picture.sliding.is_empty()),
+        (Sign::Load, "load", soil::any_load(picture)),
+        (Sign::AsBuilt, built, true),
+    ];
     y = draw::key(&mut sheet, y + 2.0, &entries);
     if coloured.is_some() {
         y = soil::mechanism::key(&mut sheet, y + 6.0);

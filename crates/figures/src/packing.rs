@@ -71,7 +71,7 @@ pub fn packing(picture: &Picture) -> Option<String> {
     }
     y = draw::scale_bar(&mut sheet, &view, y);
     y = discs::key(&mut sheet, y + 4.0, picture, false);
-    y = draw::key(&mut sheet, y, &[(Sign::Support, "support, fixed wall, lid")]);
+    y = draw::key(&mut sheet, y, &[(Sign::Support, "support, fixed wall, lid", true)]);
     Some(sheet.finish(y))
 }
 

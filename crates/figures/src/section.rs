@@ -83,5 +83,5 @@ fn deviations(sheet: &mut Sheet, section: &Section, top: f64) -> f64 {
         panel.add(move |sheet, axes| sheet.dots(&axes.spots(&places), radius, colour));
     }
     panel.close();
-    panel.whole(sheet, top, HEIGHT)
+    panel.whole(sheet, [top, HEIGHT], panel.y.widest(), true)
 }

@@ -88,16 +88,11 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 8.0);
     y = scale_of_stress.draw(&mut sheet, MARGIN, MARGIN + 444.0, y + 6.0);
-    let mut entries = Vec::new();
-    if highest > 0.0 {
-        entries.push((Sign::Contact, "contact stress, as a bar out of the joint"));
-    }
-    if picture.shapes.iter().any(|s| s.held) {
-        entries.push((Sign::Support, "support"));
-    }
-    if !entries.is_empty() {
-        y = draw::key(&mut sheet, y, &entries);
-    }
+    let entries = [
+        (Sign::Contact, "contact stress, as a bar out of the joint", highest > 0.0),
+        (Sign::Support, "support", picture.shapes.iter().any(|s| s.held)),
+    ];
+    y = draw::key(&mut sheet, y, &entries);
     let mut caption = format!(
         "Displacements {}.",
         if scale == 1.0 { "drawn at true scale".into() } else { format!("exaggerated {}", words::times(scale)) }

@@ -71,13 +71,11 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         true => "line of thrust, with its force where marked, of the upper ring above that of the lower",
         false => "line of thrust, with its force where marked",
     };
-    let mut entries = vec![(Sign::Thrust, words)];
-    if !hinges.is_empty() {
-        entries.push((Sign::Hinge, "hinge"));
-    }
-    if !picture.loads.is_empty() || soil::loaded(picture) {
-        entries.push((Sign::Load, "load"));
-    }
+    let entries = [
+        (Sign::Thrust, words, true),
+        (Sign::Hinge, "hinge", !hinges.is_empty()),
+        (Sign::Load, "load", soil::any_load(picture)),
+    ];
     y = draw::key(&mut sheet, y + 2.0, &entries);
     if !picture.loads.is_empty() && picture.particles.is_empty() {
         y = sheet.caption(y, draw::LOAD_WORDS);

@@ -61,9 +61,8 @@ pub fn moduli(report: &CalibrationReport) -> Option<String> {
     for at in &compared {
         panel.mark([at.multiple, at.modulus / 1e6], Mark::Hollow, INK);
     }
-    if !compared.is_empty() {
-        entries.push(Entry::mark(Mark::Hollow, INK, format!("{}, given for comparison", report.matched())));
-    }
+    let which = format!("{}, given for comparison", report.matched());
+    entries.push(Entry::mark(Mark::Hollow, INK, which).when(!compared.is_empty()));
     let found = report.found.as_ref().and_then(|m| m.at(report.modulus));
     if let (Some(wanted), Some(at)) = (report.plan.wanted_modulus, found) {
         let pen = Pen::line(INK, 0.9).dashed("5 4").class("wanted");

@@ -2,7 +2,7 @@
 //! colour than the fill), and because charts then share font, line widths and label places with the drawings.
 
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Spot, Style};
 use crate::ticks::Ticks;
 use crate::words::four_digits;
 
@@ -88,20 +88,6 @@ impl<'a> Axes<'a> {
     pub fn left(widest: f64) -> f64 {
         MARGIN + 24.0 + widest + 8.0
     }
-    /// A plane of the whole width below `top`, beside words of a width; words along x only where it is the lowest.
-    pub fn whole(
-        sheet: &mut Sheet,
-        [top, height]: [f64; 2],
-        [x, y]: [&'a Axis<'a>; 2],
-        widest: f64,
-        lowest: bool,
-    ) -> Axes<'a> {
-        let (top, bottom) = (top + 6.0, top + 6.0 + height);
-        let axes = Axes { area: Area { left: Axes::left(widest), right: WIDTH - MARGIN - 16.0, top, bottom }, x, y };
-        axes.draw(sheet, lowest.then_some(NAME), Some(widest));
-        axes
-    }
-
     /// Of one axis, which lies below an area; its name stands so far below the frame.
     pub fn across(sheet: &mut Sheet, area: Area, x: &'a Axis<'a>, name: f64) -> Axes<'a> {
         static BLANK: Axis = Axis::blank(0.0, 1.0);

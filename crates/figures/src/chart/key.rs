@@ -57,16 +57,21 @@ pub struct Entry<'a> {
     line: Option<Pen<'a>>,
     mark: Option<(Mark, &'a str)>,
     text: Cow<'a, str>,
+    there: bool,
 }
 
 impl<'a> Entry<'a> {
     /// A line by its colour and dashes.
     pub fn line((colour, dashes): (&'a str, &'a str), text: impl Into<Cow<'a, str>>) -> Entry<'a> {
-        Entry { line: Some(Pen::line(colour, 1.8).dashed(dashes)), mark: None, text: text.into() }
+        Entry { line: Some(Pen::line(colour, 1.8).dashed(dashes)), mark: None, text: text.into(), there: true }
     }
     /// A mark in a colour.
     pub fn mark(mark: Mark, colour: &'a str, text: impl Into<Cow<'a, str>>) -> Entry<'a> {
-        Entry { line: None, mark: Some((mark, colour)), text: text.into() }
+        Entry { line: None, mark: Some((mark, colour)), text: text.into(), there: true }
+    }
+    /// The same where there is something that it stands for.
+    pub fn when(self, there: bool) -> Entry<'a> {
+        Entry { there, ..self }
     }
     /// The same on its line.
     pub fn marked(self, mark: Mark, colour: &'a str) -> Entry<'a> {
@@ -76,7 +81,8 @@ impl<'a> Entry<'a> {
 
 /// The key of a chart; returns the y below it.
 pub fn key(sheet: &mut Sheet, top: f64, entries: &[Entry]) -> f64 {
-    Key::CHART.draw(sheet, top, entries.iter().map(|entry| (entry, &entry.text)), |sheet, [x, y], entry| {
+    let there = entries.iter().filter(|entry| entry.there).map(|entry| (entry, &entry.text));
+    Key::CHART.draw(sheet, top, there, |sheet, [x, y], entry| {
         if let Some(pen) = entry.line {
             sheet.line([x + 2.0, y - 4.0], [x + 32.0, y - 4.0], pen);
         }

@@ -42,9 +42,7 @@ impl<'a> Chart<'a> {
             y += self.heading * heading_lines(left, right, &panel.heading);
             heading(&mut sheet, [left, y - 1.0], right, &panel.heading);
             let lowest = place + 1 == self.panels.len();
-            let axes = Axes::whole(&mut sheet, [y, self.height], [&panel.x, &panel.y], widest, lowest);
-            panel.draw(&mut sheet, &axes);
-            y = axes.area.bottom + if lowest { 50.0 } else { 8.0 };
+            y = panel.whole(&mut sheet, [y, self.height], widest, lowest);
         }
         if !self.key.is_empty() {
             y = key(&mut sheet, y, &self.key);

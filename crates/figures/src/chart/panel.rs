@@ -2,7 +2,7 @@
 
 use super::{Axes, Axis, Heading, Mark, NAME};
 use crate::sheet::place::Room;
-use crate::sheet::{Area, HAIR, Pen, Sheet, Spot, Style};
+use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH};
 use crate::thinned::thinned;
 
 /// A place in the plane: a value along each axis.
@@ -11,13 +11,16 @@ pub type Place = [f64; 2];
 /// The line of zero, darker than the grid.
 pub const ZERO: Pen = Pen::line("#8a8a8a", HAIR + 0.2);
 
+/// What draws itself over axes.
+type Layer<'a> = Box<dyn Fn(&mut Sheet, &Axes) + 'a>;
+
 /// Axes, and layers in the order of drawing.
 pub struct Panel<'a> {
     /// What stands above it.
     pub heading: Heading,
     pub x: Axis<'a>,
     pub y: Axis<'a>,
-    layers: Vec<Box<dyn Fn(&mut Sheet, &Axes) + 'a>>,
+    layers: Vec<Layer<'a>>,
 }
 
 impl<'a> Panel<'a> {
@@ -25,21 +28,18 @@ impl<'a> Panel<'a> {
     pub fn new(x: Axis<'a>, y: Axis<'a>) -> Panel<'a> {
         Panel { heading: Default::default(), x, y, layers: Vec::new() }
     }
-    /// Draws it within an area; values stand to the left where they have a width.
-    pub fn within(&self, sheet: &mut Sheet, area: Area, widest: Option<f64>) {
+    /// Draws it within an area, with words around it as those of [`Axes::draw`].
+    pub fn within(&self, sheet: &mut Sheet, area: Area, below: Option<f64>, widest: Option<f64>) {
         let axes = Axes { area, x: &self.x, y: &self.y };
-        axes.draw(sheet, Some(NAME), widest);
-        self.draw(sheet, &axes);
+        axes.draw(sheet, below, widest);
+        self.layers.iter().for_each(|layer| layer(sheet, &axes));
     }
-    /// Draws it across the sheet; returns the y below.
-    pub fn whole(&self, sheet: &mut Sheet, top: f64, height: f64) -> f64 {
-        let axes = Axes::whole(sheet, [top, height], [&self.x, &self.y], self.y.widest(), true);
-        self.draw(sheet, &axes);
-        axes.area.bottom + 50.0
-    }
-    /// Draws what stands in the plane.
-    pub fn draw(&self, sheet: &mut Sheet, axes: &Axes) {
-        self.layers.iter().for_each(|layer| layer(sheet, axes));
+    /// Draws it across the sheet beside words of a width, those along x only where it is the lowest; returns the y below.
+    pub fn whole(&self, sheet: &mut Sheet, [top, height]: [f64; 2], widest: f64, lowest: bool) -> f64 {
+        let (top, bottom) = (top + 6.0, top + 6.0 + height);
+        let area = Area { left: Axes::left(widest), right: WIDTH - MARGIN - 16.0, top, bottom };
+        self.within(sheet, area, lowest.then_some(NAME), Some(widest));
+        bottom + if lowest { 50.0 } else { 8.0 }
     }
 
     /// A layer of its own kind.

@@ -138,6 +138,11 @@ pub fn loaded(picture: &Picture) -> bool {
     of(picture).is_some_and(|soil| !soil.plates.is_empty())
 }
 
+/// Whether loads stand on the blocks or on the soil.
+pub fn any_load(picture: &Picture) -> bool {
+    loaded(picture) || !picture.loads.is_empty()
+}
+
 /// Room above an elevation for the arrows and labels on it.
 pub fn above(picture: &Picture) -> f64 {
     if loaded(picture) { draw::ARROW + 8.0 } else { 14.0 }

@@ -52,13 +52,11 @@ pub fn soil_pressure(picture: &Picture) -> Option<String> {
     name_largest(&mut sheet, &view, &sides, scale, Room::between(top, frame.bottom + 20.0));
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 26.0);
-    let mut entries = vec![(Sign::Pressure, "pressure, normal to the back")];
-    if shear > 0.0 {
-        entries.push((Sign::Shear, "shear stress on the blocks"));
-    }
-    if soil::loaded(picture) || !picture.loads.is_empty() {
-        entries.push((Sign::Load, "load"));
-    }
+    let entries = [
+        (Sign::Pressure, "pressure, normal to the back", true),
+        (Sign::Shear, "shear stress on the blocks", shear > 0.0),
+        (Sign::Load, "load", soil::any_load(picture)),
+    ];
     y = draw::key(&mut sheet, y + 2.0, &entries);
     let round = round_down(largest / 1e3);
     y = scales(&mut sheet, y + 2.0, round, 1e3 * round * scale * view.scale());

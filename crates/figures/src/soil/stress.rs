@@ -75,16 +75,12 @@ pub fn soil_stress(picture: &Picture) -> Option<String> {
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 10.0);
     let pulls = crosses.iter().flat_map(|c| c.principal).any(|p| p.0 > 0.0 && length(p.0, scale) >= SHORTEST);
-    let mut entries = vec![(Sign::Compression, "compression")];
-    if pulls {
-        entries.push((Sign::Tension, "tension"));
-    }
-    if !picture.thrust_lines.is_empty() {
-        entries.push((Sign::Thrust, "line of thrust"));
-    }
-    if soil::loaded(picture) || !picture.loads.is_empty() {
-        entries.push((Sign::Load, "load"));
-    }
+    let entries = [
+        (Sign::Compression, "compression", true),
+        (Sign::Tension, "tension", pulls),
+        (Sign::Thrust, "line of thrust", !picture.thrust_lines.is_empty()),
+        (Sign::Load, "load", soil::any_load(picture)),
+    ];
     y = draw::key(&mut sheet, y + 2.0, &entries);
     y = lengths(&mut sheet, y + 2.0, largest, scale);
     let side = words::metres(CELL / view.scale());

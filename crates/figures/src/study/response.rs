@@ -65,9 +65,7 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
     }
     let mut chart = Chart::of(panel, 320.0);
     chart.key.push(Entry::line((CURVE, ""), own_status).marked(Mark::Full, CURVE));
-    if otherwise {
-        chart.key.push(Entry::mark(Mark::Hollow, CURVE, "ended otherwise"));
-    }
+    chart.key.push(Entry::mark(Mark::Hollow, CURVE, "ended otherwise").when(otherwise));
     if without {
         chart.words.push("Crosses at the foot: runs without this number, with how they ended.".to_owned());
     }

@@ -1,7 +1,7 @@
 //! What the data leave open of each parameter: its posterior over its range, beside what was believed before.
 
 use super::{UPDATED, axis, fitting, second_line, value_words};
-use crate::chart::{Axis, Entry, Mark, Panel, Place, key};
+use crate::chart::{Axis, Entry, Mark, NAME, Panel, Place, key};
 use crate::elevation::INK;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};
 use crate::words::{four_digits, three_digits};
@@ -44,9 +44,9 @@ pub fn marginals(update: &Update) -> Option<String> {
         Entry::line((PRIOR, "5 3"), "prior"),
         Entry::line((WITHIN, ""), "95 % interval"),
         Entry::mark(Mark::Hollow, INK, "mean"),
-        Entry::line((UPDATED, ""), "where the search ended"),
+        Entry::line((UPDATED, ""), "where the search ended").when(found.is_some()),
     ];
-    let bottom = key(&mut sheet, below, &entries[..if found.is_some() { 5 } else { 4 }]);
+    let bottom = key(&mut sheet, below, &entries);
     Some(sheet.end(bottom, &told(posterior, &report.surrogate)))
 }
 
@@ -136,7 +136,7 @@ fn panel(
         panel.upright(answer, Pen::line(UPDATED, 2.6).class("answer"));
     }
     panel.mark([summary.mean, 0.0], Mark::Hollow, INK);
-    panel.within(sheet, frame, None);
+    panel.within(sheet, frame, Some(NAME), None);
 }
 
 /// What was believed before, as bars like those of the samples.

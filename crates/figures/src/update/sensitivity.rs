@@ -1,7 +1,9 @@
 //! How the norm and every channel's error follow each parameter alone (railway paper, Figs. 5, 6 and 10).
 
 use super::{axis, errors_in, fitting, search_words, second_line, value_words};
-use crate::chart::{Axes, Axis, Entry, HEADING, Heading, Mark, Panel, Place, ZERO, heading, heading_lines, key, runs};
+use crate::chart::{
+    Axes, Axis, Entry, HEADING, Heading, Mark, NAME, Panel, Place, ZERO, heading, heading_lines, key, runs,
+};
 use crate::elevation::INK;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
@@ -51,11 +53,11 @@ pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Optio
         row(&mut sheet, update, sweep, frames, &up);
         below = frames[0].bottom + 50.0;
     }
-    let mut entries = vec![Entry::line((NORM, ""), "norm").marked(Mark::Full, NORM)];
-    entries.push(Entry::mark(Mark::Hollow, INK, "least norm"));
-    let drawn = |k: &usize| pieces.iter().any(|(channel, _)| channel == k);
-    for (k, channel) in update.problem.channels().iter().enumerate().filter(|(k, _)| drawn(k)) {
-        entries.push(Entry::line(CHANNELS[k % CHANNELS.len()], &channel.name));
+    let mut entries =
+        vec![Entry::line((NORM, ""), "norm").marked(Mark::Full, NORM), Entry::mark(Mark::Hollow, INK, "least norm")];
+    for (k, channel) in update.problem.channels().iter().enumerate() {
+        let drawn = pieces.iter().any(|(of, _)| *of == k);
+        entries.push(Entry::line(CHANNELS[k % CHANNELS.len()], &channel.name).when(drawn));
     }
     let bottom = key(&mut sheet, below, &entries);
     let words = "Dashed upright: the model about which parameters were varied. All panels of a column have one scale. Where a \
@@ -85,7 +87,7 @@ fn row(sheet: &mut Sheet, update: &Update, sweep: &Sweep, frames: [Area; 2], up:
             panel.upright(*own, Pen::line("#707070", HAIR + 0.3).dashed("4 3"));
         }
         fill(&mut panel, update, sweep);
-        panel.within(sheet, frame, Some(up.widest()));
+        panel.within(sheet, frame, Some(NAME), Some(up.widest()));
     }
 }
 

@@ -53,17 +53,15 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
     panel.add(|sheet, axes| evaluated(sheet, surface, axes));
     panel.add(|sheet, axes| walk(sheet, axes, &travelled));
     panel.add(|sheet, axes| least(sheet, update, surface, axes));
-    let below = panel.whole(&mut sheet, top, HEIGHT);
+    let below = panel.whole(&mut sheet, [top, HEIGHT], panel.y.widest(), true);
 
     let bottom = legend(&mut sheet, below, &levels, [low, high]);
-    let mut entries = vec![Entry::mark(Mark::Full, "#555555", "point of the grid")];
-    if known().any(|norm| norm > (1.0 + NEAR) * low) {
-        let near = format!("{} % above the least norm", three_digits(100.0 * NEAR));
-        entries.push(Entry::line((INK, NEAR_DASHES), near));
-    }
-    if travelled.len() > 1 {
-        entries.push(Entry::line((PATH, ""), "path of the search so far").marked(Mark::Hollow, PATH));
-    }
+    let near = format!("{} % above the least norm", three_digits(100.0 * NEAR));
+    let entries = [
+        Entry::mark(Mark::Full, "#555555", "point of the grid"),
+        Entry::line((INK, NEAR_DASHES), near).when(known().any(|norm| norm > (1.0 + NEAR) * low)),
+        Entry::line((PATH, ""), "path of the search so far").marked(Mark::Hollow, PATH).when(travelled.len() > 1),
+    ];
     let bottom = key(&mut sheet, bottom, &entries);
     Some(sheet.end(bottom, &words(update, stage, travelled.len() > 1)))
 }
