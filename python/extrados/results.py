@@ -40,6 +40,11 @@ __all__ = [
 ]
 
 
+def _column(name: str, about: str) -> Any:
+    """A column that looks into what its owner holds, by its name there."""
+    return property(lambda owner: owner._array(name), doc=about)
+
+
 class Figure(str):
     """A drawing as SVG: a text that notebooks show as a picture."""
 
@@ -86,6 +91,9 @@ class Result:
         if self._object is None:
             self._object = self._answer.object()
         return self._object
+
+    def _array(self, name: str) -> Any:
+        return self._answer.array(name)
 
     # Unknown names are mistakes for the type checker: every field is declared.
     if not TYPE_CHECKING:
@@ -205,100 +213,25 @@ class Snapshot:
     def _array(self, name: str) -> Any:
         return self._answer.array(name, self._number)
 
-    @property
-    def translations_m(self) -> Numbers:
-        """Movement of each block's centroid, (blocks, 2)."""
-        return self._array("translation")
-
-    @property
-    def rotations_rad(self) -> Numbers:
-        """Rotation of each block, anticlockwise, (blocks,)."""
-        return self._array("rotation")
-
-    @property
-    def velocities_m_per_s(self) -> Numbers:
-        """Velocity of each block's centroid, (blocks, 2)."""
-        return self._array("velocity")
-
-    @property
-    def block_stresses_pa(self) -> Numbers:
-        """Average stress xx, yy, xy of each block, tension positive, (blocks, 3)."""
-        return self._array("block_stress")
-
-    @property
-    def contact_blocks(self) -> Counts:
-        """The two blocks of each contact, (contacts, 2)."""
-        return self._array("contact_blocks")
-
-    @property
-    def contact_points_m(self) -> Numbers:
-        """Where contacts are, (contacts, 2)."""
-        return self._array("contact_point")
-
-    @property
-    def contact_normals(self) -> Numbers:
-        """Unit normal from the first block to the second, (contacts, 2)."""
-        return self._array("contact_normal")
-
-    @property
-    def contact_compressions_n_per_m(self) -> Numbers:
-        """Compression per metre of width, (contacts,)."""
-        return self._array("contact_compression")
-
-    @property
-    def contact_shears_n_per_m(self) -> Numbers:
-        """Shear per metre of width, (contacts,)."""
-        return self._array("contact_shear")
-
-    @property
-    def contact_stresses_pa(self) -> Numbers:
-        """Compressive stress, (contacts,)."""
-        return self._array("contact_stress")
-
-    @property
-    def contact_sliding(self) -> Flags:
-        """Whether a contact slides, (contacts,)."""
-        return self._array("contact_sliding")
-
-    @property
-    def particle_centres_m(self) -> Numbers:
-        """Centres of the particles, (particles, 2)."""
-        return self._array("disc_centre")
-
-    @property
-    def particle_angles_rad(self) -> Numbers:
-        """Angle turned since a particle was packed, (particles,)."""
-        return self._array("disc_angle")
-
-    @property
-    def particle_velocities_m_per_s(self) -> Numbers:
-        """Velocities of the particles, (particles, 2)."""
-        return self._array("disc_velocity")
-
-    @property
-    def particle_stresses_pa(self) -> Numbers:
-        """Average stress xx, yy, xy of each particle, tension positive, (particles, 3)."""
-        return self._array("disc_stress")
-
-    @property
-    def force_particles(self) -> Counts:
-        """The particle on which each force acts, (forces,)."""
-        return self._array("force_particle")
-
-    @property
-    def force_points_m(self) -> Numbers:
-        """Where forces act, (forces, 2)."""
-        return self._array("force_point")
-
-    @property
-    def force_compressions_n_per_m(self) -> Numbers:
-        """Compression per metre of width, (forces,)."""
-        return self._array("force_compression")
-
-    @property
-    def force_shears_n_per_m(self) -> Numbers:
-        """Shear per metre of width, (forces,)."""
-        return self._array("force_shear")
+    translations_m: Numbers = _column("translation", "Movement of each block's centroid, (blocks, 2).")
+    rotations_rad: Numbers = _column("rotation", "Rotation of each block, anticlockwise, (blocks,).")
+    velocities_m_per_s: Numbers = _column("velocity", "Velocity of each block's centroid, (blocks, 2).")
+    block_stresses_pa: Numbers = _column("block_stress", "Average stress xx, yy, xy of each block, tension positive, (blocks, 3).")
+    contact_blocks: Counts = _column("contact_blocks", "The two blocks of each contact, (contacts, 2).")
+    contact_points_m: Numbers = _column("contact_point", "Where contacts are, (contacts, 2).")
+    contact_normals: Numbers = _column("contact_normal", "Unit normal from the first block to the second, (contacts, 2).")
+    contact_compressions_n_per_m: Numbers = _column("contact_compression", "Compression per metre of width, (contacts,).")
+    contact_shears_n_per_m: Numbers = _column("contact_shear", "Shear per metre of width, (contacts,).")
+    contact_stresses_pa: Numbers = _column("contact_stress", "Compressive stress, (contacts,).")
+    contact_sliding: Flags = _column("contact_sliding", "Whether a contact slides, (contacts,).")
+    particle_centres_m: Numbers = _column("disc_centre", "Centres of the particles, (particles, 2).")
+    particle_angles_rad: Numbers = _column("disc_angle", "Angle turned since a particle was packed, (particles,).")
+    particle_velocities_m_per_s: Numbers = _column("disc_velocity", "Velocities of the particles, (particles, 2).")
+    particle_stresses_pa: Numbers = _column("disc_stress", "Average stress xx, yy, xy of each particle, tension positive, (particles, 3).")
+    force_particles: Counts = _column("force_particle", "The particle on which each force acts, (forces,).")
+    force_points_m: Numbers = _column("force_point", "Where forces act, (forces, 2).")
+    force_compressions_n_per_m: Numbers = _column("force_compression", "Compression per metre of width, (forces,).")
+    force_shears_n_per_m: Numbers = _column("force_shear", "Shear per metre of width, (forces,).")
 
 
 class Collapse(Result):
@@ -429,35 +362,14 @@ class Collapse(Result):
         """What the blocks are: "voussoir", "abutment", "pier", "backing", "wall", "block"."""
         return self._answer.words("block_roles")
 
-    @property
-    def mechanism_translations_m(self) -> Numbers | None:
-        """Movement of each block in the mechanism, scaled so that the largest is 1 m, (blocks, 2); None without a mechanism."""
-        return self._answer.array("mechanism_translation")
-
-    @property
-    def mechanism_rotations_rad(self) -> Numbers | None:
-        """Rotation of each block in the mechanism, (blocks,)."""
-        return self._answer.array("mechanism_rotation")
-
-    @property
-    def hinge_points_m(self) -> Numbers:
-        """Where hinges are, (hinges, 2)."""
-        return self._answer.array("hinge_point")
-
-    @property
-    def hinge_blocks(self) -> Counts:
-        """The two blocks of each hinge, (hinges, 2)."""
-        return self._answer.array("hinge_blocks")
-
-    @property
-    def path_loads_n_per_m(self) -> Numbers:
-        """Load of every step of the load path, (steps,)."""
-        return self._answer.array("path_load")
-
-    @property
-    def path_displacements_m(self) -> Numbers:
-        """Movement of the watched point at every step, (steps, 2)."""
-        return self._answer.array("path_displacement")
+    mechanism_translations_m: Numbers | None = _column(
+        "mechanism_translation", "Movement of each block in the mechanism, scaled so that the largest is 1 m, (blocks, 2); None without a mechanism."
+    )
+    mechanism_rotations_rad: Numbers | None = _column("mechanism_rotation", "Rotation of each block in the mechanism, (blocks,).")
+    hinge_points_m: Numbers = _column("hinge_point", "Where hinges are, (hinges, 2).")
+    hinge_blocks: Counts = _column("hinge_blocks", "The two blocks of each hinge, (hinges, 2).")
+    path_loads_n_per_m: Numbers = _column("path_load", "Load of every step of the load path, (steps,).")
+    path_displacements_m: Numbers = _column("path_displacement", "Movement of the watched point at every step, (steps, 2).")
 
     @property
     def thrust_points_m(self) -> list[Numbers]:
@@ -469,15 +381,8 @@ class Collapse(Result):
         """Size of the thrust there, (joints,) each."""
         return [self._answer.array("thrust", k) for k in range(self._answer.count("thrust_lines"))]
 
-    @property
-    def particle_centres_m(self) -> Numbers:
-        """Centres of the particles as packed, (particles, 2)."""
-        return self._answer.array("particle_centre")
-
-    @property
-    def particle_radii_m(self) -> Numbers:
-        """Radii of the particles, (particles,)."""
-        return self._answer.array("particle_radius")
+    particle_centres_m: Numbers = _column("particle_centre", "Centres of the particles as packed, (particles, 2).")
+    particle_radii_m: Numbers = _column("particle_radius", "Radii of the particles, (particles,).")
 
     @property
     def snapshots(self) -> Sequence[Snapshot]:
@@ -572,20 +477,9 @@ class Moment:
             return self._held.array(name, within)
         return self._held.array(name, self._number, within)
 
-    @property
-    def displacements_m(self) -> Numbers:
-        """Displacement of every node, self-weight included, (nodes, 2)."""
-        return self._array("displacement")
-
-    @property
-    def stresses_pa(self) -> Numbers:
-        """Stress xx, yy, xy, zz of every element, tension positive, (elements, 4)."""
-        return self._array("stress")
-
-    @property
-    def yielding(self) -> Flags:
-        """Whether a point of an element yields, (elements,)."""
-        return self._array("yielding")
+    displacements_m: Numbers = _column("displacement", "Displacement of every node, self-weight included, (nodes, 2).")
+    stresses_pa: Numbers = _column("stress", "Stress xx, yy, xy, zz of every element, tension positive, (elements, 4).")
+    yielding: Flags = _column("yielding", "Whether a point of an element yields, (elements,).")
 
     def joint(self, number: int) -> dict[str, Numbers]:
         """A joint or a contact of masonry with fill: points, tractions, openings and slidings of its pairs."""
@@ -634,30 +528,11 @@ class Passage(Result):
         rows = zip(words("channels"), words("channel_units"), words("channel_scales"))
         return {name: Channel(self._answer, k, name, unit, float(scale)) for k, (name, unit, scale) in enumerate(rows)}
 
-    @property
-    def times_s(self) -> Numbers:
-        """Times of the records."""
-        return self._answer.array("time")
-
-    @property
-    def positions_m(self) -> Numbers:
-        """Position of the first axle at these times."""
-        return self._answer.array("position")
-
-    @property
-    def influence_positions_m(self) -> Numbers | None:
-        """Places of the axle of influence lines."""
-        return self._answer.array("influence_position")
-
-    @property
-    def nodes_m(self) -> Numbers:
-        """Nodes of the mesh, (nodes, 2)."""
-        return self._answer.array("node")
-
-    @property
-    def element_nodes(self) -> Counts:
-        """Corners of every quadrilateral, anticlockwise, (elements, 4)."""
-        return self._answer.array("element")
+    times_s: Numbers = _column("time", "Times of the records.")
+    positions_m: Numbers = _column("position", "Position of the first axle at these times.")
+    influence_positions_m: Numbers | None = _column("influence_position", "Places of the axle of influence lines.")
+    nodes_m: Numbers = _column("node", "Nodes of the mesh, (nodes, 2).")
+    element_nodes: Counts = _column("element", "Corners of every quadrilateral, anticlockwise, (elements, 4).")
 
     @property
     def fields(self) -> Sequence[Moment]:
@@ -710,10 +585,7 @@ class Update(Result):
     _main = ("histories",)
     _shown = ("status", "error_norm", "initial_error_norm", "evaluations")
 
-    @property
-    def times_s(self) -> Numbers:
-        """Times of the histories."""
-        return self._answer.array("time")
+    times_s: Numbers = _column("time", "Times of the histories.")
 
     @property
     def histories(self) -> dict[str, dict[str, Numbers]]:
