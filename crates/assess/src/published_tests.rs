@@ -12,7 +12,7 @@ fn the_object_of_a_limit_analysis_has_every_promised_key() {
     let mut b = bridgemill();
     b.plan.method = Method::Limit;
     let c = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap();
-    let text = json(&collapse(&c));
+    let text = json(&c.object());
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     for key in [
         "schema",
@@ -61,9 +61,9 @@ fn sweeps_on_joints_that_give_name_both_factors_at_every_position() {
     let mut b = bridgemill();
     b.plan.method = Method::Path;
     let found = crate::analysis::sweep(&b, Places::Between([3.0, 9.0], 3), true, &mut Unwatched).unwrap();
-    let loads = sweep("bridge", 4.0, &found);
+    let loads = found.object("bridge", 4.0);
     b.sweep = Some(bridge::SweepPlan { step: Some(4.0), ..plan(&["cs454-single"]) });
-    let vehicles = vehicle_sweep(&crate::analysis::vehicle_sweep(&b, &mut Unwatched).unwrap());
+    let vehicles = crate::analysis::vehicle_sweep(&b, &mut Unwatched).unwrap().object();
     let both = |row: &serde_json::Value| row["rigid_factor"].is_number() && row["deformable_factor"].is_number();
     let rows = loads["positions"].as_array().unwrap();
     assert!(rows.len() >= 3 && rows.iter().all(both), "{rows:?}");

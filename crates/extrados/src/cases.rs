@@ -82,7 +82,7 @@ impl Cases {
                 "name": one.name,
                 "acts": one.told,
                 "load_factor": one.factor(),
-                "result": Value::Object(published::collapse(&one.collapse)),
+                "result": Value::Object(one.collapse.object()),
             })
         };
         let mut fields = published::Object::new();

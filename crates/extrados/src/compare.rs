@@ -67,8 +67,8 @@ impl Compared {
         fields.insert("numbers".into(), self.numbers.iter().map(number).collect());
         fields.insert("assumptions_before_only".into(), json!(self.assumptions[0]));
         fields.insert("assumptions_after_only".into(), json!(self.assumptions[1]));
-        fields.insert("before".into(), Value::Object(published::collapse(&self.answers[0])));
-        fields.insert("after".into(), Value::Object(published::collapse(&self.answers[1])));
+        fields.insert("before".into(), Value::Object(self.answers[0].object()));
+        fields.insert("after".into(), Value::Object(self.answers[1].object()));
         fields
     }
 

@@ -5,10 +5,13 @@ use crate::condition::Condition;
 use crate::facts::{
     CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
 };
+use crate::published::assess::{checks, not_made, statics, with_sentences, worst};
 use crate::statics::Statics;
 use crate::warning::Warning;
+use crate::wire::published;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 /// What became of a stage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -148,27 +151,54 @@ pub fn once<'a, T: PartialEq>(said: impl Iterator<Item = (&'static str, &'a T)>)
     all.into_iter().map(|(stages, what)| (stages.join(", "), what)).collect()
 }
 
-/// A bridge that was judged.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Assessment {
-    /// Name of the bridge.
-    pub bridge: String,
-    /// Where the file has its limits from.
-    pub limits_source: Option<String>,
-    /// The facts of its stages.
-    pub facts: Facts,
-    /// Its checks.
-    pub checked: Vec<Checked>,
-    /// The verdict.
-    pub verdict: Verdict,
-    /// Its condition.
-    pub condition: Vec<Condition>,
-    /// What it weighs, and what it hands to the ground at rest; none where it cannot be cut into blocks.
-    #[serde(default)]
-    pub statics: Option<Statics>,
-    /// What to do next, by rule.
-    #[serde(default)]
-    pub next: Vec<Step>,
+published! {
+    /// A bridge that was judged; the status of its verdict is published as that of the command.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Assessment |all| {
+        /// Name of the bridge.
+        pub bridge: String,
+        /// Where the file has its limits from.
+        pub limits_source: Option<String> [kept],
+        = ..Verdict = Some(all.verdict.object()),
+        /// The verdict.
+        pub verdict: Verdict [kept],
+        /// Every comparison: `code`, `title`, `value`, `limit`, `unit`, `utilisation`, `met` and so on.
+        = checks: Vec<Comparison> = checks(&all.checked),
+        /// Checks that could not be made: `code`, `title`, `why`, `analysis_failed`.
+        = not_made: Vec<Object> = not_made(&all.checked),
+        /// The comparison that uses most of its limit: `code`, `title`, `load_model`, `utilisation`, `met`.
+        = governing: Option<Object> = worst(&all.checked),
+        /// Its checks.
+        pub checked: Vec<Checked> [kept],
+        /// What records say of its materials.
+        pub condition: Vec<Condition>,
+        /// What to do next, by rule.
+        #[serde(default)]
+        pub next: Vec<Step> as next_steps,
+        /// What it weighs, and what it hands to the ground at rest; none where it cannot be cut into blocks.
+        #[serde(default)]
+        pub statics?: Option<Statics> = all.statics.as_ref().map(statics),
+        /// What changes the governing utilisation.
+        = sensitivity?: Option<Value> = all.facts.sensitivity.made().map(|facts| json!(facts)),
+        /// Loads in service.
+        = service?: Option<Value> =
+            all.facts.service.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
+        /// The file's own loads at collapse, where that was analysed.
+        = collapse?: Option<Collapse> = all.facts.ultimate.made().and_then(|facts| facts.collapse.as_ref()),
+        /// Uniform loads of which a part does more harm than the whole.
+        = shortened?: Option<Vec<Object>> = all.facts.ultimate.made().map(|facts| json!(facts.shortened)),
+        /// Vehicles moved over the bridge under the factors of a rule.
+        = vehicles?: Option<Value> =
+            all.facts.vehicles.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
+        /// What the file's named cases carry.
+        = cases?: Option<Value> = all.facts.cases.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
+        /// The movement of a support that makes a mechanism.
+        = support_movement?: Option<Collapse> = all.facts.movement.made().and_then(|facts| facts.collapse.as_ref()),
+        /// What updating found.
+        = update?: Option<Update> = all.facts.update.made().and_then(|facts| facts.update.as_ref()),
+        /// The facts of its stages.
+        pub facts: Facts [kept],
+    }
 }
 
 impl Assessment {
@@ -197,17 +227,19 @@ words! {
     }
 }
 
-/// A step that follows from a fact of the assessment by a rule.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Step {
-    /// Its kind.
-    pub action: Action,
-    /// What to do.
-    pub what: String,
-    /// The fact.
-    pub because: String,
-    /// The rule, and where it is from.
-    pub rule: String,
+published! {
+    /// A step that follows from a fact of the assessment by a rule.
+    #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+    pub struct Step {
+        /// Its kind.
+        pub action: Action,
+        /// What to do.
+        pub what: String,
+        /// The fact.
+        pub because: String,
+        /// The rule, and where it is from.
+        pub rule: String,
+    }
 }
 
 #[cfg(test)]

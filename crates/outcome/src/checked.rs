@@ -2,6 +2,8 @@
 
 use crate::facts::Reading;
 use crate::given::Given;
+use crate::published::object;
+use crate::wire::published;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
 
@@ -25,30 +27,46 @@ words! {
     }
 }
 
-/// A number and its limit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Comparison {
-    /// The load that it is for.
-    pub load_model: String,
-    /// The number.
-    pub value: f64,
-    /// Its limit.
-    pub limit: f64,
-    /// Unit of both.
-    pub unit: Unit,
-    /// How much of the limit is used; above one it is not met.
-    pub utilisation: f64,
-    /// What was computed, where and how.
-    pub basis: String,
-    /// Position of the first axle that it belongs to [m], where there is one.
-    pub position: Option<f64>,
-    /// The columns of the railway paper's Table 7, where the check has them.
-    pub columns: Option<Columns>,
-    /// Whether this is a check of strength: at ultimate, under factors with a source.
-    pub strength: bool,
-    /// What the value must reach for a verdict, where the factors are the engineer's own and the uncertainty of the method comes on top.
-    #[serde(default)]
-    pub needed: Option<f64>,
+published! {
+    /// A number and its limit, of a check.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Comparison |one, check: &Checked| {
+        /// Code of the check.
+        = code: String = &check.code,
+        /// The check in a few words.
+        = title: String = &check.title,
+        /// The clause that it follows, in short.
+        = clause: String = &check.clause,
+        /// The load that it is for.
+        pub load_model: String,
+        /// The number.
+        pub value: f64,
+        /// Its limit.
+        pub limit: f64,
+        /// Unit of both.
+        pub unit: Unit,
+        /// How much of the limit is used; above one it is not met.
+        pub utilisation: f64,
+        /// Whether the limit is met.
+        = met: bool = one.met(),
+        /// What the value must reach for a verdict, where the factors are the engineer's own and the uncertainty of the method comes on top.
+        #[serde(default)]
+        pub needed?: Option<f64> as needed_for_a_verdict,
+        /// What was computed, where and how.
+        pub basis: String,
+        /// Position of the first axle that it belongs to [m], where there is one.
+        pub position: Option<f64> [m],
+        /// The columns of the railway paper's Table 7, where the check has them.
+        pub columns?: Option<Columns> = one.columns.as_ref().map(|row| row.values).map(|[own, design, sum, total, whole]| object! {
+            self_weight: own,
+            live_load_design_cda: design,
+            total_design_cda: sum,
+            live_load_total_cda: total,
+            total_total_cda: whole,
+        }),
+        /// Whether this is a check of strength: at ultimate, under factors with a source.
+        pub strength: bool [kept],
+    }
 }
 
 /// A row of the railway paper's Table 7.
@@ -137,28 +155,36 @@ words! {
     }
 }
 
-/// The verdict.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Verdict {
-    /// What it is in a word.
-    pub status: Judgement,
-    /// The rung of the ladder, in a few words.
-    pub headline: Rung,
-    /// In a sentence or two.
-    pub words: String,
-    /// Whether every analysis that a check rests on came to an end.
-    pub finished: bool,
-    /// Whether strength was assessed, what is missing, and what qualifies it.
-    pub strength: Strength,
-    /// By what it is given, and what stands beside it.
-    #[serde(default)]
-    pub given: Given,
-    /// Whether a load case of the rule is among what is not met.
-    #[serde(default)]
-    pub broken_by_rule: bool,
-    /// What keeps it undetermined, each in a few words.
-    #[serde(default)]
-    pub open: Vec<String>,
+published! {
+    /// The verdict.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Verdict |verdict| {
+        /// What it is in a word.
+        pub status: Judgement [kept],
+        /// In a sentence or two.
+        pub words: String as verdict,
+        /// The rung of the ladder, in a few words.
+        pub headline: Rung,
+        /// The verdict in a line: by what it is given, and what it is to be read with.
+        = head: String = verdict.head(),
+        /// What stands beside it, most important first.
+        = beside: Vec<String> = verdict.beside(),
+        = ..Given = Some(verdict.given.object()),
+        /// By what it is given, and what stands beside it.
+        #[serde(default)]
+        pub given: Given [kept],
+        = ..Strength = Some(verdict.strength.object()),
+        /// Whether strength was assessed, what is missing, and what qualifies it.
+        pub strength: Strength [kept],
+        /// Whether every analysis that a check rests on came to an end.
+        pub finished: bool [kept],
+        /// Whether a load case of the rule is among what is not met.
+        #[serde(default)]
+        pub broken_by_rule: bool [kept],
+        /// What keeps it undetermined, each in a few words.
+        #[serde(default)]
+        pub open: Vec<String> [kept],
+    }
 }
 
 /// A value and its limit with as many digits as tell them apart, three of the value at least: 1.897 of 1.9 is not 1.90 of 1.90.
@@ -180,15 +206,17 @@ pub fn governing(checked: &[Checked]) -> Option<(usize, usize)> {
     worst.map(|(check, finding, _)| (check, finding))
 }
 
-/// Whether strength was assessed.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Strength {
-    /// Whether an ultimate check was made under factors with a source, and none came to no end.
-    pub assessed: bool,
-    /// What is missing, in words; empty where it was assessed.
-    pub missing: Vec<String>,
-    /// What qualifies a check that was made, in words.
-    pub qualifications: Vec<String>,
+published! {
+    /// Whether strength was assessed.
+    #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+    pub struct Strength {
+        /// Whether an ultimate check was made under factors with a source, and none came to no end.
+        pub assessed: bool as strength_assessed,
+        /// What is missing, in words; empty where it was assessed.
+        pub missing: Vec<String>,
+        /// What qualifies a check that was made, in words.
+        pub qualifications: Vec<String>,
+    }
 }
 
 #[cfg(test)]

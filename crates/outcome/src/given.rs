@@ -2,37 +2,42 @@
 //! tables and in the object for scripts.
 
 use crate::checked::{Rung, Verdict};
+use crate::wire::{plain, published};
 use findings::words::counted;
 pub use rules::ChangedFactor;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// By what a verdict is given, and what a reader must know beside it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Given {
-    /// Code of the rule of `[sweep]`, or "file" for the factor of `[assess]`; none where strength is not asked for.
-    pub by: Option<String>,
-    /// The same as it is said: "CS 454".
-    pub name: String,
-    /// What is carried where the vehicles stand for grades: "18 t".
-    pub level: Option<String>,
-    /// Factors that act on this bridge and are recalled or assumed, each with its value.
-    pub to_confirm: Vec<String>,
-    /// Stages that the file asks for and the command left out.
-    pub skipped: Vec<String>,
-    /// Codes of load cases of the rule that apply to the spans and were not moved.
-    pub load_cases_left_out: Vec<String>,
-    /// Doubtful values of the file, of its vehicles and of its rule.
-    pub doubtful: Vec<Doubt>,
-    /// Factors that differ from those of the library's rule.
-    pub changed_factors: Vec<ChangedFactor>,
-    /// What the file does not give and was taken, and what it takes otherwise than usual.
-    pub taken: Vec<Taken>,
-    /// The model factor in force, where the factors are not those of a standard.
-    pub model_factor: Option<ModelFactor>,
-    /// What tests to collapse carried of the predictions of the same method.
-    pub record: Option<Record>,
+published! {
+    /// By what a verdict is given, and what a reader must know beside it.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    #[serde(default)]
+    pub struct Given |given| {
+        /// Code of the rule of `[sweep]`, or "file" for the factor of `[assess]`; none where strength is not asked for.
+        pub by: Option<String>,
+        /// The same as it is said: "CS 454".
+        pub name: String as by_name,
+        /// What is carried where the vehicles stand for grades: "18 t".
+        pub level: Option<String>,
+        /// How many factors are to be confirmed.
+        = to_confirm: usize = given.to_confirm.len(),
+        /// Factors that act on this bridge and are recalled or assumed, each with its value.
+        pub to_confirm: Vec<String> as factors_to_confirm,
+        /// Stages that the file asks for and the command left out.
+        pub skipped: Vec<String>,
+        /// Codes of load cases of the rule that apply to the spans and were not moved.
+        pub load_cases_left_out: Vec<String>,
+        /// Doubtful values of the file, of its vehicles and of its rule: their codes.
+        pub doubtful: Vec<Doubt> = given.doubtful.iter().map(|one| one.code.clone()).collect::<Vec<_>>(),
+        /// Factors that differ from those of the library's rule.
+        pub changed_factors: Vec<ChangedFactor>,
+        /// What the file does not give and was taken, and what it takes otherwise than usual, in words.
+        pub taken: Vec<Taken> = given.taken.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        /// The model factor in force, where the factors are not those of a standard.
+        pub model_factor: Option<ModelFactor>,
+        /// What tests to collapse carried of the predictions of the same method.
+        pub record: Option<Record>,
+    }
 }
 
 /// Something that a verdict takes without being told, or otherwise than usual.
@@ -108,6 +113,8 @@ pub struct Record {
     /// Largest of them.
     pub carried_share_most: f64,
 }
+
+plain!(ChangedFactor, ModelFactor, Record);
 
 impl Record {
     /// In a sentence.

@@ -1,6 +1,8 @@
 //! What may help a bridge and may come and go: no result counts it, and what it would add stands beside the result.
 
 use crate::collapse::Status;
+use crate::published::Object;
+use crate::wire::published;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
 
@@ -46,35 +48,44 @@ impl Help {
     }
 }
 
-/// What the same bridge comes to with more help than the result counts; what was not sought is none.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct WithHelp {
-    /// What helps.
-    pub helps: Vec<Help>,
-    /// How its analysis ended.
-    pub status: Status,
-    /// Largest load carried [N/m].
-    pub last_stable_load: Option<f64>,
-    /// Its headline: the smaller of the methods [N/m].
-    pub headline: Option<f64>,
-    /// Factor on the loads of the file, or adequacy factor of a vehicle.
-    pub factor: Option<f64>,
-    /// Least thickness that stands, as a share of the given one.
-    pub thickness_factor: Option<f64>,
-    /// Last support movement at which the bridge came to rest [m].
-    pub movement: Option<f64>,
-}
+published! {
+    /// What the same bridge comes to with more help than the result counts; what was not sought is none.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct WithHelp |with| {
+        /// What helps, in words.
+        = what: String = Help::all_told(&with.helps),
+        /// What helps.
+        pub helps: Vec<Help>,
+        /// How its analysis ended.
+        pub status: Status,
+        /// Largest load carried [N/m].
+        pub last_stable_load?: Option<f64> [kN/m],
+        /// Its headline: the smaller of the methods [N/m].
+        pub headline?: Option<f64> [kN/m],
+        /// Factor on the loads of the file, or adequacy factor of a vehicle.
+        pub factor?: Option<f64>,
+        /// Least thickness that stands, as a share of the given one.
+        pub thickness_factor?: Option<f64> as minimum_thickness_factor,
+        /// Last support movement at which the bridge came to rest [m].
+        pub movement?: Option<f64> [m] as last_stable_movement,
+    }
 
-/// What a result does not count. Both lists are empty where all that the file describes changes nothing, or lowers the result.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct NotCounted {
-    /// What is left out.
-    pub left_out: Vec<Help>,
-    /// What it would add.
-    pub with_help: Vec<WithHelp>,
+    /// What a result does not count. Both lists are empty where all that the file describes changes nothing, or lowers the result.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct NotCounted {
+        /// What may help the bridge and may come and go: it is not counted.
+        pub left_out: Vec<Help> as help_left_out,
+        /// What it would add.
+        pub with_help: Vec<WithHelp>,
+    }
 }
 
 impl NotCounted {
+    /// As others read it; none where nothing is left out.
+    pub fn told(&self) -> Option<Object> {
+        (!self.left_out.is_empty() || !self.with_help.is_empty()).then(|| self.object())
+    }
+
     /// What the bridge comes to with all that is left out, where that is more.
     pub fn with_all(&self) -> Option<&WithHelp> {
         self.with_help.iter().max_by_key(|with| with.helps.len())

@@ -24,6 +24,7 @@ pub mod update;
 pub mod validation;
 pub mod vehicles;
 pub mod warning;
+pub mod wire;
 mod words;
 
 /// Parameters from channels: the plain data of searches and posteriors, which updates hold.

@@ -3,7 +3,9 @@
 use crate::mesh::MeshPicture;
 use crate::note::Note;
 use crate::picture::{Point, ThrustPoint};
+use crate::published::{list, object};
 use crate::warning::Warning;
+use crate::wire::published;
 use crate::words::words;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use serde::{Deserialize, Serialize};
@@ -66,19 +68,33 @@ impl Measurand {
     }
 }
 
-/// The record of one sensor.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SensorRecord {
-    /// Its name.
-    pub name: String,
-    /// What it records.
-    pub quantity: Measurand,
-    /// Where it sits and what its sign means, in words.
-    pub about: String,
-    /// Value under self-weight alone [SI].
-    pub self_weight: f64,
-    /// Value at every time, self-weight taken off [SI].
-    pub values: Vec<f64>,
+published! {
+    /// The record of one sensor; published in its unit, self-weight taken off all but `self_weight`.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct SensorRecord |record, of: &Passage| {
+        /// Its name.
+        pub name: String,
+        /// What it records.
+        pub quantity: Measurand,
+        /// Unit of its values.
+        = unit: String = record.quantity.unit(),
+        /// Least value.
+        = minimum: f64 = record.quantity.scale() * record.range()[0],
+        /// Greatest value.
+        = maximum: f64 = record.quantity.scale() * record.range()[1],
+        /// Value of largest size; its sign is kept.
+        = peak: f64 = record.quantity.scale() * record.peak_value(),
+        /// When that is.
+        = time_of_peak: Option<f64> [s] = record.peak().and_then(|k| of.times.get(k)),
+        /// Where the first axle is then.
+        = position_of_peak: Option<f64> [m] = record.peak().and_then(|k| of.positions.get(k)),
+        /// Value under self-weight alone [SI].
+        pub self_weight: f64 = record.quantity.scale() * record.self_weight,
+        /// Where it sits and what its sign means, in words.
+        pub about: String,
+        /// Value at every time, self-weight taken off [SI].
+        pub values: Vec<f64> [kept],
+    }
 }
 
 impl SensorRecord {
@@ -178,25 +194,31 @@ pub struct Row {
     pub pairs: Vec<Pair>,
 }
 
-/// The bridge at one moment.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Moment {
-    /// Why it is kept: "self-weight", "peak of crown displacement", "first axle at 3.00 m".
-    pub name: String,
-    /// Time [s].
-    pub time: f64,
-    /// Position of the first axle [m].
-    pub position: f64,
-    /// Places [m] and forces [N] of the axles above the mesh.
-    pub axles: Vec<(f64, f64)>,
-    /// Displacement of every node since the bridge was built, self-weight included [m].
-    pub displacements: Vec<Point>,
-    /// Stress of every quadrilateral [Pa], tension positive: xx, yy, xy, zz.
-    pub stresses: Vec<[f64; 4]>,
-    /// Whether a point of it yields.
-    pub yielding: Vec<bool>,
-    /// Joints and contacts.
-    pub rows: Vec<Row>,
+published! {
+    /// The bridge at one moment.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct Moment |moment| {
+        /// Why it is kept: "self-weight", "peak of crown displacement", "first axle at 3.00 m".
+        pub name: String,
+        /// Time [s].
+        pub time: f64 [s],
+        /// Position of the first axle [m].
+        pub position: f64 [m],
+        /// How many axles stand above the mesh.
+        = axles_above: usize = moment.axles.len(),
+        /// Places [m] and forces [N] of the axles above the mesh.
+        pub axles: Vec<(f64, f64)> [kept],
+        /// Displacement of every node since the bridge was built, self-weight included [m].
+        pub displacements: Vec<Point> [kept],
+        /// Stress of every quadrilateral [Pa], tension positive: xx, yy, xy, zz.
+        pub stresses: Vec<[f64; 4]> [kept],
+        /// How many quadrilaterals have a point that yields.
+        = yielding_elements: usize = moment.yielding.iter().filter(|yields| **yields).count(),
+        /// Whether a point of it yields.
+        pub yielding: Vec<bool> [kept],
+        /// Joints and contacts.
+        pub rows: Vec<Row> [kept],
+    }
 }
 
 /// What one axle does that is moved over the bridge.
@@ -222,59 +244,75 @@ words! {
     }
 }
 
-/// The passage of a train over a bridge.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Passage {
-    /// Name of the bridge.
-    pub bridge: String,
-    /// Name of the train.
-    pub train: String,
-    /// Its speed [m/s].
-    pub speed: f64,
-    /// At rest at every position, or with inertia.
-    pub analysis: PassageAnalysis,
-    /// On the bridge as built, or deformed.
-    pub kinematics: PassageKinematics,
-    /// How positions were solved.
-    pub path: PassagePath,
-    /// How it ended.
-    pub status: PassageStatus,
-    /// Why, where it did not complete.
-    pub reason: Option<String>,
-    /// Times [s].
-    pub times: Vec<f64>,
-    /// Position of the first axle at these times [m].
-    pub positions: Vec<f64>,
-    /// Records of the sensors.
-    pub channels: Vec<SensorRecord>,
-    /// Unknowns of the model, before anything is condensed.
-    pub degrees_of_freedom: usize,
-    /// Unknowns that iterate, where linear parts are condensed.
-    pub condensed_degrees_of_freedom: Option<usize>,
-    /// Iterations of all steps.
-    pub iterations_total: u64,
-    /// Most joints that were open somewhere at the same time.
-    pub open_joints: usize,
-    /// Most points that yielded at the same time.
-    pub plastic_points: usize,
-    /// Most elements all of whose points yielded at the same time.
-    pub locking_elements: usize,
-    /// Width of the bridge that carries an axle [m].
-    pub effective_width: f64,
-    /// Asked out-of-balance force over applied force.
-    pub tolerance: f64,
-    /// What was assumed, in words.
-    pub assumptions: Vec<Note>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
-    /// Every step.
-    pub log: Vec<StepLog>,
-    /// The mesh.
-    pub mesh: MeshPicture,
-    /// The bridge at chosen moments; the first is under self-weight alone.
-    pub moments: Vec<Moment>,
-    /// Influence lines, where they were computed.
-    pub influence: Option<Influence>,
+published! {
+    /// The passage of a train over a bridge; its status is published as that of the command.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Passage |passage| {
+        /// Name of the bridge.
+        pub bridge: String,
+        /// Name of the train.
+        pub train: String,
+        /// Its speed [m/s].
+        pub speed: f64 [km/h],
+        /// At rest at every position, or with inertia.
+        pub analysis: PassageAnalysis,
+        /// On the bridge as built, or deformed.
+        pub kinematics: PassageKinematics,
+        /// How positions were solved.
+        pub path: PassagePath,
+        /// How it ended.
+        pub status: PassageStatus [kept],
+        /// Why it ended early, where it did not complete.
+        pub reason?: Option<String>,
+        /// Times [s].
+        pub times: Vec<f64> [kept],
+        /// Position of the first axle at these times [m].
+        pub positions: Vec<f64> [kept],
+        /// Records of the sensors.
+        pub channels: Vec<SensorRecord> = list(&passage.channels, |one| one.object(passage)),
+        /// Unknowns of the model, before anything is condensed.
+        pub degrees_of_freedom: usize,
+        /// Unknowns that iterate, where linear parts are condensed.
+        pub condensed_degrees_of_freedom: Option<usize>,
+        /// Positions at which equilibrium was sought.
+        = load_positions: usize = passage.times.len(),
+        /// Iterations of all steps.
+        pub iterations_total: u64,
+        /// Most joints that were open somewhere at the same time.
+        pub open_joints: usize,
+        /// Most points that yielded at the same time.
+        pub plastic_points: usize,
+        /// Most elements all of whose points yielded at the same time.
+        pub locking_elements: usize,
+        /// Width of the bridge that carries an axle [m].
+        pub effective_width: f64 [m],
+        /// Asked out-of-balance force over applied force.
+        pub tolerance: f64,
+        /// Time between two positions.
+        = time_step: Option<f64> [s] = passage.times.get(1).map(|time| time - passage.times[0]),
+        /// First position of the first axle.
+        = first_position: Option<f64> [m] = passage.positions.first(),
+        /// Last position of the first axle.
+        = last_position: Option<f64> [m] = passage.positions.last(),
+        /// Nodes of the mesh.
+        = nodes: usize = passage.mesh.nodes.len(),
+        /// Elements of the mesh.
+        = elements: usize = passage.mesh.quads.len(),
+        /// Parts of the mesh: `name`, `elements`.
+        = zones: Vec<Object> = list(&passage.mesh.zones, |zone| object! { name: zone.name, elements: zone.quads, }),
+        /// The mesh.
+        pub mesh: MeshPicture [kept],
+        /// The bridge at chosen moments; the first is under self-weight alone.
+        pub moments: Vec<Moment>,
+        /// What was assumed, in words.
+        pub assumptions: Vec<Note>,
+        /// Warnings.
+        pub warnings: Vec<Warning> [kept],
+        /// Every step.
+        pub log: Vec<StepLog> [kept],
+        /// Influence lines, where they were computed.
+        pub influence: Option<Influence> [kept],
+    }
 }
 
 impl Moment {

@@ -1,6 +1,7 @@
 //! Results as an engineer reads them: in metres, newtons and pascals, on the bridge as drawn. Figures, tables and the
 //! wire format are made from these values alone.
 
+use crate::wire::published;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
 
@@ -93,17 +94,23 @@ words! {
     }
 }
 
-/// A hinge of the mechanism.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Hinge {
-    /// Where, on the bridge as built [m].
-    pub point: Point,
-    /// At which edge.
-    pub edge: HingeAt,
-    /// The two sides of its joint: indices into the shapes.
-    pub between: [usize; 2],
-    /// Relative rotation of the two sides [rad, or per unit of the mechanism].
-    pub rotation: f64,
+published! {
+    /// A hinge of the mechanism, between two blocks with names.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct Hinge |hinge, sides: Option<[&str; 2]>| {
+        = x: f64 [m] = hinge.point[0],
+        = y: f64 [m] = hinge.point[1],
+        /// Where, on the bridge as built [m].
+        pub point: Point [kept],
+        /// At which edge.
+        pub edge: HingeAt,
+        /// The two sides of its joint.
+        = between: Vec<String> = sides.map_or_else(Vec::new, Vec::from),
+        /// The same as indices into the shapes.
+        pub between: [usize; 2] [kept],
+        /// Relative rotation of the two sides [rad, or per unit of the mechanism].
+        pub rotation: f64,
+    }
 }
 
 /// A force between two blocks.
@@ -144,28 +151,40 @@ pub struct Snapshot {
     pub particle_forces: Vec<ParticleForce>,
 }
 
-/// A point of the line of thrust.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct ThrustPoint {
-    /// Where the resultant crosses a joint [m].
-    pub point: Point,
-    /// Size of the resultant [N/m].
-    pub thrust: f64,
-}
+published! {
+    /// A point of the line of thrust.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct ThrustPoint |at| {
+        = x: f64 [m] = at.point[0],
+        = y: f64 [m] = at.point[1],
+        /// Where the resultant crosses a joint [m].
+        pub point: Point [kept],
+        /// Size of the resultant [N/m].
+        pub thrust: f64 [kN/m],
+    }
 
-/// One load step.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Step {
-    /// Load [N/m] (support movement: [m]).
-    pub load: f64,
-    /// Displacement of the watched point [m].
-    pub displacement: Point,
-    /// Iterations.
-    pub iterations: u64,
-    /// Out-of-balance force over acting forces.
-    pub unbalanced_ratio: f64,
-    /// Whether it came to rest.
-    pub at_rest: bool,
+    /// One load step; of supports that move, or of loads.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Step |step, moves: bool| {
+        /// The load.
+        = load?: Option<f64> [kN/m] = (!moves).then_some(step.load),
+        /// The support movement.
+        = movement?: Option<f64> [m] = moves.then_some(step.load),
+        /// Load [N/m] (support movement: [m]).
+        pub load: f64 [kept],
+        /// Displacement of the watched point, in all and along both axes.
+        = displacement: f64 [mm] = step.displacement[0].hypot(step.displacement[1]),
+        = displacement_x: f64 [mm] = step.displacement[0],
+        = displacement_y: f64 [mm] = step.displacement[1],
+        /// Displacement of the watched point [m].
+        pub displacement: Point [kept],
+        /// Iterations.
+        pub iterations: u64,
+        /// Out-of-balance force over acting forces.
+        pub unbalanced_ratio: f64,
+        /// Whether it came to rest.
+        pub at_rest: bool,
+    }
 }
 
 /// A load as drawn: a trapezoid of pressure on the extrados, or an arrow.

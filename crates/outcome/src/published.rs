@@ -2,34 +2,28 @@
 //! `extrados.NAME/1` is the schema of the object of the command NAME, which adds what only it knows: its own warnings, the
 //! wall clock and the threads.
 
-mod assess;
+pub(crate) mod assess;
 mod calibration;
-mod collapse;
 mod particles;
 mod passage;
 mod shapes;
-mod sweep;
 mod tables;
-mod update;
+pub(crate) mod update;
 mod validation;
-mod vary;
+pub(crate) mod vary;
 mod vehicles;
 
-pub use assess::{assessment, checks_table, with_sentences};
-pub use calibration::{calibration, calibration_curves, calibration_moduli};
-pub use collapse::{collapse, strip};
+pub use assess::{checks_table, with_sentences};
+pub use calibration::{calibration_curves, calibration_moduli};
 pub use particles::{particle_contacts, particles};
-pub use passage::{channels_table, influence_table, joint_states, passage, passage_log, thrust_lines};
+pub use passage::{channels_table, influence_table, joint_states, passage_log, thrust_lines};
 pub use shapes::{schema_of_rules, schema_of_vehicles};
-pub use sweep::sweep;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
-pub use update::{histories_table, samples_table, sweeps_table, told, update};
-pub use validation::{record, validation, validation_table};
-pub use vary::{collapse_numbers, run_from_record, run_record, vary, vary_table};
-pub use vehicles::{vehicle_envelope_table, vehicle_sections_table, vehicle_sweep, vehicles_table};
+pub use update::{histories_table, samples_table, sweeps_table, told};
+pub use validation::{record, validation_table};
+pub use vary::{collapse_numbers, run_from_record, run_record, vary_table};
+pub use vehicles::{vehicle_envelope_table, vehicle_sections_table, vehicles_table};
 
-use crate::help::{Help, NotCounted};
-use crate::warning::Warning;
 use findings::visible::is_hidden;
 use serde::Serialize;
 use serde_json::Value;
@@ -70,7 +64,8 @@ macro_rules! row {
     }};
 }
 
-use {object, row};
+pub(crate) use object;
+use row;
 
 /// What stands in cells of a CSV table.
 trait Cell {
@@ -158,32 +153,8 @@ fn from_one(numbers: Option<[usize; 2]>) -> Option<[usize; 2]> {
 }
 
 /// One object for each.
-fn list<T>(of: impl IntoIterator<Item = T>, one: impl FnMut(T) -> Object) -> Vec<Object> {
+pub(crate) fn list<T>(of: impl IntoIterator<Item = T>, one: impl FnMut(T) -> Object) -> Vec<Object> {
     of.into_iter().map(one).collect()
-}
-
-/// Warnings of an analysis.
-fn warnings(of: &[Warning]) -> Vec<Object> {
-    list(of, |warning| object! { code: warning.code(), message: warning.message(), })
-}
-
-/// What may help the bridge and is not counted; nothing where nothing is left out.
-fn not_counted(found: &NotCounted) -> Option<Object> {
-    (!found.left_out.is_empty() || !found.with_help.is_empty()).then(|| {
-        object! {
-            help_left_out: found.left_out,
-            with_help: list(&found.with_help, |with| object! {
-                what: Help::all_told(&with.helps),
-                helps: with.helps,
-                status: with.status,
-                last_stable_load_kn_per_m?: with.last_stable_load.map(kilo),
-                headline_kn_per_m?: with.headline.map(kilo),
-                factor?: with.factor,
-                minimum_thickness_factor?: with.thickness_factor,
-                last_stable_movement_m?: with.movement,
-            }),
-        }
-    })
 }
 
 /// Any object as JSON text, with a newline at its end. Characters that act instead of being seen stand as their numbers: it is the same
@@ -204,12 +175,12 @@ pub fn json<T: Serialize>(object: &T) -> String {
 }
 
 /// N/m in kN/m, or N in kN.
-fn kilo(value: f64) -> f64 {
+pub(crate) fn kilo(value: f64) -> f64 {
     value / 1e3
 }
 
 /// Text, where there is some.
-fn said(text: &str) -> Option<&str> {
+pub(crate) fn said(text: &str) -> Option<&str> {
     (!text.is_empty()).then_some(text)
 }
 

@@ -1,47 +1,59 @@
 //! Soil that yields as a continuum: what limit analysis found of it, and what its figures are made from.
 
 use crate::picture::Point;
+use crate::published::{kilo, list, object};
+use crate::wire::published;
 use serde::{Deserialize, Serialize};
 
-/// What only a limit analysis with a continuum reports.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct ContinuumReport {
-    /// Triangles of the last mesh.
-    pub elements: usize,
-    /// Upper over lower bound.
-    pub bound_ratio: Option<f64>,
-    /// Upper over lower bound at which refinement was to end.
-    pub wanted_ratio: f64,
-    /// Share of cohesion and of the tangent of the friction angle that is mobilised.
-    pub mobilised_share: f64,
-    /// Dilatancy angle [rad].
-    pub dilatancy_angle: f64,
-    /// Both bounds of a soil that dilates by its friction angle, at the same share [N/m].
-    pub associated: Option<[f64; 2]>,
-    /// The least and the largest share that the range is for.
-    pub shares: [f64; 2],
-    /// Lower bound at the least share and upper bound at the largest one [N/m].
-    pub range: Option<[f64; 2]>,
-    /// Load at which the iteration for flow with less dilation settled [N/m]: an estimate, and no bound.
-    #[serde(default)]
-    pub iterated: Option<f64>,
-    /// Lower bound in plane strain, where spandrel walls bound the stress out of the plane [N/m].
-    #[serde(default)]
-    pub plane_strain: Option<f64>,
-    /// The piece of a spandrel wall that gives way the most in the mechanism, where walls bound the stress out of the plane.
-    #[serde(default)]
-    pub wall: Option<WallThatGives>,
-    /// Share of the permanent loads that is carried, where they are not.
-    pub permanent_share: Option<f64>,
-    /// This share of the permanent loads is carried by stresses that were found, where none were found that carry all of them.
-    #[serde(default)]
-    pub carried_share: Option<f64>,
-    /// Share of the loads that stands beyond the ends of the fill and is left out.
-    pub left_out: f64,
-    /// Largest velocity that the flow rule does not allow, relative to the fastest.
-    pub flow_violation: Option<f64>,
-    /// Every mesh: triangles, lower and upper bound [N/m].
-    pub rounds: Vec<(usize, Option<f64>, Option<f64>)>,
+published! {
+    /// What only a limit analysis with a continuum reports.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct ContinuumReport |soil| {
+        /// Upper over lower bound.
+        pub bound_ratio: Option<f64>,
+        /// Upper over lower bound at which refinement was to end.
+        pub wanted_ratio: f64 [kept],
+        /// Triangles of the last mesh.
+        pub elements: usize,
+        /// Share of cohesion and of the tangent of the friction angle that is mobilised.
+        pub mobilised_share: f64,
+        /// Dilatancy angle [rad].
+        pub dilatancy_angle: f64 [deg],
+        /// Both bounds of a soil that dilates by its friction angle, at the same share [N/m].
+        pub associated: Option<[f64; 2]> [kN/m] as associated_bounds,
+        /// Load at which the iteration for flow with less dilation settled [N/m]: an estimate, and no bound.
+        #[serde(default)]
+        pub iterated: Option<f64> [kN/m] as iterated_load,
+        /// Lower bound in plane strain, where spandrel walls bound the stress out of the plane [N/m].
+        #[serde(default)]
+        pub plane_strain?: Option<f64> [kN/m] as plane_strain_load,
+        /// How a piece of spandrel wall gives way in the mechanism: "tilts" or "slides".
+        = wall_gives?: Option<String> = soil.wall.map(|wall| if wall.tilts { "tilts" } else { "slides" }),
+        /// The ends of that piece along the bridge, in m.
+        = wall_gives_at?: Option<[f64; 2]> = soil.wall.map(|wall| wall.ends),
+        /// The piece of a spandrel wall that gives way the most in the mechanism, where walls bound the stress out of the plane.
+        #[serde(default)]
+        pub wall: Option<WallThatGives> [kept],
+        /// The least and the largest share that the range is for.
+        pub shares: [f64; 2] as range_shares,
+        /// Lower bound at the least share and upper bound at the largest one [N/m].
+        pub range: Option<[f64; 2]> [kN/m],
+        /// Share of the permanent loads that is carried, where they are not.
+        pub permanent_share?: Option<f64>,
+        /// This share of the permanent loads is carried by stresses that were found, where none were found that carry all of them.
+        #[serde(default)]
+        pub carried_share: Option<f64> [kept],
+        /// Share of the loads that stands beyond the ends of the fill and is left out.
+        pub left_out: f64 as load_left_out,
+        /// Largest velocity that the flow rule does not allow, relative to the fastest.
+        pub flow_violation: Option<f64>,
+        /// Every mesh: `elements`, `lower_bound_kn_per_m`, `upper_bound_kn_per_m`.
+        pub rounds: Vec<(usize, Option<f64>, Option<f64>)> as meshes = list(&soil.rounds, |(elements, lower, upper)| object! {
+            elements: *elements,
+            lower_bound_kn_per_m: lower.map(kilo),
+            upper_bound_kn_per_m: upper.map(kilo),
+        }),
+    }
 }
 
 /// A piece of a spandrel wall that gives way.

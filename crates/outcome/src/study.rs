@@ -6,6 +6,9 @@ mod sensitivity;
 pub use design::{Design, Variation, count, runs};
 pub use sensitivity::{Extreme, Sensitivity, Trend, sensitivity};
 
+use crate::published::list;
+use crate::published::vary::{quantities, run, sensitivities};
+use crate::wire::published;
 use crate::words::words;
 use bridge::vary::{Setting, Varied};
 use serde::{Deserialize, Serialize};
@@ -56,27 +59,40 @@ pub struct Row {
     pub cached: bool,
 }
 
-/// All runs of one command.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
-    /// Name of the bridge.
-    pub bridge: String,
-    /// The command that was repeated.
-    pub command: Command,
-    /// Which analysis the file's own plan has it make.
-    pub analysis: bridge::Analysis,
-    /// By which method, likewise.
-    pub method: bridge::Method,
-    /// One at a time, or all against all.
-    pub design: Design,
-    /// Name of the number that figures and sensitivities are about.
-    pub outcome: String,
-    /// Changes of that number up to this are the search's and not the bridge's.
-    pub resolution: f64,
-    /// What was varied.
-    pub quantities: Vec<Varied>,
-    /// The bridge as its file has it, then every run in the order of the design.
-    pub rows: Vec<Row>,
+published! {
+    /// All runs of one command.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Study |study| {
+        /// Name of the bridge.
+        pub bridge: String,
+        /// The command that was repeated.
+        pub command: Command,
+        /// By which method the file's own plan has it analyse.
+        pub method: bridge::Method,
+        /// Which analysis the file's own plan has it make.
+        pub analysis: bridge::Analysis,
+        /// One at a time, or all against all.
+        pub design: Design,
+        /// Name of the number that figures and sensitivities are about.
+        pub outcome: String,
+        /// Changes of that number up to this are the search's and not the bridge's.
+        pub resolution: f64 as outcome_resolution,
+        /// What was varied: `quantity`, `unit`, `own`, `values`.
+        pub quantities: Vec<Varied> = quantities(study),
+        /// The bridge as its file has it, as one of the rows.
+        = baseline: Option<Object> = study.baseline().map(|row| run(study, 0, row)),
+        /// Every run in the order of the design: `values`, `status`, `outcomes` and so on.
+        = rows: Vec<Object> =
+            list(study.rows.iter().enumerate().skip(1), |(number, row)| run(study, number, row)),
+        /// What each quantity does to the number: `low`, `high`, `elasticity`, `trend` and so on.
+        = sensitivity: Vec<Object> = sensitivities(study),
+        /// How many runs there are, the bridge as its file has it among them.
+        = runs: usize = study.rows.len(),
+        /// How many of them were taken from an earlier command.
+        = runs_from_cache: usize = study.rows.iter().filter(|row| row.cached).count(),
+        /// The bridge as its file has it, then every run in the order of the design.
+        pub rows: Vec<Row> [kept],
+    }
 }
 
 impl Study {

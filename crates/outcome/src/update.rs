@@ -3,7 +3,10 @@
 
 use crate::note::Note;
 use crate::passage::Measurand;
+use crate::published::object;
+use crate::published::update::{channels, parameters, records, sensitivity, stages, told};
 use crate::warning::Warning;
+use crate::wire::published;
 use crate::words::words;
 use calibrate::identify::Identifiability;
 use calibrate::linearised::Left;
@@ -79,21 +82,40 @@ words! {
     }
 }
 
-/// One line of the table of searches.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SearchLine {
-    /// Which.
-    pub search: Search,
-    /// Which reading and which start, in words; empty where there is one only.
-    pub variant: String,
-    /// How it ended, in a few words.
-    pub status: String,
-    /// Where it ended.
-    pub found: Option<Found>,
-    /// Evaluations that the model did for it in this run; what the log knew is not counted.
-    pub computed: usize,
-    /// How long it took [s].
-    pub seconds: f64,
+published! {
+    /// One line of the table of searches.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct SearchLine |line| {
+        /// Which.
+        pub search: Search,
+        /// Which reading and which start, in words; empty where there is one only.
+        pub variant: String,
+        /// How it ended, in a few words.
+        pub status: String as ended,
+        /// Error norm where it ended, of a full passage.
+        = error_norm: Option<f64> = line.found.as_ref().map(|found| found.norm),
+        /// The same as the search saw it, from its slices.
+        = error_norm_in_search: Option<f64> = line.found.as_ref().map(|found| found.norm_in_search),
+        /// Evaluations, each point once.
+        = evaluations: Option<usize> = line.found.as_ref().map(|found| found.evaluations),
+        /// Evaluations that the model did for it in this run; what the log knew is not counted.
+        pub computed: usize as evaluations_computed,
+        /// How long it took [s].
+        pub seconds: f64,
+        /// Values of the parameters where it ended.
+        = values: Vec<f64> = line.found.as_ref().map_or_else(Vec::new, Found::point),
+        /// Parameters that it does not call converged.
+        = unconverged: Vec<String> = line.unconverged(),
+        /// Where it ended.
+        pub found: Option<Found> [kept],
+    }
+}
+
+impl SearchLine {
+    fn unconverged(&self) -> Vec<&str> {
+        let all = self.found.iter().flat_map(|found| &found.parameters);
+        all.filter(|parameter| !parameter.converged).map(|parameter| parameter.name.as_str()).collect()
+    }
 }
 
 /// The posterior and what it was sampled from.
@@ -132,19 +154,21 @@ words! {
     }
 }
 
-/// A run of records.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct RunUsed {
-    /// Its name.
-    pub name: String,
-    /// Its file, as the bridge file has it.
-    pub file: String,
-    /// Speed of the train [m/s].
-    pub speed: Option<f64>,
-    /// What the file says where it was computed and not measured.
-    pub synthetic: Option<String>,
-    /// Channels that were used.
-    pub channels: usize,
+published! {
+    /// A run of records.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct RunUsed {
+        /// Its name.
+        pub name: String,
+        /// Its file, as the bridge file has it.
+        pub file: String,
+        /// Speed of the train [m/s].
+        pub speed: Option<f64> [km/h],
+        /// Channels that were used.
+        pub channels: usize,
+        /// What the file says where it was computed and not measured.
+        pub synthetic: Option<String>,
+    }
 }
 
 /// The records that were compared with.
@@ -180,63 +204,118 @@ pub struct Verdict {
     pub plane_strain: records::PlaneStrain,
 }
 
-/// From records to a calibrated bridge.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Update {
-    /// Name of the bridge.
-    pub bridge: String,
-    /// Name of the train.
-    pub train: String,
-    /// How it ended.
-    pub status: UpdateStatus,
-    /// Why, where it did not complete.
-    pub reason: Option<String>,
-    /// The search whose end is the answer: the one with the least norm of a full passage. An index into `searches`.
-    pub answer: Option<usize>,
-    /// Where the parameters stand in the file, in the order of `problem`.
-    pub places: Vec<ParameterPlace>,
-    /// Parameters with ranges, channels as measured, and how misfit is measured.
-    pub problem: Problem,
-    /// Weights held at the start model, and the start model's fit.
-    pub basis: Option<Basis>,
-    /// Times of the passage [s].
-    pub times: Vec<f64>,
-    /// Places of the first axle at these times [m].
-    pub positions: Vec<f64>,
-    /// Histories by channel, in the order of `problem`.
-    pub channels: Vec<Histories>,
-    /// All searches, in the order in which they were made.
-    pub searches: Vec<SearchLine>,
-    /// The paper's search, by reading and start.
-    pub paper: Vec<PaperSearch>,
-    /// Trust-region least squares from many starts.
-    pub modern: Option<modern::Outcome>,
-    /// Evolution over the whole ranges.
-    pub referee: Option<referee::Outcome>,
-    /// A plain gradient search; of several starts, the one that ended best.
-    pub gradient: Option<gradient::Outcome>,
-    /// What the data can tell at the answer.
-    pub identifiability: Option<Identifiability>,
-    /// What they leave open, with the model as a straight line about the answer.
-    pub linearised: Option<LinearReport>,
-    /// What they leave open, sampled.
-    pub posterior: Option<PosteriorReport>,
-    /// Evaluations of the model that the answers rest on, each point once.
-    pub evaluations: usize,
-    /// Of these, evaluations that this run did itself.
-    pub computed: usize,
-    /// The records.
-    pub records: RecordsUsed,
-    /// What was assumed, in words.
-    pub assumptions: Vec<Note>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
+published! {
+    /// From records to a calibrated bridge; its status is published as that of the command.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Update |update| {
+        /// Name of the bridge.
+        pub bridge: String,
+        /// Name of the train.
+        pub train: String,
+        /// How it ended.
+        pub status: UpdateStatus [kept],
+        /// The search whose end is the answer; none where none came to an end.
+        = search: Option<Search> = update.answer.map(|k| update.searches[k].search),
+        /// The search whose end is the answer: the one with the least norm of a full passage. An index into `searches`.
+        pub answer: Option<usize> [kept],
+        /// Why, where it did not complete.
+        pub reason?: Option<String>,
+        /// Every parameter: `name`, `value`, `unit`, `interval_95`, `identifiable` and so on.
+        = parameters: Vec<Object> = parameters(update),
+        /// Where the parameters stand in the file, in the order of `problem`.
+        pub places: Vec<ParameterPlace> [kept],
+        /// Parameters with ranges, channels as measured, and how misfit is measured.
+        pub problem: Problem [kept],
+        /// Where standard deviations, intervals and correlations come from: the linearised problem or the sampled posterior.
+        = uncertainty_from: Option<UncertaintyFrom> = update.uncertainty_from(),
+        /// Correlation of the parameters; empty where it is not known.
+        = correlation: Vec<Vec<f64>> = update.correlation(),
+        /// Error norm of the answer, of a full passage.
+        = error_norm: Option<f64> = update.found().map(|found| found.norm),
+        /// The same as the search saw it, from its slices.
+        = error_norm_in_search: Option<f64> = update.found().map(|found| found.norm_in_search),
+        /// Error norm of the start model.
+        = initial_error_norm: Option<f64> = update.basis.as_ref().map(|basis| basis.start.norm),
+        /// Weights held at the start model, and the start model's fit.
+        pub basis: Option<Basis> [kept],
+        /// Times of the passage [s].
+        pub times: Vec<f64> [kept],
+        /// Places of the first axle at these times [m].
+        pub positions: Vec<f64> [kept],
+        /// Evaluations of the model that the answers rest on, each point once.
+        pub evaluations: usize,
+        /// Of these, evaluations that this run did itself.
+        pub computed: usize as evaluations_computed,
+        /// Every channel: `name`, `unit`, `measured_peak`, `model_peak`, `shape_correlation`, `weight`, `error` and so on.
+        = channels: Vec<Object> = channels(update),
+        /// Histories by channel, in the order of `problem`.
+        pub channels: Vec<Histories> [kept],
+        /// All searches, in the order in which they were made.
+        pub searches: Vec<SearchLine>,
+        /// Sweeps of the model about the start, or of its straight line about the answer: `parameter`, `range`, `rank` and so on.
+        = sensitivity: Vec<Object> = sensitivity(update),
+        /// Stages of the paper's search: `parameters`, `case`, `frozen` and so on.
+        = stages: Vec<Object> = stages(update),
+        /// Error norm of the values that single sweeps give, of the paper's search.
+        = naive_error_norm: Option<f64> = update.first_pass().and_then(|pass| pass.naive.as_ref()?.norm),
+        /// The paper's search, by reading and start.
+        pub paper: Vec<PaperSearch> [kept],
+        /// Trust-region least squares from many starts.
+        pub modern: Option<modern::Outcome> [kept],
+        /// Evolution over the whole ranges.
+        pub referee: Option<referee::Outcome> [kept],
+        /// A plain gradient search; of several starts, the one that ended best.
+        pub gradient: Option<gradient::Outcome> [kept],
+        /// Rank of the scaled derivatives at the answer.
+        = rank: Option<usize> = update.identifiability.as_ref().map(|told| told.rank),
+        /// Their condition number.
+        = condition: Option<f64> = update.identifiability.as_ref().map(|told| told.condition),
+        /// What the data can tell at the answer.
+        pub identifiability: Option<Identifiability> [kept],
+        /// What the records tell at the answer, in words.
+        = told: Vec<String> = told(update),
+        /// The model's error as a share of the response, by the linearised problem.
+        = model_error: Option<f64> = update.linearised.as_ref().map(|line| line.left.model_error),
+        /// What they leave open, with the model as a straight line about the answer.
+        pub linearised: Option<LinearReport> [kept],
+        /// Standard deviation of the gain that all channels share (axle loads, width) before the records.
+        = common_gain_deviation: Option<f64> =
+            update.uncertainty_from().map(|_| update.common_gain().map_or(0.0, |gain| gain.prior_deviation)),
+        /// That gain as the records leave it: `mean`, `standard_deviation`.
+        = common_gain?: Option<Object> = update.common_gain().map(|gain| object! {
+            mean: gain.mean,
+            standard_deviation: gain.standard_deviation,
+        }),
+        /// What the sampled posterior says of itself: `model_error`, `log_evidence`, `r_hat` and so on.
+        pub posterior?: Option<PosteriorReport> = update.posterior.as_ref().map(|report| object! {
+            model_error: report.posterior.model_error.as_ref().map(|s| [s.mean, s.interval_95[0], s.interval_95[1]]),
+            log_evidence: report.posterior.log_evidence.map(|(log, _)| log),
+            effective_samples: report.posterior.effective_samples,
+            r_hat: report.posterior.r_hat,
+            surrogate: report.surrogate,
+            seconds: report.seconds,
+            told: report.posterior.words,
+        }),
+        /// The records: `runs`, `done`, `findings`, `peaks` and so on.
+        pub records: RecordsUsed = records(&update.records),
+        /// Positions of the train.
+        = load_positions: usize = update.times.len(),
+        /// What was assumed, in words.
+        pub assumptions: Vec<Note>,
+        /// Warnings.
+        pub warnings: Vec<Warning> [kept],
+    }
 }
 
 impl Update {
     /// Where the answer stands: parameters, norm and channels, verified by a full passage.
     pub fn found(&self) -> Option<&Found> {
         self.searches.get(self.answer?)?.found.as_ref()
+    }
+
+    /// The first pass of the paper's search.
+    pub(crate) fn first_pass(&self) -> Option<&hierarchical::Pass> {
+        self.paper.first()?.outcome.passes.first()
     }
 
     /// Where intervals and correlations come from; none where there are none.

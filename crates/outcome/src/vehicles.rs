@@ -3,8 +3,10 @@
 use crate::collapse::{Collapse, Criterion, Status};
 use crate::help::NotCounted;
 use crate::note::Note;
+use crate::published::{Object, list, object, said};
 use crate::sweep::Ended;
 use crate::warning::Warning;
+use crate::wire::published;
 use crate::words::words;
 use bridge::Method;
 use rules::{Acting, Rule, Source};
@@ -20,56 +22,62 @@ words! {
     }
 }
 
-/// What stands where.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Case {
-    /// Position of the vehicle's first axle, from the left springing of the first span [m].
-    pub position: f64,
-    /// Which way it drives.
-    pub direction: Direction,
-    /// Which arrangement: distances and lift-off; empty where there is only one.
-    pub arrangement: String,
-    /// First and last axle that stands on the bridge, counted from 0 from the front of the vehicle; none where uniform
-    /// loads stand alone.
-    pub axles: Option<[usize; 2]>,
-    /// The axle with the rule's factor for the critical one.
-    pub critical_axle: Option<usize>,
-    /// Factors on the weights of the bridge meanwhile.
-    pub weights: Weights,
-    /// From where to where uniform loads stand [m].
-    pub uniform: Option<[f64; 2]>,
-    /// Force along the bridge as a share of all loads, to the right positive: braking or traction.
-    #[serde(default)]
-    pub horizontal: f64,
-    /// Sum of the loads with their factors on the effective width [N/m].
-    pub load: f64,
-}
+published! {
+    /// What stands where.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Case |case| {
+        /// Position of the vehicle's first axle, from the left springing of the first span [m].
+        pub position: f64 [m],
+        /// Which way it drives.
+        pub direction: Direction,
+        /// Which arrangement: distances and lift-off; empty where there is only one.
+        pub arrangement?: String = said(&case.arrangement),
+        /// First axle that stands on the bridge, counted from 1 from the front of the vehicle; none where uniform loads stand alone.
+        = first_axle: Option<usize> = case.axles.map(|axles| axles[0] + 1),
+        /// Last axle that stands on the bridge.
+        = last_axle: Option<usize> = case.axles.map(|axles| axles[1] + 1),
+        /// First and last axle that stands on the bridge, counted from 0 from the front of the vehicle; none where uniform
+        /// loads stand alone.
+        pub axles: Option<[usize; 2]> [kept],
+        /// The axle with the rule's factor for the critical one.
+        pub critical_axle?: Option<usize> = case.critical_axle.map(|axle| axle + 1),
+        /// From where to where uniform loads stand [m].
+        pub uniform?: Option<[f64; 2]> [m] as uniform_load,
+        /// Force along the bridge as a share of all loads, to the right positive: braking or traction.
+        #[serde(default)]
+        pub horizontal: f64 as horizontal_share,
+        /// Sum of the loads with their factors on the effective width [N/m].
+        pub load: f64 [kN/m],
+        /// Factors on the weights of the bridge meanwhile.
+        pub weights: Weights as weight_factors,
+    }
 
-/// The least adequacy factor with a vehicle at a place.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct EnvelopePoint {
-    /// Which arrangement.
-    pub arrangement: String,
-    /// Which way it drives.
-    pub direction: Direction,
-    /// Position of the vehicle's first axle [m].
-    pub position: f64,
-    /// Whether every case there was answered.
-    pub converged: bool,
-    /// Least adequacy factor over what may stand there; none where a case was not answered or nothing collapses.
-    pub adequacy: Option<f64>,
-    /// First and last axle of what governs.
-    pub axles: Option<[usize; 2]>,
-    /// The axle of it with the rule's factor for the critical one.
-    pub critical_axle: Option<usize>,
-    /// From where to where its uniform loads stand [m].
-    pub uniform: Option<[f64; 2]>,
-    /// Factors on the weights of what governs.
-    pub weights: Option<Weights>,
-    /// Least adequacy factor of rigid blocks, where deformable joints were followed too: `adequacy` is the smaller one then.
-    pub rigid: Option<f64>,
-    /// Adequacy factor in balance on deformable joints.
-    pub deformable: Option<f64>,
+    /// The least adequacy factor with a vehicle at a place.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct EnvelopePoint |point| {
+        /// Position of the vehicle's first axle [m].
+        pub position: f64 [m],
+        /// Which way it drives.
+        pub direction: Direction,
+        /// Which arrangement; empty where there is only one.
+        pub arrangement?: String = said(&point.arrangement),
+        /// Whether every case there was answered.
+        pub converged: bool [kept],
+        /// Least adequacy factor over what may stand there; none where a case was not answered or nothing collapses.
+        pub adequacy: Option<f64> as adequacy_factor,
+        /// First and last axle of what governs.
+        pub axles: Option<[usize; 2]> [kept],
+        /// The axle of it with the rule's factor for the critical one.
+        pub critical_axle: Option<usize> [kept],
+        /// From where to where its uniform loads stand [m].
+        pub uniform: Option<[f64; 2]> [kept],
+        /// Factors on the weights of what governs.
+        pub weights: Option<Weights> [kept],
+        /// Least adequacy factor of rigid blocks, where deformable joints were followed too: the adequacy factor is the smaller one then.
+        pub rigid: Option<f64> as rigid_factor,
+        /// Adequacy factor in balance on deformable joints.
+        pub deformable: Option<f64> as deformable_factor,
+    }
 }
 
 impl EnvelopePoint {
@@ -101,33 +109,37 @@ impl EnvelopePoint {
     }
 }
 
-/// What a vehicle comes to on deformable joints.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Deformable {
-    /// Whether the state under self-weight was found with all factors on weights.
-    pub stands: bool,
-    /// Whether the blocks were seen to fall under their own weight with some of them.
-    pub falls: bool,
-    /// Least adequacy factor in balance over all cases that were followed.
-    pub adequacy: Option<f64>,
-    /// The case that has it.
-    pub case: Option<Case>,
-    /// At how many positions the path broke off: the last state in balance counts there.
-    pub broken_off: usize,
-    /// Adequacy factors at which states are first reached that a bridge should not come to in service, of likely cases (what governs for rigid
-    /// blocks, and all that may stand there), each at its worst position; none that is met beyond the least factor of rigid blocks.
-    pub permissible: Vec<PermissibleFactor>,
-}
+published! {
+    /// What a vehicle comes to on deformable joints.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct Deformable |deformable, envelope: &[EnvelopePoint]| {
+        /// Whether the state under self-weight was found with all factors on weights.
+        pub stands: bool [kept],
+        /// Whether the blocks were seen to fall under their own weight with some of them.
+        pub falls: bool [kept],
+        /// Least adequacy factor in balance over all cases that were followed.
+        pub adequacy: Option<f64> as deformable_factor,
+        /// At how many positions the path broke off: the last state in balance counts there.
+        pub broken_off: usize as paths_broken_off,
+        /// The case that has it.
+        pub case: Option<Case> as deformable_case,
+        /// Adequacy factors at which states are first reached that a bridge should not come to in service, of likely cases (what governs for
+        /// rigid blocks, and all that may stand there), each at its worst position; none that is met beyond the least factor of rigid blocks.
+        pub permissible: Vec<PermissibleFactor>,
+        /// Worst case at every position.
+        = envelope: Vec<EnvelopePoint> = envelope,
+    }
 
-/// The adequacy factor at which a state is first reached.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct PermissibleFactor {
-    /// Which state.
-    pub criterion: Criterion,
-    /// The factor; zero where the self-weight alone brings it about.
-    pub adequacy: f64,
-    /// Position of the first axle there [m].
-    pub position: f64,
+    /// The adequacy factor at which a state is first reached.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct PermissibleFactor {
+        /// Which state.
+        pub criterion: Criterion,
+        /// The factor; zero where the self-weight alone brings it about.
+        pub adequacy: f64 as adequacy_factor,
+        /// Position of the first axle there [m].
+        pub position: f64 [m],
+    }
 }
 
 /// A grade of bridges: that of one which carries a certain vehicle.
@@ -141,63 +153,85 @@ pub struct Grade {
     pub rank: usize,
 }
 
-/// What was found for one vehicle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Swept {
-    /// Its code.
-    pub code: String,
-    /// Its name.
-    pub title: String,
-    /// Code of its load model.
-    pub model: String,
-    /// The grade of a bridge that carries it, where its load model has grades.
-    #[serde(default)]
-    pub grade: Option<Grade>,
-    /// How the governing case ended.
-    pub status: Status,
-    /// Adequacy factor: what all its axle loads may be multiplied by; 1 is just enough. None where nothing makes a mechanism, and
-    /// where a position was not answered.
-    pub adequacy: Option<f64>,
-    /// Where positions were not answered: the least factor that the others leave. It bounds the adequacy factor from above and is no
-    /// answer.
-    pub adequacy_at_most: Option<f64>,
-    /// At how many positions a case was not answered.
-    pub positions_not_converged: usize,
-    /// Bounds of the governing case with dilatant friction.
-    pub bounds: Option<[f64; 2]>,
-    /// Adequacy factor without dilation, of the worst cases in which joints slide; none where none does.
-    pub without_dilation: Option<f64>,
-    /// The governing case.
-    pub case: Option<Case>,
-    /// Factors on weights with which it governs, or with which the bridge does not stand.
-    pub weights: Option<Weights>,
-    /// Worst case at every position.
-    pub envelope: Vec<EnvelopePoint>,
-    /// What critical joints carry under the vehicle, as elastic ones.
-    pub sections: Vec<SectionEnvelope>,
-    /// Width of the barrel that carries an axle [m].
-    pub effective_width: f64,
-    /// How vehicles stand across the bridge.
-    pub across: Across,
-    /// Factor on axles: live load and impact, the largest of all spans; and what the critical axle has besides.
-    pub load_factors: [f64; 2],
-    /// The first of these span by span: motion adds by the length of the loaded span.
-    pub span_factors: Vec<f64>,
-    /// What the rule does with its loads.
-    pub acting: Acting,
-    /// Where the vehicle is from.
-    pub source: Source,
-    /// How many cases were answered.
-    pub cases: usize,
-    /// How many of them had to be left to the interior-point method.
-    pub by_interior_point: usize,
-    /// Adequacy factor of rigid blocks, or what bounds it from above, where deformable joints were followed too.
-    pub rigid: Option<f64>,
-    /// What came of deformable joints; `adequacy` is the smaller factor then.
-    pub deformable: Option<Deformable>,
-    /// What may help the bridge and is not counted.
-    #[serde(default)]
-    pub not_counted: NotCounted,
+published! {
+    /// What was found for one vehicle.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Swept |swept| {
+        /// Its code.
+        pub code: String,
+        /// Its name.
+        pub title: String,
+        /// Code of its load model.
+        pub model: String,
+        /// The grade of a bridge that carries it, where its load model has grades.
+        #[serde(default)]
+        pub grade: Option<Grade> [kept],
+        /// How the governing case ended.
+        pub status: Status,
+        /// What all its axle loads may be multiplied by; 1 is just enough. None where nothing makes a mechanism, and where a position was
+        /// not answered.
+        pub adequacy: Option<f64> as adequacy_factor,
+        /// Where positions were not answered: the least factor that the others leave. It bounds the adequacy factor from above and is no
+        /// answer.
+        pub adequacy_at_most?: Option<f64> as adequacy_factor_at_most,
+        = ..NotCounted = swept.not_counted.told(),
+        /// What may help the bridge and is not counted.
+        #[serde(default)]
+        pub not_counted: NotCounted [kept],
+        /// Adequacy factor of rigid blocks, or what bounds it from above, where deformable joints were followed too.
+        pub rigid?: Option<f64> as rigid_factor,
+        = ..Deformable = swept.deformable.as_ref().map(|deformable| deformable.object(&swept.envelope)),
+        /// What came of deformable joints; `adequacy` is the smaller factor then.
+        pub deformable: Option<Deformable> [kept],
+        /// Positions that were tried.
+        = positions: usize = swept.envelope.len(),
+        /// Worst case at every position.
+        pub envelope: Vec<EnvelopePoint> [kept],
+        /// At how many positions a case was not answered.
+        pub positions_not_converged: usize,
+        /// Lower bound of the governing case with dilatant friction.
+        = lower_bound: Option<f64> = swept.bounds.map(|bounds| bounds[0]),
+        /// Upper bound of the governing case with dilatant friction.
+        = upper_bound: Option<f64> = swept.bounds.map(|bounds| bounds[1]),
+        /// Bounds of the governing case with dilatant friction.
+        pub bounds: Option<[f64; 2]> [kept],
+        /// Adequacy factor without dilation, of the worst cases in which joints slide; none where none does.
+        pub without_dilation?: Option<f64>,
+        /// Width of the barrel that carries an axle [m].
+        pub effective_width: f64 [m],
+        /// Factor on axles: live load and impact, the largest of all spans.
+        = load_factor: f64 = swept.load_factors[0],
+        /// The same span by span: motion adds by the length of the loaded span.
+        pub span_factors: Vec<f64> as load_factor_per_span,
+        /// What the critical axle has besides.
+        = critical_axle_factor: f64 = swept.load_factors[1],
+        /// Factor on axles: live load and impact, the largest of all spans; and what the critical axle has besides.
+        pub load_factors: [f64; 2] [kept],
+        /// Factor on live loads, without what motion adds.
+        = live_load_factor: f64 = swept.acting.live_load.value,
+        /// What motion adds to the loads of a vehicle by the rule: `rule`, `sources`.
+        = impact: Object = object! {
+            rule: swept.acting.impact.told(),
+            sources: list(swept.acting.impact.sources(), source),
+        },
+        /// What the rule does with its loads.
+        pub acting: Acting [kept],
+        = ..Across = Some(swept.across.object()),
+        /// How vehicles stand across the bridge.
+        pub across: Across [kept],
+        /// Where the vehicle is from: `text`, `date`, `confidence`, `note`.
+        pub source: Source = source(&swept.source),
+        /// Factors on weights with which it governs, or with which the bridge does not stand.
+        pub weights: Option<Weights> as weight_factors,
+        /// The governing case.
+        pub case: Option<Case>,
+        /// What critical joints carry under the vehicle, as elastic ones.
+        pub sections: Vec<SectionEnvelope>,
+        /// How many cases were answered.
+        pub cases: usize,
+        /// How many of them had to be left to the interior-point method.
+        pub by_interior_point: usize,
+    }
 }
 
 impl Swept {
@@ -387,44 +421,63 @@ impl Swept {
 /// The sweep and a case by itself agree to this: both bounds of either do.
 const SAME: f64 = 1e-6;
 
-/// What was found for all vehicles.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct VehicleSweep {
-    /// Name of the bridge.
-    pub bridge: String,
-    /// The rule.
-    pub rule: Rule,
-    /// The combinations of factors on weights that were tried.
-    pub weights: Vec<Weights>,
-    /// Every vehicle, in the order of the plan.
-    pub vehicles: Vec<Swept>,
-    /// The vehicle with the least adequacy factor, or the least bound on it.
-    pub governing: Option<usize>,
-    /// The governing case as a collapse analysis with its picture.
-    pub collapse: Option<Box<Collapse>>,
-    /// The governing case by discrete elements, where the plan asks for it.
-    pub discrete_elements: Option<ByDiscreteElements>,
-    /// Distance between positions [m].
-    pub step: f64,
-    /// What a reader should look at.
-    pub warnings: Vec<Warning>,
-    /// What was assumed.
-    pub assumptions: Vec<Note>,
-}
+published! {
+    /// What was found for all vehicles.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct VehicleSweep |found| {
+        = schema: String = "extrados.vehicle-sweep/1",
+        = status: String = found.status(),
+        /// Name of the bridge.
+        pub bridge: String,
+        /// The rule with its factors and their sources: `code`, `title`, `source`, `factors`.
+        pub rule: Rule = object! {
+            code: found.rule.code,
+            title: found.rule.title,
+            source: source(&found.rule.source),
+            factors: list(found.rule.listed(), |(name, factor)| object! {
+                name: name,
+                value: factor.value,
+                source: source(&factor.source),
+            }),
+        },
+        /// The combinations of factors on weights that were tried.
+        pub weights: Vec<Weights> as weight_combinations,
+        /// Distance between positions [m].
+        pub step: f64 [m],
+        /// At how many positions a case was not answered, over all vehicles.
+        = positions_not_converged: usize = found.positions_not_converged(),
+        /// What the bridge is worth in the grades of the load models that have them.
+        = grades?: Option<Vec<Graded>> = Some(found.grades()).filter(|all| !all.is_empty()),
+        /// The governing position, as in sweeps of the file's own loads, with its vehicle and its `adequacy_factor`.
+        = governing: Option<Object> = found.worst(),
+        /// The vehicle with the least adequacy factor, or the least bound on it.
+        pub governing: Option<usize> [kept],
+        /// Every vehicle, in the order of the plan.
+        pub vehicles: Vec<Swept>,
+        /// The governing case by discrete elements, where the plan asks for it.
+        pub discrete_elements?: Option<ByDiscreteElements>,
+        /// The governing case as a collapse analysis.
+        pub collapse?: Option<Box<Collapse>>,
+        /// What was assumed.
+        pub assumptions: Vec<Note>,
+        /// What a reader should look at.
+        pub warnings: Vec<Warning>,
+    }
 
-/// What a bridge is worth in the grades of a load model, lightest first: those of the vehicles that were asked for.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Graded {
-    /// What the grades are of: "Route Availability".
-    pub of: String,
-    /// The last grade up to which every one is carried with an adequacy factor of 1 or more.
-    pub highest: Option<String>,
-    /// Those that are carried.
-    pub carried: Vec<String>,
-    /// Those that are not.
-    pub not_carried: Vec<String>,
-    /// Those for which nothing is settled.
-    pub unanswered: Vec<String>,
+    /// What a bridge is worth in the grades of a load model, lightest first: those of the vehicles that were asked for.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct Graded {
+        /// What the grades are of: "Route Availability".
+        pub of: String,
+        /// The last grade up to which every one is carried with an adequacy factor of 1 or more.
+        pub highest: Option<String>,
+        /// Those that are carried.
+        pub carried: Vec<String>,
+        /// Those that are not.
+        pub not_carried: Vec<String>,
+        /// Those for which nothing is settled.
+        pub unanswered: Vec<String>,
+    }
 }
 
 impl Graded {
@@ -487,6 +540,19 @@ impl VehicleSweep {
         self.vehicles.iter().map(|v| v.positions_not_converged).sum()
     }
 
+    /// The governing position as others read it.
+    fn worst(&self) -> Option<Object> {
+        let (swept, headline) = (self.vehicles.get(self.governing?)?, self.headline());
+        Some(object! {
+            vehicle: swept.code,
+            adequacy_factor: headline.map(|headline| headline.0),
+            adequacy_factor_at_most?: swept.adequacy_at_most,
+            method: headline.map(|headline| headline.1),
+            ..swept.not_counted.told(),
+            ..swept.case.as_ref().map(|case| case.object()),
+        })
+    }
+
     /// The headline: the governing vehicle's factor by the method that gives less, and that method. None where it is not known.
     pub fn headline(&self) -> Option<(f64, Method)> {
         let governing = self.vehicles.get(self.governing?)?;
@@ -500,28 +566,34 @@ impl VehicleSweep {
     }
 }
 
-/// How vehicles stand across the bridge where that is worst.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Across {
-    /// How many stand abreast.
-    pub abreast: usize,
-    /// Whether the outermost one stands at the edge.
-    pub at_edge: bool,
-    /// Width of the barrel that carries the axles of the first vehicle [m]: the force per metre of width is that of its
-    /// axle over this width, whatever stands beside it, multiple presence included.
-    pub axles: f64,
-    /// The same for each of its uniform loads, in their order, each in the arrangement that is worst for it [m].
-    pub uniform: Vec<f64>,
-    /// The strip between longitudinal cracks that is loaded most, from one edge of the barrel [m]; none where the barrel is whole, or
-    /// where its cracks make nothing worse.
-    pub strip: Option<[f64; 2]>,
-    /// Where lines of wheels or rails stand across, from the same edge [m].
-    pub wheels: Vec<f64>,
-    /// How the width of the axles was found, in words.
-    pub derivation: String,
-    /// The vehicle of another kind that stands in the lanes beside it; empty where these are empty, or hold vehicles of the same kind.
-    #[serde(default)]
-    pub beside: String,
+fn source(of: &Source) -> Object {
+    object! { text: of.text, date: of.date, confidence: of.confidence, note?: said(&of.note), }
+}
+
+published! {
+    /// How vehicles stand across the bridge where that is worst.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct Across {
+        /// How many stand abreast.
+        pub abreast: usize as vehicles_abreast,
+        /// Whether the outermost one stands at the edge.
+        pub at_edge: bool,
+        /// Width of the barrel that carries the axles of the first vehicle [m]: the force per metre of width is that of its
+        /// axle over this width, whatever stands beside it, multiple presence included.
+        pub axles: f64 [kept],
+        /// The same for each of its uniform loads, in their order, each in the arrangement that is worst for it [m].
+        pub uniform: Vec<f64> [kept],
+        /// The strip between longitudinal cracks that is loaded most, from one edge of the barrel [m]; none where the barrel is whole, or
+        /// where its cracks make nothing worse.
+        pub strip: Option<[f64; 2]> [m] as strip_between_cracks,
+        /// Where lines of wheels or rails stand across, from the same edge [m].
+        pub wheels: Vec<f64> [m] as wheel_lines,
+        /// How the width of the axles was found, in words.
+        pub derivation: String as effective_width_derivation,
+        /// The vehicle of another kind that stands in the lanes beside it; empty where these are empty, or hold vehicles of the same kind.
+        #[serde(default)]
+        pub beside: String [kept],
+    }
 }
 
 impl Across {
@@ -546,15 +618,17 @@ impl Across {
     }
 }
 
-/// Factors on the weights of one combination.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Weights {
-    /// On masonry: rings, piers, spandrel walls.
-    pub masonry: f64,
-    /// On fill, backing and sub-base; none where the bridge has no such weight.
-    pub fill: Option<f64>,
-    /// On surfacing and ballast; none where the bridge has no such weight.
-    pub surfacing: Option<f64>,
+published! {
+    /// Factors on the weights of one combination.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct Weights {
+        /// On masonry: rings, piers, spandrel walls.
+        pub masonry: f64,
+        /// On fill, backing and sub-base; none where the bridge has no such weight.
+        pub fill: Option<f64>,
+        /// On surfacing and ballast; none where the bridge has no such weight.
+        pub surfacing: Option<f64>,
+    }
 }
 
 impl Weights {
@@ -582,50 +656,55 @@ words! {
     }
 }
 
-/// An extreme and what goes with it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Extreme {
-    /// Of what.
-    pub of: Of,
-    /// Compression [N/m].
-    pub thrust: f64,
-    /// Distance of the thrust from the middle of the joint [m], outwards positive; on piers to the left.
-    pub eccentricity: f64,
-    /// Whether that lies outside the joint: no ring without tension carries it so; joints open and hinges form.
-    pub outside: bool,
-    /// Shear [N/m].
-    pub shear: f64,
-    /// The case.
-    pub case: Case,
-}
+published! {
+    /// An extreme and what goes with it.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Extreme {
+        /// Of what.
+        pub of: Of,
+        /// Compression [N/m].
+        pub thrust: f64 [kN/m],
+        /// Distance of the thrust from the middle of the joint [m], outwards positive; on piers to the left.
+        pub eccentricity: f64 [m],
+        /// Whether that lies outside the joint: no ring without tension carries it so; joints open and hinges form.
+        pub outside: bool as outside_section,
+        /// Shear [N/m].
+        pub shear: f64 [kN/m],
+        /// The case.
+        pub case: Case,
+    }
 
-/// A critical joint.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SectionEnvelope {
-    /// Where: "span 1 left springing".
-    pub name: String,
-    /// Middle of the joint [m].
-    pub at: [f64; 2],
-    /// Length of the joint between its contact points [m].
-    pub depth: f64,
-    /// Extremes over all cases.
-    pub extremes: Vec<Extreme>,
-}
+    /// A critical joint.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct SectionEnvelope |section| {
+        /// Where: "span 1 left springing".
+        pub name: String,
+        = x: f64 [m] = section.at[0],
+        = y: f64 [m] = section.at[1],
+        /// Middle of the joint [m].
+        pub at: [f64; 2] [kept],
+        /// Length of the joint between its contact points [m].
+        pub depth: f64 [m],
+        /// Extremes over all cases.
+        pub extremes: Vec<Extreme>,
+    }
 
-/// The governing case by discrete elements.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ByDiscreteElements {
-    /// How it ended; none where it could not be made.
-    pub status: Option<Status>,
-    /// Adequacy factor of the last load step that was carried.
-    pub adequacy: Option<f64>,
-    /// The same by limit analysis.
-    pub limit: Option<f64>,
-    /// Load step, as an adequacy factor.
-    pub step: f64,
-    /// How far inside the edges contact points were put for crushing [m], beyond the file's own rounding; none where masonry does
-    /// not crush or blocks are too small for it.
-    pub inset: Option<f64>,
-    /// Why it could not be made.
-    pub reason: Option<String>,
+    /// The governing case by discrete elements.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct ByDiscreteElements {
+        = method: Method = Method::Dem,
+        /// How it ended; none where it could not be made.
+        pub status: Option<Status>,
+        /// Adequacy factor of the last load step that was carried.
+        pub adequacy: Option<f64> as adequacy_factor,
+        /// The same by limit analysis.
+        pub limit: Option<f64> as limit_adequacy_factor,
+        /// Load step, as an adequacy factor.
+        pub step: f64,
+        /// How far inside the edges contact points were put for crushing [m], beyond the file's own rounding; none where masonry does
+        /// not crush or blocks are too small for it.
+        pub inset: Option<f64> [m] as contact_inset,
+        /// Why it could not be made.
+        pub reason?: Option<String>,
+    }
 }

@@ -22,6 +22,8 @@ macro_rules! words {
                 to.pad(self.word())
             }
         }
+
+        crate::wire::plain!($Name);
     };
 }
 

@@ -66,19 +66,19 @@ impl Answer {
         let (schema, status, fields) = match &self.found {
             Found::Collapse(found) => {
                 add(&written::warnings_of(found));
-                ("collapse", found.status.word(), published::collapse(found))
+                ("collapse", found.status.word(), found.object())
             }
             Found::Sweep(name, width, found) => {
                 add(&found.warnings);
-                ("sweep", found.ended().word(), published::sweep(name, *width, found))
+                ("sweep", found.ended().word(), found.object(name, *width))
             }
             Found::Vehicles(found) => {
                 add(&found.warnings);
-                ("vehicle-sweep", found.status().word(), published::vehicle_sweep(found))
+                ("vehicle-sweep", found.status().word(), found.object())
             }
             Found::Passage(found) => {
                 add(&found.warnings);
-                ("respond", found.status.word(), published::passage(found))
+                ("respond", found.status.word(), found.object())
             }
             Found::Update(found, taken_up) => {
                 add(&found.warnings);
@@ -87,13 +87,13 @@ impl Answer {
                         warnings.push(of_records(finding, file));
                     }
                 }
-                let mut fields = published::update(found);
+                let mut fields = found.object();
                 fields.insert("evaluations_taken_up".to_owned(), json!(taken_up));
                 ("update", found.status.word(), fields)
             }
             Found::Study(study, tolerance, seed) => {
                 let known = study.rows.iter().any(|row| study.number(row).is_some());
-                let mut fields = published::vary(study);
+                let mut fields = study.object();
                 fields.insert("tolerance".to_owned(), json!(tolerance));
                 fields.insert("seed".to_owned(), json!(seed));
                 ("vary", if known { "completed" } else { "undetermined" }, fields)

@@ -19,7 +19,7 @@ pub fn collapse(file: &[u8], method: u32) -> String {
         let found = extrados::collapse(project, &CollapseOptions { choice, resume: None }, &mut Unwatched)?;
         let drawn = figures::drawings(&found.picture).into_iter().map(|(name, svg)| (name, svg.into()));
         let drawings: Map<String, Value> = drawn.collect();
-        Ok(json!({ "result": published::collapse(&found), "drawings": drawings }))
+        Ok(json!({ "result": found.object(), "drawings": drawings }))
     })
 }
 
@@ -33,7 +33,7 @@ pub fn sweep(file: &[u8]) -> String {
     answer(file, |project| {
         let bridge = project.bridge()?;
         match extrados::sweep(project, &SweepOptions::default(), &mut Unwatched)? {
-            Swept::Loads(found) => Ok(json!({ "result": published::sweep(&bridge.name, bridge.width, &found) })),
+            Swept::Loads(found) => Ok(json!({ "result": found.object(&bridge.name, bridge.width) })),
             Swept::Vehicles(_) => Ok(json!({ "error": "the file moves vehicles" })),
         }
     })
@@ -43,7 +43,7 @@ pub fn sweep(file: &[u8]) -> String {
 pub fn respond(file: &[u8]) -> String {
     answer(file, |project| {
         let found = extrados::respond(project, &RespondOptions::default(), &mut Unwatched)?;
-        Ok(json!({ "result": published::passage(&found), "influence": published::influence_table(&found) }))
+        Ok(json!({ "result": found.object(), "influence": published::influence_table(&found) }))
     })
 }
 

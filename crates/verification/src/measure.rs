@@ -3,7 +3,6 @@
 use super::blocks::Blocks;
 use assess::analysis;
 use mechanics::watch::Unwatched;
-use outcome::published;
 use serde_json::Value as Json;
 
 /// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, a block model where it
@@ -23,7 +22,7 @@ pub fn measure(document: &toml::Table) -> Result<Json, String> {
         return calibrated(&bridge);
     }
     let found = analysis::collapse(&bridge, None, &mut Unwatched).map_err(|e| e.to_string())?;
-    let mut object = published::collapse(&found);
+    let mut object = found.object();
     object.extend(derived(&bridge, &found));
     Ok(object.into())
 }
@@ -48,13 +47,13 @@ fn block_model(text: &str) -> Result<Json, String> {
         return Err(told.join("; "));
     };
     let found = analysis::collapse_of_blocks(&scene, None, &mut Unwatched).map_err(|e| e.to_string())?;
-    Ok(published::collapse(&found).into())
+    Ok(found.object().into())
 }
 
 /// The result object of a calibration of fill, with its status.
 fn calibrated(bridge: &bridge::Bridge) -> Result<Json, String> {
     let found = analysis::calibrate::calibrate_fill(bridge, &mut Unwatched).map_err(|e| e.to_string())?;
-    let mut object = published::calibration(&found);
+    let mut object = found.object();
     object.insert("status".to_string(), found.verdict.word().into());
     Ok(object.into())
 }

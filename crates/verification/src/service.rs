@@ -65,7 +65,7 @@ fn responded(file: &File) -> Result<Json, String> {
         ("crown_thrust_kn_per_m", at_rest.into()),
         ("crown_thrust_added_kn_per_m", added.into()),
     ];
-    Ok(with_status(published::passage(&found), found.status.word(), beside))
+    Ok(with_status(found.object(), found.status.word(), beside))
 }
 
 /// Compression across the middle joint of the first span [kN/m].
@@ -99,7 +99,7 @@ fn updated(file: &File, twin: Option<&toml::Table>) -> Result<Json, String> {
         Means { map: &Threads, watch: &mut outcome::calibrate::Unwatched, clock: &|| start.elapsed().as_secs_f64() };
     let found =
         update::update(&task, outcome::calibrate::Log::new(&task.identity()), means).map_err(|e| e.to_string())?;
-    Ok(with_status(published::update(&found), found.status.word(), Vec::new()))
+    Ok(with_status(found.object(), found.status.word(), Vec::new()))
 }
 
 fn assessed(file: &File) -> Result<Json, String> {
@@ -145,5 +145,5 @@ fn assessed(file: &File) -> Result<Json, String> {
     };
     let checked = checks::run(&assessment);
     let assessment = assessment.judged(checked);
-    Ok(with_status(published::assessment(&assessment), assessment.verdict.status.word(), Vec::new()))
+    Ok(with_status(assessment.object(), assessment.verdict.status.word(), Vec::new()))
 }

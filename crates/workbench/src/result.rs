@@ -47,7 +47,7 @@ impl Answer {
     /// Of a collapse.
     pub fn collapse(project: &Project, found: &Collapse) -> Answer {
         let head = ("extrados.collapse/1", found.status.word());
-        let (fields, warnings) = (published::collapse(found), written::warnings_of(found));
+        let (fields, warnings) = (found.object(), written::warnings_of(found));
         let picture = json!(found.picture);
         Answer { picture, ..Answer::new(project, head, fields, &warnings, written::collapse(found, None)) }
     }
@@ -69,7 +69,7 @@ impl Answer {
         if !notes.is_empty() {
             object.insert("notes".to_owned(), notes.into_iter().map(value).collect());
         }
-        object.extend(published::collapse(found).into_iter().filter(|(key, _)| !object_keys(key)));
+        object.extend(found.object().into_iter().filter(|(key, _)| !object_keys(key)));
         object.insert("warnings".to_owned(), json!(warnings));
         Answer {
             status: found.status.word().to_owned(),
@@ -87,13 +87,13 @@ impl Answer {
             Swept::Loads(found) => {
                 let bridge = project.bridge()?;
                 let head = ("extrados.sweep/1", ended(found.ended()));
-                let fields = published::sweep(&bridge.name, bridge.width, found);
+                let fields = found.object(&bridge.name, bridge.width);
                 Answer::new(project, head, fields, &found.warnings, written::loads_moved(&bridge.name, found))
             }
             Swept::Vehicles(found) => {
                 let head = ("extrados.vehicle-sweep/1", ended(found.status()));
                 let picture = found.collapse.as_ref().map_or(Value::Null, |collapse| json!(collapse.picture));
-                let (fields, written) = (published::vehicle_sweep(found), written::vehicles_moved(found));
+                let (fields, written) = (found.object(), written::vehicles_moved(found));
                 Answer { picture, ..Answer::new(project, head, fields, &found.warnings, written) }
             }
         })
@@ -106,7 +106,7 @@ impl Answer {
             PassageStatus::Cancelled => Value::Null,
             _ => published::with_sentences(&found, &found.assumptions, &found.warnings),
         };
-        let made = Answer::new(project, head, published::passage(&found), &found.warnings, written::passage(&found));
+        let made = Answer::new(project, head, found.object(), &found.warnings, written::passage(&found));
         Answer { passage, ..made }
     }
 
@@ -117,14 +117,14 @@ impl Answer {
             _ => found.status.word(),
         };
         let head = ("extrados.update/1", status);
-        Answer::new(project, head, published::update(found), &found.warnings, written::update(found))
+        Answer::new(project, head, found.object(), &found.warnings, written::update(found))
     }
 
     /// Of a study.
     pub fn study(project: &Project, found: &Study) -> Answer {
         let open = found.rows.iter().all(|row| found.number(row).is_none());
         let head = ("extrados.vary/1", if open { "undetermined" } else { "completed" });
-        Answer::new(project, head, published::vary(found), &[], written::study(found))
+        Answer::new(project, head, found.object(), &[], written::study(found))
     }
 
     /// Of an assessment.

@@ -4,7 +4,6 @@ use super::*;
 use mechanics::watch::Unwatched;
 use outcome::collapse::Status;
 use outcome::note::{Fill, Note, Soil};
-use outcome::published;
 
 /// A ring of 4 m under half a metre of soil, in few words.
 const FILE: &str = r#"
@@ -111,7 +110,7 @@ fn the_lower_bound_leads_and_both_stand_beside_it() {
     let area: f64 = over.map(|[a, b, c]| 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))).sum();
     let whole = 1900.0 * 9.81 * area + lower;
     assert!((down / whole - 1.0).abs() < 0.1, "{down} {whole}");
-    let told = published::collapse(&found);
+    let told = found.object();
     for key in ["lower_bound_kn_per_m", "upper_bound_kn_per_m", "bound_ratio", "elements", "mobilised_share"] {
         assert!(told.contains_key(key), "{key}");
     }

@@ -117,7 +117,7 @@ fn with_walls_the_headline_is_the_sum_of_what_the_strips_carry() {
     assert!((both.headline.unwrap() / sum - 1.0).abs() < 1e-12);
     let headline = found.headline().unwrap();
     assert!((headline.whole / sum - 1.0).abs() < 1e-12 && (headline.load * 3.0 / sum - 1.0).abs() < 1e-12);
-    let object = outcome::published::collapse(&found);
+    let object = found.object();
     for key in ["headline_kn", "last_stable_load_kn"] {
         assert!((object[key].as_f64().unwrap() * 1e3 / sum - 1.0).abs() < 1e-9, "{key}: {}", object[key]);
     }
@@ -127,7 +127,7 @@ fn with_walls_the_headline_is_the_sum_of_what_the_strips_carry() {
 fn the_load_that_is_carried_stands_first() {
     for b in [short(), weak()] {
         let found = limit(&b);
-        let text = outcome::published::json(&outcome::published::collapse(&found));
+        let text = outcome::published::json(&found.object());
         let at = |key: &str| text.find(&format!("\"{key}\"")).unwrap_or_else(|| panic!("{key} in {text}"));
         assert!(at("headline_kn_per_m") < at("last_stable_load_kn_per_m"));
         assert!(at("last_stable_load_kn_per_m") < at("collapse_load_kn_per_m"));

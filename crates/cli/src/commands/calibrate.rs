@@ -32,7 +32,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }
     report.warn_of(&mut desk.screen, &found.warnings);
-    report.fields = published::calibration(&found);
+    report.fields = found.object();
     report.summary = summary::calibration(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
 }

@@ -12,7 +12,6 @@ use crate::watcher::{Spectator, Watcher};
 use crate::{quantities, summary};
 use extrados::{Choice, CollapseOptions, SweepOptions, Swept, written};
 use outcome::collapse::Collapse;
-use outcome::published;
 use outcome::sweep::Ended;
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
@@ -111,7 +110,7 @@ fn write(
     folder: &Folder,
 ) -> Result<Report, Failure> {
     report.warn_of(&mut desk.screen, &written::warnings_of(found));
-    report.fields.extend(published::collapse(found));
+    report.fields.extend(found.object());
     let page = summary::collapse(found, &folder.path().display().to_string(), desk.screen.details);
     report.show(&desk.screen, &page);
     let mut files = results::files(folder, written::collapse(found, arguments.displacement_scale))?;
@@ -147,7 +146,7 @@ fn sweep(
 fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder: &Folder) -> Result<Report, Failure> {
     let mut report = source.report(ended(found.status()));
     report.warn_of(&mut desk.screen, &found.warnings);
-    report.fields = published::vehicle_sweep(found);
+    report.fields = found.object();
     report.show(&desk.screen, &summary::vehicles(found, &folder.path().display().to_string()));
     let mut files = results::files(folder, written::vehicles_moved(found))?;
     if let Some(collapse) = &found.collapse {
@@ -163,7 +162,7 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     let mut report = source.report(ended(found.ended()));
     report.warn_of(&mut desk.screen, &found.warnings);
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
-    report.fields = published::sweep(name, width, found);
+    report.fields = found.object(name, width);
     report.show(&desk.screen, &summary::sweep(found, &folder.path().display().to_string()));
     let files = results::files(folder, written::loads_moved(name, found))?;
     results::publish(desk, report, folder, &files)

@@ -14,7 +14,6 @@ use crate::watcher::Watcher;
 use crate::{quantities, summary};
 use extrados::{RespondOptions, written};
 use outcome::passage::{Passage, PassageStatus};
-use outcome::published;
 use serde_json::json;
 
 /// Reads the file, lets the train cross, writes the records.
@@ -36,7 +35,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }
     report.warn_of(&mut desk.screen, &found.warnings);
-    report.fields = published::passage(&found);
+    report.fields = found.object();
     report.summary = summary::passage(&found, &folder.path().display().to_string());
     if let Some(recorder) = recorder {
         keep(&recorder, &found, &mut report)?;

@@ -13,7 +13,6 @@ use crate::status::Status;
 use crate::summary;
 use crate::watcher::Spectator;
 use extrados::{Means, UpdateOptions, written};
-use outcome::published;
 use outcome::update::{Update, UpdateStatus};
 use serde_json::json;
 
@@ -49,7 +48,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         let said = format!("interrupted; evaluations are kept in {path}\nthe same command with --resume goes on\n");
         return Ok(report.saying(said).with("log", path));
     }
-    report.fields = published::update(&found);
+    report.fields = found.object();
     report.fields.insert("evaluations_taken_up".to_owned(), json!(shelf.taken_up()));
     report.summary = summary::update(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
@@ -69,7 +68,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, F
     let mut report = source.report(status);
     report.warn_of(&mut desk.screen, &found.warnings);
     doubts(desk, &found, &mut report);
-    report.fields = published::update(&found);
+    report.fields = found.object();
     report.summary = summary::records(&found, &folder.path().display().to_string());
     write(desk, &found, report, folder)
 }

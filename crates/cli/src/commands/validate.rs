@@ -133,7 +133,7 @@ impl Watch for Stops {
 fn write(desk: &mut Desk, found: &Validation, folder: &Folder, root: &Path) -> Result<Report, Failure> {
     let any = found.statistics.iter().any(|one| one.tests > 0);
     let mut report = Report::new(if any { Status::Completed } else { Status::Undetermined });
-    report.fields = published::validation(found);
+    report.fields = found.object();
     report.fields.insert("folder".to_owned(), json!(root.display().to_string()));
     report.summary = summary::validation(found, &folder.path().display().to_string());
     let mut files = figures::validation(found).map_err(|error| results::not_drawn(folder.path(), &error))?;

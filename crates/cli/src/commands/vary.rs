@@ -18,7 +18,6 @@ use crate::summary;
 use crate::watcher::Spectator;
 use extrados::shard::Shard;
 use extrados::{Means, Portion, Studied, VaryOptions, VaryPlan, written};
-use outcome::published;
 use outcome::study::Study;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -142,7 +141,7 @@ fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) ->
     if study.rows.iter().all(|row| study.number(row).is_none()) {
         report.status = Status::Undetermined;
     }
-    let settings = std::mem::replace(&mut report.fields, published::vary(study));
+    let settings = std::mem::replace(&mut report.fields, study.object());
     report.fields.extend(settings);
     report.summary = summary::vary(study, &folder.path().display().to_string());
     let files = results::files(folder, written::study(study))?;

@@ -126,7 +126,7 @@ impl Assessed {
 
     /// The answer for scripts.
     pub fn object(&self) -> published::Object {
-        published::assessment(&self.assessment)
+        self.assessment.object()
     }
 
     /// The checks as a table (CSV).

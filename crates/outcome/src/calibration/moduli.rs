@@ -1,6 +1,8 @@
 //! Moduli of a stress-strain curve, and their scatter over samples.
 
+use crate::wire::{Unit, Wire};
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
 /// One sample's curve. Its first point is the first result: the block at rest under its own weight.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,6 +34,13 @@ pub struct Spread {
     pub standard_error: f64,
     /// Samples.
     pub count: usize,
+}
+
+impl Wire for Spread {
+    fn wire(&self, unit: Unit) -> Value {
+        let [mean, deviation, error] = [self.mean, self.standard_deviation, self.standard_error].map(unit.of);
+        json!({ "mean": mean, "standard_deviation": deviation, "standard_error": error, "samples": self.count })
+    }
 }
 
 /// Moduli of one curve [Pa].

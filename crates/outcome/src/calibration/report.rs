@@ -128,6 +128,27 @@ impl CalibrationReport {
         self.found.as_ref().or_else(of_file)
     }
 
+    /// The modulus of steps of what is shown.
+    pub(crate) fn tangent(&self) -> Option<Spread> {
+        self.shown()?.tangent
+    }
+
+    /// The secant modulus of what is shown.
+    pub(crate) fn secant(&self) -> Option<Spread> {
+        self.shown()?.secant
+    }
+
+    /// The modulus that is compared, on other packings.
+    pub(crate) fn checked(&self) -> Option<Spread> {
+        self.compared(&self.check.as_ref()?.measured)
+    }
+
+    /// Everything that was measured.
+    pub(crate) fn measured(&self) -> impl Iterator<Item = &Measured> {
+        let checked = self.check.iter().map(|check| &check.measured);
+        self.table.iter().chain(self.found_beside_the_table()).chain(checked)
+    }
+
     /// "16 packings", for sentences.
     pub fn packings(&self) -> String {
         let count = self.seeds.len();
@@ -159,8 +180,7 @@ impl CalibrationReport {
         if self.verdict == Verdict::Cancelled {
             return self;
         }
-        let check = self.check.as_ref().and_then(|check| self.compared(&check.measured));
-        match check {
+        match self.checked() {
             None => {
                 self.verdict = Verdict::Undetermined;
                 self.warnings.push(warning::Calibration::NotChecked.into());

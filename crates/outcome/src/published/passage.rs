@@ -1,64 +1,7 @@
-//! `extrados.respond/1`, and its tables.
+//! Tables of `extrados.respond/1`.
 
-use super::{Object, list, object, row};
-use crate::note;
-use crate::passage::{Passage, RowKind, SensorRecord, StepLog};
-
-/// The result of a train's passage; its status is that of the command. `reason` tells why the run ended early, where it did.
-pub fn passage(passage: &Passage) -> Object {
-    object! {
-        bridge: passage.bridge,
-        train: passage.train,
-        speed_km_per_h: 3.6 * passage.speed,
-        analysis: passage.analysis,
-        kinematics: passage.kinematics,
-        path: passage.path,
-        reason?: passage.reason,
-        channels: list(&passage.channels, |one| channel(passage, one)),
-        degrees_of_freedom: passage.degrees_of_freedom,
-        condensed_degrees_of_freedom: passage.condensed_degrees_of_freedom,
-        load_positions: passage.times.len(),
-        iterations_total: passage.iterations_total,
-        open_joints: passage.open_joints,
-        plastic_points: passage.plastic_points,
-        locking_elements: passage.locking_elements,
-        effective_width_m: passage.effective_width,
-        tolerance: passage.tolerance,
-        time_step_s: passage.times.get(1).map(|time| time - passage.times[0]),
-        first_position_m: passage.positions.first(),
-        last_position_m: passage.positions.last(),
-        nodes: passage.mesh.nodes.len(),
-        elements: passage.mesh.quads.len(),
-        zones: list(&passage.mesh.zones, |zone| object! { name: zone.name, elements: zone.quads, }),
-        moments: list(&passage.moments, |moment| object! {
-            name: moment.name,
-            time_s: moment.time,
-            position_m: moment.position,
-            axles_above: moment.axles.len(),
-            yielding_elements: moment.yielding.iter().filter(|yields| **yields).count(),
-        }),
-        assumptions: note::words(&passage.assumptions),
-    }
-}
-
-/// A channel: numbers in its unit, self-weight taken off all but `self_weight`.
-fn channel(passage: &Passage, channel: &SensorRecord) -> Object {
-    let scale = channel.quantity.scale();
-    let [minimum, maximum] = channel.range().map(|value| scale * value);
-    let at = channel.peak();
-    object! {
-        name: channel.name,
-        quantity: channel.quantity,
-        unit: channel.quantity.unit(),
-        minimum: minimum,
-        maximum: maximum,
-        peak: scale * channel.peak_value(),
-        time_of_peak_s: at.and_then(|k| passage.times.get(k)),
-        position_of_peak_m: at.and_then(|k| passage.positions.get(k)),
-        self_weight: scale * channel.self_weight,
-        about: channel.about,
-    }
-}
+use super::row;
+use crate::passage::{Passage, RowKind, StepLog};
 
 /// `channels.csv`: a time, and a column for each channel, headed by its name and unit; self-weight taken off.
 pub fn channels_table(passage: &Passage) -> String {

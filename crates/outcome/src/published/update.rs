@@ -1,71 +1,14 @@
-//! `extrados.update/1`, and its tables.
+//! Lists of `extrados.update/1`, and its tables.
 
 use super::{Object, list, object, row, said};
-use crate::note;
-use crate::update::{SearchLine, UncertaintyFrom, Update};
-use calibrate::Found;
-use calibrate::search::sweep::Sweep;
-
-/// The result of model updating; its status is that of the command.
-pub fn update(update: &Update) -> Object {
-    let best = update.found();
-    let pass = update.paper.first().and_then(|paper| paper.outcome.passes.first());
-    object! {
-        bridge: update.bridge,
-        train: update.train,
-        // The search whose end is the answer; none where none came to an end.
-        search: update.answer.map(|k| update.searches[k].search),
-        reason?: update.reason,
-        parameters: parameters(update, best),
-        // Where standard deviations, intervals and correlations come from: the linearised problem or the sampled posterior.
-        uncertainty_from: update.uncertainty_from(),
-        correlation: update.correlation(),
-        error_norm: best.map(|found| found.norm),
-        error_norm_in_search: best.map(|found| found.norm_in_search),
-        initial_error_norm: update.basis.as_ref().map(|basis| basis.start.norm),
-        evaluations: update.evaluations,
-        evaluations_computed: update.computed,
-        channels: update.basis.as_ref().map_or_else(Vec::new, |basis| channels(update, basis, best)),
-        searches: list(&update.searches, search),
-        // Sweeps of the model about the start, or of its straight line about the answer.
-        sensitivity: match (pass, &update.linearised) {
-            (Some(pass), _) => sensitivity(update, "sweeps", &pass.sweeps, &pass.ranking),
-            (None, Some(line)) => sensitivity(update, "linearised", &line.sweeps, &line.ranking),
-            (None, None) => Vec::new(),
-        },
-        stages: stages(update),
-        naive_error_norm: pass.and_then(|pass| pass.naive.as_ref()?.norm),
-        rank: update.identifiability.as_ref().map(|told| told.rank),
-        condition: update.identifiability.as_ref().map(|told| told.condition),
-        told: told(update),
-        // The model's error as a share of the response, by the linearised problem.
-        model_error: update.linearised.as_ref().map(|line| line.left.model_error),
-        // The gain that all channels share (axle loads, width): its standard deviation before the records, and as they leave it.
-        common_gain_deviation: update.uncertainty_from().map(|_| update.common_gain().map_or(0.0, |gain| gain.prior_deviation)),
-        common_gain?: update.common_gain().map(|gain| object! {
-            mean: gain.mean,
-            standard_deviation: gain.standard_deviation,
-        }),
-        posterior?: update.posterior.as_ref().map(|report| object! {
-            model_error: report.posterior.model_error.as_ref().map(|s| [s.mean, s.interval_95[0], s.interval_95[1]]),
-            log_evidence: report.posterior.log_evidence.map(|(log, _)| log),
-            effective_samples: report.posterior.effective_samples,
-            r_hat: report.posterior.r_hat,
-            surrogate: report.surrogate,
-            seconds: report.seconds,
-            told: report.posterior.words,
-        }),
-        records: records(update),
-        load_positions: update.times.len(),
-        assumptions: note::words(&update.assumptions),
-    }
-}
+use crate::update::{RecordsUsed, RunUsed, UncertaintyFrom, Update};
 
 fn name(update: &Update, parameter: usize) -> &str {
     update.problem.parameters().get(parameter).map_or("", |parameter| &parameter.name)
 }
 
-fn parameters(update: &Update, best: Option<&Found>) -> Vec<Object> {
+pub(crate) fn parameters(update: &Update) -> Vec<Object> {
+    let best = update.found();
     list(update.problem.parameters().iter().enumerate(), |(k, parameter)| {
         let found = best.map(|found| &found.parameters[k]);
         let summary = update.summary(k);
@@ -95,7 +38,8 @@ pub fn told(update: &Update) -> Vec<String> {
     local.chain(line.flat_map(|line| line.left.words.iter().cloned())).collect()
 }
 
-fn channels(update: &Update, basis: &calibrate::Basis, best: Option<&Found>) -> Vec<Object> {
+pub(crate) fn channels(update: &Update) -> Vec<Object> {
+    let (Some(basis), best) = (&update.basis, update.found()) else { return Vec::new() };
     list(update.problem.channels().iter().enumerate(), |(k, channel)| {
         let found = best.map(|found| &found.channels[k]);
         object! {
@@ -112,24 +56,13 @@ fn channels(update: &Update, basis: &calibrate::Basis, best: Option<&Found>) -> 
     })
 }
 
-fn search(line: &SearchLine) -> Object {
-    let found = line.found.as_ref();
-    let open = found.iter().flat_map(|found| &found.parameters).filter(|parameter| !parameter.converged);
-    object! {
-        search: line.search,
-        variant: line.variant,
-        ended: line.status,
-        error_norm: found.map(|found| found.norm),
-        error_norm_in_search: found.map(|found| found.norm_in_search),
-        evaluations: found.map(|found| found.evaluations),
-        evaluations_computed: line.computed,
-        seconds: line.seconds,
-        values: found.map_or_else(Vec::new, Found::point),
-        unconverged: open.map(|parameter| &parameter.name).collect::<Vec<_>>(),
-    }
-}
-
-fn sensitivity(update: &Update, from: &str, sweeps: &[Sweep], ranking: &[usize]) -> Vec<Object> {
+/// Sweeps of the model about the start, or of its straight line about the answer.
+pub(crate) fn sensitivity(update: &Update) -> Vec<Object> {
+    let (from, sweeps, ranking) = match (update.first_pass(), &update.linearised) {
+        (Some(pass), _) => ("sweeps", &pass.sweeps, &pass.ranking),
+        (None, Some(line)) => ("linearised", &line.sweeps, &line.ranking),
+        (None, None) => return Vec::new(),
+    };
     let channels = update.problem.channels().len();
     list(sweeps, |sweep| {
         object! {
@@ -145,7 +78,7 @@ fn sensitivity(update: &Update, from: &str, sweeps: &[Sweep], ranking: &[usize])
     })
 }
 
-fn stages(update: &Update) -> Vec<Object> {
+pub(crate) fn stages(update: &Update) -> Vec<Object> {
     let passes =
         update.paper.iter().flat_map(|paper| paper.outcome.passes.iter().zip(1..).map(move |one| (paper, one)));
     let stages = passes.flat_map(|(paper, (pass, number))| pass.stages.iter().map(move |stage| (paper, number, stage)));
@@ -163,21 +96,14 @@ fn stages(update: &Update) -> Vec<Object> {
     })
 }
 
-fn records(update: &Update) -> Object {
+pub(crate) fn records(used: &RecordsUsed) -> Object {
     let done = |done: &records::Done| {
         let place = [done.run.as_str(), done.channel.as_str()].join(" ");
         format!("{}: {}", place.trim(), done.what)
     };
-    let used = &update.records;
     let kilometres = |speed: f64| 3.6 * speed;
     object! {
-        runs: list(&used.runs, |run| object! {
-            name: run.name,
-            file: run.file,
-            speed_km_per_h: run.speed.map(kilometres),
-            channels: run.channels,
-            synthetic: run.synthetic,
-        }),
+        runs: list(&used.runs, RunUsed::object),
         done: used.done.iter().map(done).collect::<Vec<_>>(),
         findings: list(used.findings.iter().zip(&used.places), |(finding, file)| object! {
             code: finding.code,

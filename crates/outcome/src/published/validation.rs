@@ -1,24 +1,7 @@
-//! `extrados.validate/1` and its table.
+//! The table of `extrados.validate/1`, and the record.
 
-use super::{Object, each, kilo, list, object, row};
-use crate::validation::{Bias, Prediction, Predictor, Tested, Validation};
-
-/// The fields of a validation.
-pub fn validation(found: &Validation) -> Object {
-    object! {
-        tests: list(&found.tests, |test| object! {
-            name: test.name,
-            title: test.title,
-            test_kn: kilo(test.carried),
-            test_mark: test.carried_mark,
-            failed: test.failed,
-            doubt?: test.doubt,
-            from_memory: test.recalled,
-            predictions: list(&test.predictions, |one| prediction(test, one)),
-        }),
-        statistics: list(&found.statistics, statistics),
-    }
-}
+use super::{Object, each, kilo, object, row};
+use crate::validation::{Predictor, Tested, Validation};
 
 /// The record of limit analysis with fill as weight, as `crates/assess/data/record.json` holds it: of every test what it carried, and what is
 /// predicted with the expected prior values, with and without crushing [kN]; none where a test has no such prediction.
@@ -36,48 +19,6 @@ pub fn record(found: &Validation) -> Option<String> {
     };
     let rows: Vec<Object> = found.tests.iter().map(row).collect::<Option<_>>()?;
     serde_json::to_string_pretty(&rows).ok().map(|text| text + "\n")
-}
-
-fn prediction(test: &Tested, one: &Prediction) -> Object {
-    let over = |load: Option<f64>| load.map(|load| test.over(load));
-    let both = |ends: Option<[f64; 2]>| ends.map(|ends| ends.map(|load| test.over(load)));
-    object! {
-        method: one.by,
-        ended: one.ended,
-        prediction_kn: one.load.map(kilo),
-        prediction_over_test: over(one.load),
-        interval_kn: one.by_priors.map(|ends| ends.map(kilo)),
-        interval_over_test: both(one.by_priors),
-        interval_with_dimensions_kn: one.by_dimensions.map(|ends| ends.map(kilo)),
-        interval_with_dimensions_over_test: both(one.by_dimensions),
-        packings_kn?: one.by_packings.map(|ends| ends.map(kilo)),
-        packings_over_test?: both(one.by_packings),
-        without_a_number: one.without,
-        upper_bound_kn?: one.upper_bound.map(kilo),
-        upper_bound_over_test?: over(one.upper_bound),
-        half_strength_kn?: one.half_strength.map(kilo),
-        half_strength_over_test?: over(one.half_strength),
-        dilating_kn?: one.dilating.map(kilo),
-        dilating_over_test?: over(one.dilating),
-        seconds: one.seconds,
-        bridge_file: one.bridge_file,
-    }
-}
-
-fn statistics(of: &Bias) -> Object {
-    object! {
-        method: of.by,
-        tests: of.tests,
-        median: of.median,
-        scatter: of.scatter,
-        too_high: list(&of.too_high, |(test, over)| object! { test: test, prediction_over_test: over, }),
-        left_out: list(&of.left_out, |one| object! {
-            test: one.test,
-            bias_of_the_others: one.bias,
-            corrected: one.corrected,
-        }),
-        left_out_scatter: of.left_out_scatter,
-    }
 }
 
 /// One line for each test and method; in what time stands in the object, so that a table is the same from run to run.
@@ -114,7 +55,7 @@ pub fn validation_table(found: &Validation) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::validation::Predictor;
+    use crate::validation::Prediction;
 
     #[test]
     fn loads_are_kilonewtons_and_what_is_not_known_is_left_empty() {
@@ -137,7 +78,7 @@ mod tests {
         let found = Validation { tests: vec![test], statistics: Vec::new() };
         let table = validation_table(&found);
         assert_eq!(table.lines().nth(1), Some("a,300,weight,collapsed,150,0.5,100,200,,,,,,,"));
-        let object = validation(&found);
+        let object = found.object();
         assert_eq!(object["tests"][0]["predictions"][0]["interval_kn"][1], 200.0);
         assert_eq!(object["tests"][0]["predictions"][0]["method"], "weight");
     }

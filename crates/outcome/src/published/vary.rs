@@ -1,4 +1,4 @@
-//! `extrados.vary/1`, its table, and the record of one run.
+//! Lists of `extrados.vary/1`, its table, and the record of one run.
 
 use super::{Object, kilo, list, object, row};
 use crate::collapse::Collapse;
@@ -65,40 +65,38 @@ fn numbers(outcome: &Outcome) -> Object {
     outcome.numbers.iter().map(|(name, number)| (name.clone(), json!(number))).collect()
 }
 
-/// The fields of a study; its first row is the baseline.
-pub fn vary(study: &Study) -> Object {
-    let mut rows = list(study.rows.iter().enumerate(), |(number, row)| {
-        object! {
-            run: number,
-            varied: row.run.varied.map(|quantity| path(study, quantity)),
-            values: (0..study.quantities.len()).map(|quantity| value_of(study, row, quantity)).collect::<Object>(),
-            status: row.outcome.status,
-            outcomes: numbers(&row.outcome),
-            warnings: row.outcome.warnings,
-            message?: row.outcome.message,
-            seconds: row.seconds,
-            cached: row.cached,
-        }
-    });
-    let baseline = if rows.is_empty() { None } else { Some(rows.remove(0)) };
+/// What was varied.
+pub(crate) fn quantities(study: &Study) -> Vec<Object> {
     let value = |setting: &Setting| object! { text: setting.text, number: setting.number, };
-    object! {
-        bridge: study.bridge,
-        command: study.command,
-        method: super::collapse::method(study.method),
-        analysis: super::collapse::analysis(study.analysis),
-        design: study.design,
-        outcome: study.outcome,
-        outcome_resolution: study.resolution,
-        quantities: list(&study.quantities, |varied| object! {
+    list(&study.quantities, |varied| {
+        object! {
             quantity: varied.path.to_string(),
             unit: varied.unit,
             own: varied.own.as_ref().map(value),
             values: list(&varied.values, value),
-        }),
-        baseline: baseline,
-        rows: rows,
-        sensitivity: list(&sensitivity(study), |one| object! {
+        }
+    })
+}
+
+/// A run with its number.
+pub(crate) fn run(study: &Study, number: usize, row: &Row) -> Object {
+    object! {
+        run: number,
+        varied: row.run.varied.map(|quantity| path(study, quantity)),
+        values: (0..study.quantities.len()).map(|quantity| value_of(study, row, quantity)).collect::<Object>(),
+        status: row.outcome.status,
+        outcomes: numbers(&row.outcome),
+        warnings: row.outcome.warnings,
+        message?: row.outcome.message,
+        seconds: row.seconds,
+        cached: row.cached,
+    }
+}
+
+/// What each quantity does to the number that a study is about.
+pub(crate) fn sensitivities(study: &Study) -> Vec<Object> {
+    list(&sensitivity(study), |one| {
+        object! {
             quantity: path(study, one.quantity),
             low: one.low.as_ref().map(extreme),
             high: one.high.as_ref().map(extreme),
@@ -106,10 +104,8 @@ pub fn vary(study: &Study) -> Object {
             elasticity: one.elasticity,
             trend: one.trend,
             runs_without_outcome: one.without_answer,
-        }),
-        runs: study.rows.len(),
-        runs_from_cache: study.rows.iter().filter(|row| row.cached).count(),
-    }
+        }
+    })
 }
 
 fn path(study: &Study, quantity: usize) -> String {

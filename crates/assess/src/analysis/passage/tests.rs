@@ -194,7 +194,7 @@ fn the_object_has_the_fields_that_scripts_read() {
         warnings: Vec::new(),
     };
     let passage = report(&bridge, &setup, solution);
-    let object = outcome::published::passage(&passage);
+    let object = passage.object();
     let near = |value: &serde_json::Value, wanted: f64| (value.as_f64().unwrap() - wanted).abs() < 1e-9 * wanted.abs();
     let crown = &object["channels"][0];
     assert_eq!((crown["quantity"].as_str(), crown["unit"].as_str()), (Some("displacement"), Some("mm")));
