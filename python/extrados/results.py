@@ -11,6 +11,7 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import _keys
 from ._extrados import Answer, PassageMoment
 from .errors import argument
 
@@ -234,7 +235,7 @@ class Snapshot:
     force_shears_n_per_m: Numbers = _column("force_shear", "Shear per metre of width, (forces,).")
 
 
-class Collapse(Result):
+class Collapse(_keys.Collapse, Result):
     """The load, the thickness or the support movement that makes a mechanism.
 
     >>> import extrados
@@ -244,103 +245,6 @@ class Collapse(Result):
     >>> found.outline_m(3).shape, found.outline_m(3).flags.writeable
     ((4, 2), False)
     """
-
-    method: str
-    """"dem", "limit", "path" or "fe"."""
-    analysis: str
-    """"load", "thickness" or "support-movement"."""
-    headline_kn_per_m: float | None
-    """The load that is carried, by the method that gives least [kN/m]."""
-    headline_kn: float | None
-    """The same on the whole width [kN]."""
-    headline_from: str | None
-    """Which method gives it."""
-    last_stable_load_kn_per_m: float | None
-    """Largest load that was carried [kN/m]; None where none is known."""
-    last_stable_load_kn: float | None
-    collapse_load_kn_per_m: float | None
-    """First load that makes a mechanism [kN/m]."""
-    collapse_load_kn: float | None
-    stalled_load_kn_per_m: float | None
-    load_step_kn_per_m: float | None
-    load_step_kn: float | None
-    reference_load_kn_per_m: float
-    """Load of the file: a load factor of one [kN/m]."""
-    limit_load_kn_per_m: float | None
-    """Limit load of the same blocks, rigid and without crushing [kN/m]."""
-    crushing_limit_load_kn_per_m: float | None
-    width_m: float
-    load_factor: float | None
-    """How often the loads of the file are carried."""
-    axles: list[dict[str, Any]]
-    hinges: list[dict[str, Any]]
-    """Hinges of the mechanism: `x_m`, `y_m`, `edge`, `between`, `rotation`."""
-    sliding_joints: list[dict[str, float]]
-    max_compressive_stress_mpa: float | None
-    blocks: int
-    particles: int
-    contacts: int
-    path: list[dict[str, Any]]
-    iterations_total: int
-    time_step_s: float
-    critical_time_step_s: float
-    single_mass_time_step_s: float
-    damping: str
-    contact_length: str
-    energy_drift: float
-    friction: str
-    lower_bound_kn_per_m: float | None
-    upper_bound_kn_per_m: float | None
-    associated_load_kn_per_m: float | None
-    non_associated_load_kn_per_m: float | None
-    non_associated_spread_kn_per_m: list[float] | None
-    help_left_out: list[str]
-    """What may help the bridge and may come and go: it is not counted. There where it makes a difference."""
-    with_help: list[dict[str, Any]]
-    """What it would add: `what`, `last_stable_load_kn_per_m` and so on."""
-    without_fill_pressure_load_kn_per_m: float | None
-    full_fill_pressure_load_kn_per_m: float | None
-    unlimited_strength_load_kn_per_m: float | None
-    equilibrium_residual: float | None
-    yield_violation: float | None
-    solver_iterations: int
-    thrust_line: list[dict[str, float]]
-    bound_ratio: float | None
-    elements: int
-    mobilised_share: float
-    dilatancy_angle_deg: float
-    associated_bounds_kn_per_m: list[float] | None
-    iterated_load_kn_per_m: float | None
-    plane_strain_load_kn_per_m: float | None
-    wall_gives: str | None
-    wall_gives_at: Any
-    range_shares: Any
-    range_kn_per_m: list[float] | None
-    permanent_share: float | None
-    load_left_out: Any
-    flow_violation: float | None
-    meshes: list[dict[str, Any]]
-    peak_load_kn_per_m: float | None
-    ended: str
-    contact: str | None
-    permissible: list[dict[str, Any]]
-    over_stiffness: list[dict[str, Any]] | None
-    snaps: int
-    degrees_of_freedom: int
-    springs_per_joint: int
-    softening: float | None
-    minimum_thickness_m: float
-    minimum_thickness_factor: float
-    thickness_factor_that_falls: float
-    minimum_thickness_over_mean_radius: float | None
-    last_stable_movement_m: float | None
-    collapse_movement_m: float | None
-    movement_step_m: float
-    packing: dict[str, Any] | None
-    combination: dict[str, Any] | None
-    wall_strip: dict[str, Any] | None
-    tolerance: float
-    seed: int
 
     _main = ("mechanism", "stress", "bridge")
     _shown = ("status", "method", "headline_kn_per_m", "last_stable_load_kn_per_m", "collapse_load_kn_per_m", "load_factor")
@@ -391,39 +295,15 @@ class Collapse(Result):
         return [Snapshot(self._answer, k, float(load) / 1e3) for k, load in enumerate(loads)]
 
 
-class Sweep(Result):
+class Sweep(_keys.Sweep, Result):
     """The loads of the file at every position."""
-
-    governing: dict[str, Any] | None
-    """The position with the least load factor."""
-    positions: list[dict[str, Any]]
-    """Every position: `position_m`, `load_factor`, `status` and so on."""
-    help_left_out: list[str]
-    """What may help the bridge at the governing position and is not counted. There where it makes a difference."""
-    with_help: list[dict[str, Any]]
-    """What it would add there: `what`, `factor` and so on."""
-    positions_not_converged: int
-    step_m: float
 
     _main = ("envelope",)
     _shown = ("status",)
 
 
-class VehicleSweep(Result):
+class VehicleSweep(_keys.VehicleSweep, Result):
     """The vehicles of `[sweep]` at every position."""
-
-    rule: dict[str, Any]
-    """The rule with its factors and their sources."""
-    weight_combinations: list[dict[str, Any]]
-    step_m: float
-    positions_not_converged: int
-    grades: list[dict[str, Any]] | None
-    governing: dict[str, Any] | None
-    """The governing vehicle with its position and `adequacy_factor`."""
-    vehicles: list[dict[str, Any]]
-    """Every vehicle: `code`, `adequacy_factor`, its case and its envelope."""
-    discrete_elements: dict[str, Any] | None
-    collapse: dict[str, Any] | None
 
     _main = ("adequacy", "envelope")
     _shown = ("status", "adequacy_factor")
@@ -490,33 +370,8 @@ class Moment:
         return arrays
 
 
-class Passage(Result):
+class Passage(_keys.Passage, Result):
     """Displacements, strains and stresses as a train crosses."""
-
-    train: str
-    speed_km_per_h: float
-    analysis: str
-    kinematics: str
-    path: str
-    channels: list[dict[str, Any]]
-    """Every sensor: `name`, `unit`, `minimum`, `maximum`, `peak`, `time_of_peak_s` and so on."""
-    degrees_of_freedom: int
-    condensed_degrees_of_freedom: int | None
-    load_positions: int
-    iterations_total: int
-    open_joints: int
-    plastic_points: int
-    locking_elements: int
-    effective_width_m: float
-    tolerance: float
-    time_step_s: float | None
-    first_position_m: float
-    last_position_m: float
-    nodes: int
-    elements: int
-    zones: list[dict[str, Any]]
-    moments: list[dict[str, Any]]
-    reason: str | None
 
     _main = ("records",)
     _shown = ("status", "train", "speed_km_per_h", "degrees_of_freedom", "load_positions")
@@ -551,36 +406,10 @@ class Passage(Result):
         return xarray.Dataset(data, coords={"time_s": self.times_s, "position_m": ("time_s", self.positions_m)})
 
 
-class Update(Result):
+class Update(_keys.Update, Result):
     """Parameters from records of a passage."""
 
-    train: str
-    search: str | None
-    reason: str | None
-    error_norm_in_search: float | None
-    evaluations_computed: int
     evaluations_taken_up: int
-    searches: list[dict[str, Any]]
-    naive_error_norm: float | None
-    rank: int | None
-    condition: float | None
-    told: Any
-    model_error: Any
-    common_gain_deviation: float | None
-    common_gain: dict[str, Any] | None
-    posterior: dict[str, Any] | None
-    records: dict[str, Any]
-    load_positions: int
-    parameters: list[dict[str, Any]]
-    """Every parameter: `name`, `value`, `unit`, `interval_95`, `identifiable` and so on."""
-    correlation: list[list[float]]
-    error_norm: float
-    initial_error_norm: float
-    evaluations: int
-    channels: list[dict[str, Any]]
-    sensitivity: list[dict[str, Any]]
-    stages: list[dict[str, Any]]
-    uncertainty_from: str | None
 
     _main = ("histories",)
     _shown = ("status", "error_norm", "initial_error_norm", "evaluations")
@@ -605,24 +434,9 @@ class Update(Result):
         return numpy.stack([self._answer.array("sample", k) for k in range(count)])
 
 
-class Study(Result):
+class Study(_keys.Study, Result):
     """An analysis over ranges of the file's quantities."""
 
-    command: str
-    method: str
-    analysis: str
-    design: str
-    outcome: str
-    """Name of the number that sensitivities are about."""
-    outcome_resolution: float
-    quantities: list[dict[str, Any]]
-    baseline: dict[str, Any]
-    """The bridge as its file has it."""
-    rows: list[dict[str, Any]]
-    """Every run: `values`, `status`, `outcomes`."""
-    sensitivity: list[dict[str, Any]]
-    runs: int
-    runs_from_cache: int
     tolerance: float
     seed: int
 
@@ -630,38 +444,9 @@ class Study(Result):
     _shown = ("status", "outcome", "runs", "runs_from_cache")
 
 
-class Assessment(Result):
+class Assessment(_keys.Assessment, Result):
     """The bridge against the limits of its file."""
 
-    verdict: str
-    headline: Any
-    strength_assessed: bool
-    missing: list[str]
-    qualifications: list[str]
-    head: str
-    """The verdict in a line: by what it is given, and what it is to be read with."""
-    beside: list[str]
-    """What stands beside it, most important first."""
-    by: str | None
-    to_confirm: int
-    skipped: list[str]
-    load_cases_left_out: list[str]
-    doubtful: list[str]
-    changed_factors: list[dict[str, Any]]
-    record: dict[str, Any] | None
-    statics: dict[str, Any] | None
-    service: Any
-    collapse: dict[str, Any] | None
-    vehicles: Any
-    cases: Any
-    support_movement: dict[str, Any] | None
-    update: dict[str, Any] | None
-    sensitivity: Any
-    checks: list[dict[str, Any]]
-    """Every comparison: `code`, `title`, `value`, `limit`, `unit`, `utilisation`, `met`."""
-    not_made: list[dict[str, Any]]
-    governing: dict[str, Any] | None
-    condition: list[dict[str, Any]]
     stages: list[dict[str, Any]]
     input_hash: str
 
