@@ -231,20 +231,17 @@ fn same_value(a: &str, b: &str) -> bool {
     a.unit.dimension == b.unit.dimension && (one - other).abs() <= 1e-12 * one.abs().max(other.abs())
 }
 
-fn numbers([before, after]: &[Collapse; 2]) -> Vec<Answered> {
-    let number = |name, of: fn(&Collapse) -> Option<f64>| Answered { name, before: of(before), after: of(after) };
-    let all = [
-        number("headline_kn_per_m", |c| c.headline().map(|headline| headline.load / 1e3)),
-        number("headline_kn", |c| c.headline().map(|headline| headline.whole / 1e3)),
-        number("last_stable_load_kn_per_m", |c| c.last_stable_load.map(|load| load / 1e3)),
-        number("collapse_load_kn_per_m", |c| c.collapse_load.map(|load| load / 1e3)),
-        number("limit_load_kn_per_m", |c| c.limit_load.map(|load| load / 1e3)),
-        number("max_compressive_stress_mpa", |c| c.max_compressive_stress.map(|stress| stress / 1e6)),
-        number("hinges", |c| Some(c.hinges.len() as f64)),
-        number("sliding_joints", |c| Some(c.sliding_joints.len() as f64)),
-        number("width_m", |c| Some(c.width)),
-    ];
-    all.into_iter().filter(|one| one.before.is_some() || one.after.is_some()).collect()
+/// Numbers of both answers that are compared.
+const NUMBERS: &str = "headline_kn_per_m headline_kn last_stable_load_kn_per_m collapse_load_kn_per_m limit_load_kn_per_m \
+                       max_compressive_stress_mpa hinges sliding_joints width_m";
+
+fn numbers(both: &[Collapse; 2]) -> Vec<Answered> {
+    let both = both.each_ref().map(Collapse::object);
+    let all = NUMBERS.split(' ').map(|name| {
+        let [before, after] = both.each_ref().map(|object| published::number(object, name));
+        Answered { name, before, after }
+    });
+    all.filter(|one| one.before.is_some() || one.after.is_some()).collect()
 }
 
 fn cautions([before, after]: &[Collapse; 2]) -> Vec<String> {

@@ -157,6 +157,14 @@ pub(crate) fn list<T>(of: impl IntoIterator<Item = T>, one: impl FnMut(T) -> Obj
     of.into_iter().map(one).collect()
 }
 
+/// A number of an object by its key, or how many a list has; none where there is neither.
+pub fn number(object: &Object, key: &str) -> Option<f64> {
+    match object.get(key)? {
+        Value::Array(list) => Some(list.len() as f64),
+        value => value.as_f64(),
+    }
+}
+
 /// Any object as JSON text, with a newline at its end. Characters that act instead of being seen stand as their numbers: it is the same
 /// object to every reader, and does nothing to a terminal.
 pub fn json<T: Serialize>(object: &T) -> String {

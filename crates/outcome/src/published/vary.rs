@@ -1,34 +1,26 @@
 //! Lists of `extrados.vary/1`, its table, and the record of one run.
 
-use super::{Object, kilo, list, object, row};
+use super::{Object, kilo, list, number, object, row};
 use crate::collapse::Collapse;
 use crate::study::{Outcome, Row, Study, sensitivity};
 use bridge::vary::Setting;
 use serde_json::{Value, json};
 
-/// The numbers of a collapse analysis, by the names they have in `extrados.collapse/1`.
+/// Numbers of a collapse analysis that a study shows, by their keys in `extrados.collapse/1`.
+const NUMBERS: &str = "last_stable_load_kn_per_m collapse_load_kn_per_m headline_kn_per_m headline_with_help_kn_per_m \
+                       limit_load_kn_per_m lower_bound_kn_per_m upper_bound_kn_per_m minimum_thickness_m \
+                       minimum_thickness_factor thickness_factor_that_falls last_stable_movement_m collapse_movement_m \
+                       max_compressive_stress_mpa hinges sliding_joints blocks iterations_total";
+
+/// These numbers; iterations are those of discrete elements alone.
 pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
-    let limit = c.limit();
-    let numbers = [
-        ("last_stable_load_kn_per_m", c.last_stable_load.map(kilo)),
-        ("collapse_load_kn_per_m", c.collapse_load.map(kilo)),
-        ("headline_kn_per_m", c.carried().map(kilo)),
-        ("headline_with_help_kn_per_m", c.not_counted.with_all().and_then(|with| with.headline).map(kilo)),
-        ("limit_load_kn_per_m", c.limit_load.map(kilo)),
-        ("lower_bound_kn_per_m", limit.and_then(|l| l.lower_bound).map(kilo)),
-        ("upper_bound_kn_per_m", limit.and_then(|l| l.upper_bound).map(kilo)),
-        ("minimum_thickness_m", c.thickness().map(|t| t.crown_thickness)),
-        ("minimum_thickness_factor", c.thickness().map(|t| t.factor[1])),
-        ("thickness_factor_that_falls", c.thickness().map(|t| t.factor[0])),
-        ("last_stable_movement_m", c.support().and_then(|s| s.last_stable)),
-        ("collapse_movement_m", c.support().and_then(|s| s.collapse)),
-        ("max_compressive_stress_mpa", c.max_compressive_stress.map(|stress| stress / 1e6)),
-        ("hinges", Some(c.hinges.len() as f64)),
-        ("sliding_joints", Some(c.sliding_joints.len() as f64)),
-        ("blocks", Some(c.blocks as f64)),
-        ("iterations_total", c.dem().map(|d| d.iterations_total as f64)),
-    ];
-    let found = numbers.into_iter().filter_map(|(name, number)| Some((name.to_owned(), number?)));
+    let object = c.object();
+    let of = |name: &str| match name {
+        "headline_with_help_kn_per_m" => c.not_counted.with_all()?.headline.map(kilo),
+        "iterations_total" if c.dem().is_none() => None,
+        _ => number(&object, name),
+    };
+    let found = NUMBERS.split(' ').filter_map(|name| Some((name.to_owned(), of(name)?)));
     found.filter(|(_, number)| number.is_finite()).collect()
 }
 
