@@ -1,18 +1,15 @@
-//! A run's state as bytes, from which it resumes to the same bits.
+//! The file of a stopped run: its state, for the input that it belongs to.
 //!
-//! Layout, little-endian: 8 bytes magic, format version (u64), fingerprint of the input (u64), number of words (u64), the
-//! words (u64 each), checksum of everything before (u64).
+//! Layout: 8 bytes magic; little-endian the format and the fingerprint of the input (u64 each); the state, as
+//! [`Watch::keep`](mechanics::watch::Watch::keep) offers it; the checksum of everything before (u64).
 
+use mechanics::kept::{FORMAT, digest};
 use std::fmt::Debug;
 use thiserror::Error;
 
 const MAGIC: [u8; 8] = *b"EXTRADOS";
-/// Rises when the layout changes, or the state of a run.
-const VERSION: u64 = 2;
-/// More words than this are no state of a block model but damage: 2 GiB.
-const MOST_WORDS: u64 = 1 << 28;
-/// No checkpoint is longer [bytes].
-pub const LONGEST: u64 = 8 * (MOST_WORDS + 5);
+/// No checkpoint is longer [bytes]: what is longer is no state of a block model but damage.
+pub const LONGEST: u64 = 2 << 30;
 
 /// Why a checkpoint cannot be taken up.
 #[derive(Debug, Error)]
@@ -21,9 +18,11 @@ pub enum CheckpointError {
     #[error("this is no checkpoint")]
     Foreign,
     /// Of another program version.
-    #[error("the checkpoint has format {found}, this program reads format {VERSION}")]
+    #[error("another version of this program kept it (format {format}, this one reads format {FORMAT})")]
     Version {
         /// Its format.
+        format: u64,
+        /// The fingerprint of its input.
         found: u64,
     },
     /// Cut short, or bytes changed.
@@ -40,49 +39,39 @@ pub enum CheckpointError {
 /// Fingerprint of everything that decides a run: the bridge or the block model, with its plan.
 pub fn fingerprint<T: Debug>(input: &T) -> u64 {
     // The debug form names every field and prints every number so that it can be read back exactly.
-    checksum(format!("{input:?}").as_bytes())
+    digest(format!("{input:?}").as_bytes())
 }
 
-/// FNV-1a, 64 bits (Fowler, Noll and Vo): finds damage and mix-ups, not malice.
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
-/// A state as bytes.
-pub fn bytes(fingerprint: u64, words: &[u64]) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(8 * (words.len() + 5));
-    bytes.extend(MAGIC);
-    for word in [VERSION, fingerprint, words.len() as u64].iter().chain(words) {
-        bytes.extend(word.to_le_bytes());
-    }
-    bytes.extend(checksum(&bytes).to_le_bytes());
+/// A state as the bytes of a file.
+pub fn bytes(fingerprint: u64, state: &[u8]) -> Vec<u8> {
+    let mut bytes = [&MAGIC, &FORMAT.to_le_bytes(), &fingerprint.to_le_bytes(), state].concat();
+    bytes.extend(digest(&bytes).to_le_bytes());
     bytes
 }
 
-/// The state in bytes that were made for the same input.
-pub fn words(bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, CheckpointError> {
-    if bytes.len() < 8 || bytes[..8] != MAGIC {
-        return Err(CheckpointError::Foreign);
+/// The state in the bytes of a file that were made for the same input.
+pub fn state(bytes: &[u8], fingerprint: u64) -> Result<&[u8], CheckpointError> {
+    let rest = bytes.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
+    let (format, found, state, sum) = parts(rest).ok_or(CheckpointError::Damaged("it is cut short"))?;
+    if format != FORMAT {
+        return Err(CheckpointError::Version { format, found });
     }
-    if !bytes.len().is_multiple_of(8) || bytes.len() < 40 {
-        return Err(CheckpointError::Damaged("it is cut short"));
-    }
-    let words: Vec<u64> =
-        bytes.chunks_exact(8).map(|c| u64::from_le_bytes(c.try_into().expect("chunks of eight"))).collect();
-    if words[1] != VERSION {
-        return Err(CheckpointError::Version { found: words[1] });
-    }
-    let (body, trailer) = bytes.split_at(bytes.len() - 8);
-    if words[3] > MOST_WORDS || words[3] != words.len() as u64 - 5 {
-        return Err(CheckpointError::Damaged("it is cut short or something was appended"));
-    }
-    if checksum(body).to_le_bytes() != trailer {
+    if digest(&bytes[..bytes.len() - 8]) != sum {
         return Err(CheckpointError::Damaged("its checksum does not fit"));
     }
-    if words[2] != fingerprint {
-        return Err(CheckpointError::OtherInput { found: words[2] });
+    if found != fingerprint {
+        return Err(CheckpointError::OtherInput { found });
     }
-    Ok(words[4..words.len() - 1].to_vec())
+    Ok(state)
+}
+
+/// Format, fingerprint, state and checksum of what follows the magic; none where it is cut short.
+fn parts(rest: &[u8]) -> Option<(u64, u64, &[u8], u64)> {
+    let number = |bytes: &[u8; 8]| u64::from_le_bytes(*bytes);
+    let (format, rest) = rest.split_first_chunk()?;
+    let (found, rest) = rest.split_first_chunk()?;
+    let (state, sum) = rest.split_last_chunk()?;
+    Some((number(format), number(found), state, number(sum)))
 }
 
 #[cfg(test)]
@@ -91,13 +80,13 @@ mod tests {
     use crate::samples::{bridgemill, case_two};
 
     #[test]
-    fn a_state_comes_back_word_for_word_and_only_for_its_input() {
-        let state: Vec<u64> = (0..1000u64).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).collect();
+    fn a_state_comes_back_byte_for_byte_and_only_for_its_input() {
+        let kept: Vec<u8> = (0..1000u32).map(|k| (k.wrapping_mul(0x9e37_79b9) >> 24) as u8).collect();
         let (mine, other) = (fingerprint(&bridgemill()), fingerprint(&case_two()));
         assert_ne!(mine, other);
-        let kept = bytes(mine, &state);
-        assert_eq!(words(&kept, mine).unwrap(), state);
-        assert!(matches!(words(&kept, other), Err(CheckpointError::OtherInput { found }) if found == mine));
+        let file = bytes(mine, &kept);
+        assert_eq!(state(&file, mine).unwrap(), kept);
+        assert!(matches!(state(&file, other), Err(CheckpointError::OtherInput { found }) if found == mine));
     }
 
     #[test]
@@ -106,9 +95,9 @@ mod tests {
         for k in 0..whole.len() {
             let mut changed = whole.clone();
             changed[k] ^= 0x10;
-            assert!(words(&changed, 7).is_err(), "byte {k}");
-            assert!(words(&whole[..k], 7).is_err(), "cut at {k}");
+            assert!(state(&changed, 7).is_err(), "byte {k}");
+            assert!(state(&whole[..k], 7).is_err(), "cut at {k}");
         }
-        assert!(matches!(words(b"<svg></svg>", 7), Err(CheckpointError::Foreign)));
+        assert!(matches!(state(b"<svg></svg>", 7), Err(CheckpointError::Foreign)));
     }
 }

@@ -37,21 +37,21 @@ impl Checkpoint {
     }
 
     /// Keeps a state, whole or not at all.
-    pub fn keep(&self, words: &[u64]) -> Result<(), Failure> {
-        write(&self.path, &checkpoint::bytes(self.fingerprint, words))
+    pub fn keep(&self, state: &[u8]) -> Result<(), Failure> {
+        write(&self.path, &checkpoint::bytes(self.fingerprint, state))
             .map_err(|error| Failure::not_written(&self.path, &error))
     }
 
     /// The state that was kept, where there is one.
-    pub fn take_up(&self) -> Result<Option<Vec<u64>>, Failure> {
+    pub fn take_up(&self) -> Result<Option<Vec<u8>>, Failure> {
         match read(&self.path, self.fingerprint) {
-            Ok(words) => Ok(Some(words)),
+            Ok(state) => Ok(Some(state)),
             Err(Unusable::Unread(error)) if error.kind() == io::ErrorKind::NotFound => {
                 Ok(read(&self.set_aside(self.fingerprint), self.fingerprint).ok())
             }
             Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) if self.set_aside(self.fingerprint).exists() => {
                 match read(&self.set_aside(self.fingerprint), self.fingerprint) {
-                    Ok(words) => Ok(Some(words)),
+                    Ok(state) => Ok(Some(state)),
                     Err(error) => Err(self.unusable(&error)),
                 }
             }
@@ -63,19 +63,20 @@ impl Checkpoint {
         }
     }
 
-    /// Makes way for a run that starts anew: the state of another run is kept under a name of its own, a file that is no checkpoint
-    /// is refused. Says what a reader should know.
+    /// Makes way for a run that starts anew: the state of another run, or of another version of this program, is kept under a name of
+    /// its own, a file that is no checkpoint is refused. Says what a reader should know.
     pub fn make_way(&self) -> Result<Option<String>, Failure> {
         let shown = self.path.display();
         match read(&self.path, self.fingerprint) {
             Ok(_) => {
                 Ok(Some(format!("{shown} holds this run as it was interrupted: it starts anew; --resume would go on")))
             }
-            Err(Unusable::Wrong(CheckpointError::OtherInput { found })) => {
+            Err(Unusable::Wrong(
+                error @ (CheckpointError::OtherInput { found } | CheckpointError::Version { found, .. }),
+            )) => {
                 let aside = self.set_aside(found);
                 fs::rename(&self.path, &aside).map_err(|error| Failure::not_written(&aside, &error))?;
-                let what =
-                    format!("{shown} belongs to another run that was interrupted: it is kept as {}", aside.display());
+                let what = format!("{shown}: {error}; it is kept as {}", aside.display());
                 Ok(Some(format!("{what}, where --resume of that run finds it")))
             }
             Err(Unusable::Wrong(CheckpointError::Foreign)) => {
@@ -129,7 +130,7 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-fn read(path: &Path, fingerprint: u64) -> Result<Vec<u64>, Unusable> {
+fn read(path: &Path, fingerprint: u64) -> Result<Vec<u8>, Unusable> {
     let bytes = read_at_most(path, checkpoint::LONGEST).map_err(Unusable::Unread)?;
-    checkpoint::words(&bytes, fingerprint).map_err(Unusable::Wrong)
+    checkpoint::state(&bytes, fingerprint).map(<[u8]>::to_vec).map_err(Unusable::Wrong)
 }

@@ -136,13 +136,13 @@ impl Watch for Watcher {
         draw(&self.bar, progress)
     }
 
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         let Some(checkpoint) = &self.checkpoint else { return };
         let due = self.kept.is_none_or(|kept| kept.elapsed() >= self.keep_every);
         if !due && !asked_to_stop() {
             return;
         }
-        match checkpoint.keep(&words()) {
+        match checkpoint.keep(&state()) {
             Ok(()) => {
                 self.kept = Some(Instant::now());
                 signs::keeps("checkpoint", checkpoint.path(), checkpoint.words());

@@ -14,7 +14,7 @@ pub struct CollapseOptions {
     /// What takes the place of the file's plan.
     pub choice: Choice,
     /// The state of an interrupted run of the same bridge, as [`Watch::keep`] was offered it.
-    pub resume: Option<Vec<u64>>,
+    pub resume: Option<Vec<u8>>,
 }
 
 /// Makes the analysis that the file plans. An interrupted run ends with the status `cancelled`.

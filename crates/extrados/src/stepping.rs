@@ -73,15 +73,15 @@ impl Stepping {
     }
 
     /// The state of the run, to come back to with [`take_up`](Self::take_up) and go on from to the same bits.
-    pub fn state(&self) -> Vec<u64> {
-        self.run.words()
+    pub fn state(&self) -> Vec<u8> {
+        self.run.kept()
     }
 
     /// Goes back, or on, to a state of this run, or of another of the same project.
     ///
     /// # Errors
     /// A state of something else (F108).
-    pub fn take_up(&mut self, state: &[u64]) -> Result<(), Refusal> {
+    pub fn take_up(&mut self, state: &[u8]) -> Result<(), Refusal> {
         self.run.take_up(state).map_err(|error| Refusal::not_set_up(&error))
     }
 

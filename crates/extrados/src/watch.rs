@@ -14,8 +14,8 @@ pub trait Watch: Send {
     /// Tells how far the work is; after [`Wish::Stop`] it ends as soon as its state is consistent, and says so in the outcome.
     fn look(&mut self, progress: &Progress) -> Wish;
 
-    /// Offers the state of a collapse, from which it goes on to the same bits. `state` is only called by who wants to keep it.
-    fn keep(&mut self, _state: &dyn Fn() -> Vec<u64>) {}
+    /// Offers the state of a collapse as bytes, from which it goes on to the same bits. `state` is only called by who wants to keep it.
+    fn keep(&mut self, _state: &dyn Fn() -> Vec<u8>) {}
 }
 
 /// Nobody looks on.
@@ -43,8 +43,8 @@ impl mechanics::watch::Watch for Looking<'_> {
         self.0.look(progress)
     }
 
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        self.0.keep(words);
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
+        self.0.keep(state);
     }
 }
 
@@ -167,7 +167,7 @@ impl Watch for Remembering<'_> {
         if self.stopped { Wish::Stop } else { Wish::GoOn }
     }
 
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         self.watch.keep(state);
     }
 }

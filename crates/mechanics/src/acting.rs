@@ -1,11 +1,12 @@
 //! What acts on one rigid block: forces that keep their direction.
 
 use crate::plane::{Pose, Vec2};
+use serde::Serialize;
 
 /// Forces on one block that keep their direction while their points of application move with the block. The moment
 /// of force `F` at arm `a`, turned by `(cos, sin)`, is `cos (a x F) - sin (a . F)`, so two sums stand for any number
 /// of forces.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub(crate) struct Resultant {
     /// Sum of the forces [N/m].
     pub force: Vec2,

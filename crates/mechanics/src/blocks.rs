@@ -3,6 +3,7 @@
 
 use crate::ids::{BlockId, GroupId, Id, ParticleId, Table};
 use crate::plane::{Core, Meeting, Polygon, PolygonError, Pose, Vec2, meet};
+use serde::Serialize;
 use thiserror::Error;
 
 /// Which motions of a block are prevented.
@@ -71,7 +72,7 @@ impl Particle {
 }
 
 /// A stiffness per unit area [Pa/m] of a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum Stiffness {
     /// As given [Pa/m].
     Given(f64),
@@ -96,7 +97,7 @@ impl Stiffness {
 }
 
 /// How a contact between two groups resists.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ContactLaw {
     /// Normal stiffness per unit area [Pa/m].
     pub normal: Stiffness,
@@ -118,7 +119,7 @@ pub struct ContactLaw {
 }
 
 /// The laws of all pairs of groups.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LawTable {
     groups: usize,
     laws: Vec<ContactLaw>,
@@ -294,7 +295,7 @@ impl BlockModel {
 }
 
 /// A joint of the model as built: two blocks that touch along a face, or at one point of a face.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Interface {
     /// The block on one side.
     pub first: BlockId,

@@ -4,10 +4,11 @@
 //! force at each end, statically equivalent to the pressure between them.
 
 use crate::blocks::ContactLaw;
+use serde::{Deserialize, Serialize};
 use std::ops::{Add, Div, Mul, Sub};
 
 /// How long a stretch of a joint presses.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum ContactLength {
     /// Each end for a length that is fixed when the contact is made (force formulation of Rouxinol, Providência and Lemos).
     Fixed,
@@ -49,7 +50,7 @@ impl Number for f64 {
 }
 
 /// How far the bond of a joint is lost: a crack runs from each end, as a share of the joint's length. What is lost stays so.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Bond<T = f64> {
     /// Length of the crack from the first and from the second end.
     pub lost: [T; 2],
@@ -77,7 +78,7 @@ impl<T: Number> Bond<T> {
 }
 
 /// The law of one joint with its numbers: stiffness is that for the distance between its two blocks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Resistance {
     /// Normal stiffness per unit area [Pa/m].
     pub normal: f64,

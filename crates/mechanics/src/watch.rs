@@ -19,9 +19,9 @@ pub trait Watch {
     /// Tells how far the run is; an answer of [`Wish::Stop`] ends it as soon as its state is consistent.
     fn look(&mut self, progress: &Progress) -> Wish;
 
-    /// Offers the state of the run, from which it can be resumed to the same bits. `words` is only called by an
+    /// Offers the state of the run as bytes, from which it can be resumed to the same bits. `state` is only called by an
     /// onlooker that wants to keep it.
-    fn keep(&mut self, _words: &dyn Fn() -> Vec<u64>) {}
+    fn keep(&mut self, _state: &dyn Fn() -> Vec<u8>) {}
 }
 
 /// What the onlooker wants.

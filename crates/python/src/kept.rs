@@ -75,17 +75,17 @@ pub struct State {
     /// The run that was stopped, which leaves its state when it has come to its end.
     pub run: Option<Arc<Shared>>,
     /// The state of a run by discrete elements, where it was read back.
-    pub words: Option<Vec<u64>>,
+    pub bytes: Option<Vec<u8>>,
     /// Finished pieces.
     pub kept: Option<Arc<Kept>>,
 }
 
 impl State {
     /// The state of the run, once it has come to its end.
-    pub fn words(&self, py: Python<'_>) -> PyResult<Option<Vec<u64>>> {
+    pub fn bytes(&self, py: Python<'_>) -> PyResult<Option<Vec<u8>>> {
         match &self.run {
             Some(run) => run.state(py),
-            None => Ok(self.words.clone()),
+            None => Ok(self.bytes.clone()),
         }
     }
 }
@@ -94,14 +94,14 @@ impl State {
 impl State {
     #[new]
     fn from_bytes(bytes: &[u8]) -> PyResult<State> {
-        let (words, pieces): (Option<Vec<u64>>, Option<Pieces>) = serde_json::from_slice(bytes)
+        let (bytes, pieces): (Option<Vec<u8>>, Option<Pieces>) = serde_json::from_slice(bytes)
             .map_err(|_| pyo3::exceptions::PyValueError::new_err("these bytes are no state of extrados"))?;
-        Ok(State { run: None, words, kept: pieces.map(|pieces| Arc::new(Kept(Mutex::new(pieces)))) })
+        Ok(State { run: None, bytes, kept: pieces.map(|pieces| Arc::new(Kept(Mutex::new(pieces)))) })
     }
 
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let pieces = self.kept.as_ref().map(|kept| kept.pieces().clone());
-        let bytes = serde_json::to_vec(&(self.words(py)?, pieces))
+        let bytes = serde_json::to_vec(&(self.bytes(py)?, pieces))
             .map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))?;
         Ok(PyBytes::new(py, &bytes))
     }
@@ -113,7 +113,7 @@ impl State {
 
     fn __repr__(&self) -> String {
         let pieces = self.kept.as_ref().map_or(0, |kept| kept.len());
-        let run = if self.words.is_some() || self.run.is_some() { "of a run" } else { "of no run" };
+        let run = if self.bytes.is_some() || self.run.is_some() { "of a run" } else { "of no run" };
         format!("<extrados.State {run}, with {pieces} finished pieces>")
     }
 }

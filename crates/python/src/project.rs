@@ -176,7 +176,7 @@ impl Project {
         let given = Options::new(options)?;
         let choice = given.choice(width)?;
         given.end()?;
-        let resume = words(py, resume)?;
+        let resume = bytes(py, resume)?;
         self.answered(py, progress, move |file, watch| {
             extrados::collapse(file, &CollapseOptions { choice, resume }, watch)
                 .map(|found| Found::Collapse(Box::new(found)))
@@ -374,8 +374,8 @@ pub fn passage_options(given: &Options<'_>) -> PyResult<RespondOptions> {
     Ok(RespondOptions { speed: given.speed("speed")?, analysis: given.word("analysis")?, path: given.word("path")? })
 }
 
-fn words(py: Python<'_>, resume: Option<&State>) -> PyResult<Option<Vec<u64>>> {
-    resume.map_or(Ok(None), |state| state.words(py))
+fn bytes(py: Python<'_>, resume: Option<&State>) -> PyResult<Option<Vec<u8>>> {
+    resume.map_or(Ok(None), |state| state.bytes(py))
 }
 
 fn kept(resume: Option<&State>) -> Arc<Kept> {
@@ -513,7 +513,7 @@ impl BlockModel {
         let choice = given.choice(1.0)?;
         given.end()?;
         let (blocks, begun) = (Arc::clone(&self.blocks), Instant::now());
-        let options = CollapseOptions { choice, resume: words(py, resume)? };
+        let options = CollapseOptions { choice, resume: bytes(py, resume)? };
         let done = run::run(py, progress, move |watch| extrados::collapse_of_blocks(&blocks, &options, watch))?;
         let seconds = begun.elapsed().as_secs_f64();
         let answer = |found| Answer::new(Found::Collapse(Box::new(found)), Vec::new(), seconds);

@@ -27,13 +27,13 @@ pub struct Shared {
     stop: AtomicBool,
     heard: bool,
     told: Mutex<Told>,
-    state: Mutex<Option<Vec<u64>>>,
+    state: Mutex<Option<Vec<u8>>>,
     has_ended: AtomicBool,
 }
 
 impl Shared {
     /// The state of the run, once its work has come to its end; Ctrl-C ends the waiting.
-    pub fn state(&self, py: Python<'_>) -> PyResult<Option<Vec<u64>>> {
+    pub fn state(&self, py: Python<'_>) -> PyResult<Option<Vec<u8>>> {
         while !self.has_ended.load(Ordering::Acquire) {
             py.detach(|| thread::sleep(TICK));
             py.check_signals()?;
@@ -75,7 +75,7 @@ impl Watch for Looker {
         if self.0.stop.load(Ordering::Relaxed) { Wish::Stop } else { Wish::GoOn }
     }
 
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         if self.0.stop.load(Ordering::Relaxed) {
             *self.0.state.lock().unwrap_or_else(PoisonError::into_inner) = Some(state());
         }
@@ -176,7 +176,7 @@ pub fn interruption(
     let made = || -> PyResult<PyErr> {
         let state = match (shared.filter(|shared| !shared.is_empty()), kept) {
             (None, None) => None,
-            (run, kept) => Some(Bound::new(py, crate::kept::State { run, words: None, kept })?),
+            (run, kept) => Some(Bound::new(py, crate::kept::State { run, bytes: None, kept })?),
         };
         let class = py.import("extrados.errors")?.getattr("Interrupted")?;
         Ok(PyErr::from_value(class.call1((result, state))?))

@@ -38,7 +38,7 @@ impl Stepping {
 
     /// The state as bytes, to come back to.
     pub fn state(&self) -> Vec<u8> {
-        self.inner.state().iter().flat_map(|word| word.to_le_bytes()).collect()
+        self.inner.state()
     }
 
     /// Goes back, or on, to a state.
@@ -46,13 +46,7 @@ impl Stepping {
     /// # Errors
     /// A state of something else.
     pub fn restore(&mut self, state: &[u8]) -> Result<(), Refusal> {
-        let words: Vec<u64> = state
-            .chunks_exact(8)
-            .map(|bytes| {
-                u64::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3], bytes[4], bytes[5], bytes[6], bytes[7]])
-            })
-            .collect();
-        self.inner.take_up(&words)?;
+        self.inner.take_up(state)?;
         self.frame.take();
         Ok(())
     }

@@ -150,7 +150,7 @@ pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
 
 /// Makes the analysis that the bridge's plan asks for; what may help the bridge and may come and go is not counted. `resume` is a state that
 /// [`Watch::keep`] was offered by a run of the same bridge.
-pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
         return wall_and_fill::both(bridge, resume, watch);
     }
@@ -159,7 +159,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
 
 /// The same of one strip with all that the file says of the bridge, help that may come and go included: what a method finds, to be held against
 /// tests and published numbers.
-pub fn as_described(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub fn as_described(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     engine::can::refused(bridge)?;
     let mut found = match bridge.plan.analysis {
         Analysis::Load => engine::raising(bridge.plan.method, bridge).load(bridge, resume, watch),
@@ -193,7 +193,7 @@ pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::de
 pub fn collapse_by(
     method: Method,
     bridge: &Bridge,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     policy::collapse(bridge, resume, watch, &|state, resume, watch| {

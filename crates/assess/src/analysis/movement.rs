@@ -12,7 +12,7 @@ use structure::discretise::discretise;
 /// Moves the support of the plan in increments until the blocks collapse, under the permanent loads alone.
 pub fn support_movement(
     bridge: &Bridge,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     let mut d = discretise(bridge)?;

@@ -19,14 +19,14 @@ pub fn blocks_as_built(scene: &Scene) -> Picture {
 /// [`Watch::keep`] was offered by a run of the same model.
 pub fn collapse_of_blocks(
     scene: &Scene,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     policy::of_blocks(scene, resume, watch, &as_described)
 }
 
 /// The same with all that the file says of the blocks.
-fn as_described(scene: &Scene, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+fn as_described(scene: &Scene, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let d = scene.discretised();
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);

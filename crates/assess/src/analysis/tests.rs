@@ -262,7 +262,7 @@ fn a_spreading_springing_brings_the_ring_down_by_both_methods() {
 
 /// Keeps every state it is offered and stops after some looks.
 struct Keeper {
-    kept: Vec<Vec<u64>>,
+    kept: Vec<Vec<u8>>,
     looks: usize,
 }
 
@@ -271,8 +271,8 @@ impl Watch for Keeper {
         self.looks = self.looks.saturating_sub(1);
         if self.looks == 0 { mechanics::watch::Wish::Stop } else { mechanics::watch::Wish::GoOn }
     }
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        self.kept.push(words());
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
+        self.kept.push(state());
     }
 }
 

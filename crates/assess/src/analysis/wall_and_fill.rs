@@ -4,6 +4,7 @@ use super::state::{self, Change};
 use super::{AnalysisError, collapse};
 use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
+use mechanics::kept;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{Collapse, Combination, Component, Status};
 use outcome::note::{self, Note};
@@ -13,12 +14,12 @@ use outcome::warning;
 /// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
 /// held sideways and would hold a wall too, so the bricks of the walls are loaded themselves. A kept state starts with the number of
 /// the strip that was at work; on resuming the first strip is run again, to the same bits.
-pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub fn both(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let wall = bridge.spandrel_wall.as_ref().ok_or(structure::discretise::DiscretiseError::NoWall)?;
-    let kept = match resume.map(<[u64]>::split_first) {
+    let kept = match resume.map(kept::split::<u64>).transpose()? {
         None => [None, None],
-        Some(Some((&0, words))) => [Some(words), None],
-        Some(Some((&1, words))) => [None, Some(words)],
+        Some((0, state)) => [Some(state), None],
+        Some((1, state)) => [None, Some(state)],
         Some(_) => return Err(ModelError::ForeignState.into()),
     };
     let mut found = strip(bridge, Strip::Fill, kept[0], watch)?;
@@ -45,7 +46,7 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
 pub(super) fn strip(
     bridge: &Bridge,
     strip: Strip,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     let changes = [Change::Strip(strip), Change::LoadsThroughCover];
@@ -66,9 +67,9 @@ impl Watch for Part<'_> {
         let fraction = progress.fraction.map(|share| 0.5 * (share + self.number as f64));
         self.watch.look(&Progress { stage: format!("{name}: {}", progress.stage), fraction, ..progress.clone() })
     }
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         let number = self.number;
-        self.watch.keep(&|| [vec![number], words()].concat());
+        self.watch.keep(&|| kept::join(&number, &state()));
     }
 }
 

@@ -32,7 +32,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     if arguments.sweep {
         return sweep(desk, arguments, &source, choice, &folder);
     }
-    let run = |resume: Option<Vec<u64>>, watcher: &mut Watcher| {
+    let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
         extrados::collapse(&source.project, &CollapseOptions { choice, resume }, watcher).map_err(Failure::from)
     };
     let checkpoint = Checkpoint::of(&bridge, &folder);
@@ -68,7 +68,7 @@ pub(super) fn analyse(
     mut report: Report,
     checkpoint: Checkpoint,
     folder: &Folder,
-    run: impl FnOnce(Option<Vec<u64>>, &mut Watcher) -> Result<Collapse, Failure>,
+    run: impl FnOnce(Option<Vec<u8>>, &mut Watcher) -> Result<Collapse, Failure>,
 ) -> Result<Report, Failure> {
     let resume = if arguments.resume { checkpoint.take_up()? } else { None };
     if let Some(words) = if arguments.resume { None } else { checkpoint.make_way()? } {

@@ -143,7 +143,7 @@ pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure
     let scene = model.0.planned(&CollapseOptions { choice, resume: None })?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
-    let run = |resume: Option<Vec<u64>>, watcher: &mut Watcher| {
+    let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
         Ok(collapse_of_blocks(&model.0, &CollapseOptions { choice, resume }, watcher)?)
     };
     let checkpoint = Checkpoint::of(&scene, &folder);

@@ -248,9 +248,18 @@ fn reading_computes_nothing_and_touches_no_file() {
     }
 }
 
+/// States of runs say what is kept of them, and one file makes bytes of it.
+#[test]
+fn bytes_of_kept_states_are_made_in_one_place() {
+    for path in sources("crates").iter().filter(|path| !path.ends_with("house.rs")) {
+        let here = path.ends_with("crates/mechanics/src/kept.rs");
+        assert_eq!(code(path).contains("postcard::"), here, "{}", path.display());
+    }
+}
+
 #[test]
 fn what_analyses_has_no_format() {
-    for folder in ["mechanics", "structure", "assess", "drawing", "figures", "cli"] {
+    for folder in ["structure", "assess", "drawing", "figures", "cli"] {
         for path in sources(&format!("crates/{folder}/src")) {
             let text = code(&path);
             let derives = text.lines().any(|line| line.contains("derive(") && line.contains("erialize"));

@@ -236,7 +236,7 @@ fn every_analysis_is_left_when_it_is_stopped() {
 /// Stops a run once it has offered its state, and keeps that.
 #[derive(Default)]
 struct Stopper {
-    state: Option<Vec<u64>>,
+    state: Option<Vec<u8>>,
 }
 
 impl Watch for Stopper {
@@ -244,7 +244,7 @@ impl Watch for Stopper {
         if self.state.is_some() { Wish::Stop } else { Wish::GoOn }
     }
 
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         self.state = Some(state());
     }
 }
@@ -267,7 +267,7 @@ fn who_looks_on_can_stop_a_run_and_take_it_up() {
 /// Stops at a look of its number, counted from the first state that was offered.
 struct Later {
     looks: u32,
-    state: Option<Vec<u64>>,
+    state: Option<Vec<u8>>,
 }
 
 impl Watch for Later {
@@ -279,7 +279,7 @@ impl Watch for Later {
         if self.looks == 0 { Wish::Stop } else { Wish::GoOn }
     }
 
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         self.state = Some(state());
     }
 }

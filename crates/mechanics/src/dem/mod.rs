@@ -6,7 +6,7 @@
 
 mod account;
 mod end;
-mod fingerprint;
+mod kept;
 mod model;
 mod outcome;
 mod packing;
@@ -21,7 +21,6 @@ mod stepping;
 mod stiffness;
 mod take_over;
 mod touch;
-mod words;
 
 pub use crate::contact::ContactLength;
 pub use account::{contacts, energy, frame, stresses};

@@ -6,9 +6,10 @@ use crate::acting::Resultant;
 use crate::blocks::{BlockModel, ContactLaw, LawTable, Loading, ModelError, PointForce, Stiffness};
 use crate::ids::{BlockId, GroupId, Id, Table};
 use crate::plane::{Core, Pose, Vec2, meet, vec2};
+use serde::Serialize;
 
 /// What a step needs of one body, side by side in memory.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize)]
 pub(super) struct Body {
     pub inverse_mass: [f64; 3],
     pub mass: [f64; 3],
@@ -19,7 +20,7 @@ pub(super) struct Body {
 }
 
 /// Rigid bodies and what acts on them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Model {
     pub(super) cores: Table<BlockId, Core>,
     pub(super) groups: Vec<GroupId>,

@@ -2,6 +2,7 @@
 
 use crate::ids::{BlockId, ParticleId, Table};
 use crate::plane::{Pose, Vec2};
+use serde::{Deserialize, Serialize};
 
 /// How a run ended. All of these are answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +30,7 @@ pub enum Status {
 }
 
 /// One load step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
     /// Load factor.
     pub factor: f64,
@@ -44,7 +45,7 @@ pub struct PathPoint {
 }
 
 /// One closed contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactState {
     /// First block.
     pub first: BlockId,
@@ -65,7 +66,7 @@ pub struct ContactState {
 }
 
 /// A block or a particle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Body {
     /// A particle.
     Particle(ParticleId),
@@ -74,7 +75,7 @@ pub enum Body {
 }
 
 /// One closed contact of a particle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ParticleContact {
     /// The particle.
     pub particle: ParticleId,
@@ -106,7 +107,7 @@ impl ParticleContact {
 }
 
 /// A particle at one moment.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ParticleState {
     /// Centre [m].
     pub centre: Vec2,
@@ -130,7 +131,7 @@ impl ContactState {
 }
 
 /// The blocks at one moment.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
     /// Load factor.
     pub factor: f64,

@@ -12,6 +12,7 @@ use crate::contact::ContactLength;
 use crate::ids::{GroupId, Table};
 use crate::plane::{Vec2, bounds, vec2};
 use crate::watch::{Progress, Watch, Wish};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// When the particles have grown enough.
@@ -41,7 +42,7 @@ pub struct Recipe {
 }
 
 /// One particle of a packing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Grain {
     /// Centre [m].
     pub centre: Vec2,

@@ -9,6 +9,7 @@ use super::state::State;
 use super::step::{Workspace, step};
 use crate::ids::{BlockId, Id, ParticleId};
 use crate::plane::Vec2;
+use serde::{Deserialize, Serialize};
 
 /// How one stage ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,7 +57,7 @@ const STALLED_WINDOWS: u32 = 4;
 const DRIFT: f64 = 0.1;
 
 /// What a stage remembers while it settles.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Stage {
     /// Iterations of a window.
     pub window: u64,

@@ -1,18 +1,19 @@
 //! The stages of a quasi-static run: self-weight, then loads in increments, then refinement below the increment.
 
 use super::account::{contacts, energy, frame, set_factor};
-use super::fingerprint::fingerprint;
 use super::model::Model;
 use super::outcome::{Frame, Outcome, PathPoint, Status};
 use super::relax::{Settled, Stage, culprit, settle};
 use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin, critical_time_step, exact_critical_time_step, step};
-use super::{stiffness, words};
+use super::stiffness;
 use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::ids::BlockId;
+use crate::kept;
 use crate::plane::Vec2;
 use crate::watch::{Progress, Watch, Wish};
+use serde::{Deserialize, Serialize};
 
 /// Iterations between looks at the onlooker.
 const CHUNK: u64 = 5_000;
@@ -26,7 +27,7 @@ const RAMP: u64 = 2_000;
 const SUPPORT_SPEED: f64 = 0.01;
 
 /// A run and all it has found so far; what a checkpoint holds.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Run {
     pub state: State,
     pub stage: Stage,
@@ -56,7 +57,7 @@ pub fn collapse(
     loading: &Loading,
     program: &Program,
     settings: &Settings,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(model, loading)?;
@@ -69,7 +70,7 @@ pub fn collapse_from(
     state: &dyn Fn() -> State,
     program: &Program,
     settings: &Settings,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let (run, status) = drive(model, state, program, settings, resume, watch)?;
@@ -94,7 +95,7 @@ pub fn rest(
     model: &Model,
     state: &dyn Fn() -> State,
     settings: &Settings,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Rested, ModelError> {
     let program = Program { increment: 1.0, limit: 0.0, resolution: None, watched: (BlockId(0), Vec2::ZERO) };
@@ -109,22 +110,22 @@ fn drive(
     state: &dyn Fn() -> State,
     program: &Program,
     settings: &Settings,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<(Run, Status), ModelError> {
     model.check_block(program.watched.0)?;
-    let belongs = fingerprint(model, program, settings);
+    let belongs = kept::fingerprint(&(model, program, settings));
     let mut run = match resume {
-        Some(words) => words::decode(model, words, belongs).ok_or(ModelError::ForeignState)?,
+        Some(bytes) => Run::from_bytes(model, belongs, bytes)?,
         None => start(model, state(), settings),
     };
     let mut work = Workspace::default();
     loop {
         let settled = advance(model, &mut run, &mut work, settings, CHUNK);
         if let Settled::Going = settled {
-            watch.keep(&|| words::encode(&run, belongs));
+            watch.keep(&|| kept::write(belongs, &run));
             if watch.look(&progress(&run, program)) == Wish::Stop {
-                watch.keep(&|| words::encode(&run, belongs));
+                watch.keep(&|| kept::write(belongs, &run));
                 return Ok((run, Status::Cancelled));
             }
             continue;

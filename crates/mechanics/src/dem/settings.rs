@@ -3,9 +3,10 @@
 use crate::contact::ContactLength;
 use crate::ids::BlockId;
 use crate::plane::Vec2;
+use serde::Serialize;
 
 /// Numerical damping; it takes energy out until the blocks rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum Damping {
     /// Local, non-viscous: each motion is opposed by this share (0 to 1) of its out-of-balance force.
     Local(f64),
@@ -18,7 +19,7 @@ pub enum Damping {
 }
 
 /// Settings of the discrete element method.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Settings {
     /// Numerical damping.
     pub damping: Damping,
@@ -36,7 +37,7 @@ pub struct Settings {
 }
 
 /// What is done to the blocks after their own weight has come to rest.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Program {
     /// Increment of the load factor.
     pub increment: f64,

@@ -7,9 +7,10 @@ use super::step::Workspace;
 use super::touch::Touch;
 use crate::ids::{Id, ParticleId, Table};
 use crate::plane::{Pose, Vec2};
+use serde::{Deserialize, Serialize};
 
 /// Everything that changes during a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Where each block is.
     pub poses: Vec<Pose>,

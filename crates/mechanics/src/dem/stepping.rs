@@ -1,7 +1,6 @@
 //! A run in the hands of its caller: some steps at a time, with a look at the blocks in between.
 
 use super::account::frame;
-use super::fingerprint::fingerprint;
 use super::model::Model;
 use super::outcome::PathPoint;
 use super::outcome::{Frame, Outcome, Status};
@@ -10,8 +9,8 @@ use super::run::{Run, advance, decide, finish, record, start};
 use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin};
-use super::words;
 use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::kept;
 
 /// A quasi-static run that goes on when it is told to. Its numbers are those of [`collapse`](super::collapse), however many steps
 /// it is moved on at a time.
@@ -22,6 +21,8 @@ pub struct Stepping {
     run: Run,
     work: Workspace,
     status: Option<Status>,
+    /// The number of what its states belong to.
+    belongs: u64,
 }
 
 impl Stepping {
@@ -47,8 +48,9 @@ impl Stepping {
     pub fn from(model: Model, state: State, program: &Program, settings: &Settings) -> Result<Stepping, ModelError> {
         model.check_block(program.watched.0)?;
         let run = start(&model, state, settings);
+        let belongs = kept::fingerprint(&(&model, program, settings));
         let (program, settings, work) = (program.clone(), settings.clone(), Workspace::default());
-        Ok(Stepping { model, program, settings, run, work, status: None })
+        Ok(Stepping { model, program, settings, run, work, status: None, belongs })
     }
 
     /// Goes on for so many steps, over the ends of stages, or to the end of the run. Tells how it ended.
@@ -96,17 +98,16 @@ impl Stepping {
     }
 
     /// The state of the run, from which [`take_up`](Self::take_up) goes on to the same bits.
-    pub fn words(&self) -> Vec<u64> {
-        words::encode(&self.run, fingerprint(&self.model, &self.program, &self.settings))
+    pub fn kept(&self) -> Vec<u8> {
+        kept::write(self.belongs, &self.run)
     }
 
     /// Goes back, or on, to a state of the same run.
     ///
     /// # Errors
-    /// Words of another run, or none.
-    pub fn take_up(&mut self, words: &[u64]) -> Result<(), ModelError> {
-        let belongs = fingerprint(&self.model, &self.program, &self.settings);
-        self.run = words::decode(&self.model, words, belongs).ok_or(ModelError::ForeignState)?;
+    /// Bytes of another run, or damaged ones.
+    pub fn take_up(&mut self, bytes: &[u8]) -> Result<(), ModelError> {
+        self.run = Run::from_bytes(&self.model, self.belongs, bytes)?;
         (self.work, self.status) = (Workspace::default(), None);
         Ok(())
     }

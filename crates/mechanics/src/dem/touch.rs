@@ -4,9 +4,10 @@ use super::end::end;
 use crate::blocks::ContactLaw;
 use crate::contact::{Bond, ContactLength, Resistance};
 use crate::plane::{Core, Meeting, Pose, Vec2, vec2};
+use serde::{Deserialize, Serialize};
 
 /// What a contact point remembers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(super) struct Memory {
     /// Shear force [N/m], positive when it acts on the incident block along the reference edge.
     pub shear: f64,
@@ -43,7 +44,7 @@ pub(super) struct Reaction {
 ///
 /// For two faces, `one` owns the reference edge and `two` the incident one; for two corners they are simply the two
 /// blocks. All geometry is in the blocks' own frames, so a step needs no search.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Touch {
     pub one: u32,
     pub two: u32,

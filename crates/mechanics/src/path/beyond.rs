@@ -4,9 +4,10 @@ use super::correct::Constraint;
 use super::relax::{BRIEF, Fall, Falling, PATIENT, dashpots};
 use super::system::advance;
 use super::trace::{End, Heading, Next, Path, Stage};
+use serde::{Deserialize, Serialize};
 
 /// Blocks let fall under more load than the path was followed to.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Push {
     /// How the path ended.
     pub end: End,
@@ -18,7 +19,7 @@ pub(super) struct Push {
 }
 
 /// The path followed past its peak.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Descend {
     /// How the path ended.
     pub end: End,

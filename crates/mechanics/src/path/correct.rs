@@ -3,6 +3,7 @@
 use super::model::Model;
 use super::settings::Settings;
 use super::system::{State, Workspace, advance, assemble, scale};
+use serde::{Deserialize, Serialize};
 
 /// The equation that goes with those of equilibrium.
 #[derive(Debug, Clone, Copy)]
@@ -14,7 +15,7 @@ pub(super) enum Constraint<'a> {
 }
 
 /// A state that was balanced.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Balanced {
     pub iterations: u32,
     /// Largest out-of-balance force, relative to all acting forces.

@@ -8,9 +8,10 @@ use crate::blocks::{BlockModel, Interface, ModelError};
 use crate::contact::{Bond, ContactLength, Ends, Number, Resistance, each};
 use crate::ids::{Id, Table};
 use crate::plane::{Vec2, vec2};
+use serde::{Deserialize, Serialize};
 
 /// A joint of the model as built.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Joint {
     pub first: usize,
     pub second: usize,
@@ -25,7 +26,7 @@ pub(super) struct Joint {
 }
 
 /// What a joint remembers of the last balanced state.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(super) struct Memory {
     /// How far the two ends had been sheared elastically [m], against the tangent.
     pub sheared: [f64; 2],

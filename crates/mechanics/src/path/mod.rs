@@ -28,7 +28,6 @@ mod stand;
 mod sweep;
 mod system;
 mod trace;
-mod words;
 
 pub use onset::{Measure, Onset};
 pub use outcome::{Cause, EndState, Frame, JointState, Outcome, PathPoint, Status};

@@ -7,12 +7,13 @@ use crate::acting::Resultant;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce, interfaces};
 use crate::ids::{BlockId, Id};
 use crate::plane::{Vec2, vec2};
+use serde::Serialize;
 
 /// An equation number that stands for a prevented motion.
 pub(super) const HELD: u32 = u32::MAX;
 
 /// Rigid blocks, their joints and what acts on them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Model {
     /// The joints as built, in the order of their blocks.
     pub interfaces: Vec<Interface>,

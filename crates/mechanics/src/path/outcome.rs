@@ -3,6 +3,7 @@
 use crate::blocks::Interface;
 use crate::ids::{BlockId, Table};
 use crate::plane::{Pose, Vec2};
+use serde::{Deserialize, Serialize};
 
 /// How the path ended. All of these are answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,7 +35,7 @@ pub enum Cause {
 }
 
 /// One balanced state, in numbers.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
     /// Load factor.
     pub factor: f64,

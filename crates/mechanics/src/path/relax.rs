@@ -10,6 +10,7 @@ use super::correct::{Balanced, norm};
 use super::model::Model;
 use super::settings::Settings;
 use super::system::{State, Workspace, advance, assemble, commit, scale};
+use serde::{Deserialize, Serialize};
 
 /// Most corrections of a fall that another one may stand for, and of one that nothing else does: rings that begin to slide do so
 /// slowly. The most of one step.
@@ -60,7 +61,7 @@ pub(super) fn dashpots(model: &Model, settings: &Settings) -> Banded {
 }
 
 /// Blocks that were let go: where from, where they are, and what their next step is resisted by.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Falling {
     pub from: State,
     pub state: State,

@@ -12,16 +12,17 @@ use super::system::State;
 use crate::blocks::{Loading, ModelError};
 use crate::ids::Id;
 use crate::plane::{Vec2, vec2};
+use serde::Serialize;
 
 /// Where a restraint acts on a block, seen from its centre as built [m].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(super) struct Hold {
     pub block: usize,
     pub arm: Vec2,
 }
 
 /// A restraint as the path sees it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(super) struct Restrained {
     pub holds: [Option<Hold>; 2],
     pub direction: Vec2,

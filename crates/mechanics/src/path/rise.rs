@@ -3,9 +3,10 @@
 use super::correct::Constraint;
 use super::system::scale;
 use super::trace::{End, Heading, Next, Path, Stage};
+use serde::{Deserialize, Serialize};
 
 /// The path followed up.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Rise {
     pub heading: Heading,
     /// Length of the next step, and of the longest first one.
@@ -20,7 +21,7 @@ pub(super) struct Rise {
 }
 
 /// A state past the largest load, seen from the last one before it: its distance along the path, and how the factor changes there.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Past {
     pub distance: f64,
     pub rate: f64,

@@ -4,9 +4,10 @@ use super::onset::Onset;
 use crate::contact::ContactLength;
 use crate::ids::BlockId;
 use crate::plane::Vec2;
+use serde::Serialize;
 
 /// How the equilibrium path is followed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Settings {
     /// Where joints carry what presses them.
     pub contact_length: ContactLength,
@@ -26,7 +27,8 @@ pub struct Settings {
     pub fallen: f64,
     /// How far the watched point may move [m].
     pub farthest: f64,
-    /// States of which it is told at which load factor the path first meets them.
+    /// States of which it is told at which load factor the path first meets them. They change nothing about the path.
+    #[serde(skip)]
     pub onsets: Vec<Onset>,
 }
 
@@ -49,7 +51,7 @@ impl Settings {
 }
 
 /// What is done to the blocks after their own weight.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Program {
     /// First increment of the load factor that is tried.
     pub increment: f64,

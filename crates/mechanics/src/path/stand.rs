@@ -8,6 +8,7 @@ use super::correct::{Constraint, balance};
 use super::relax::{Fall, Falling, PATIENT};
 use super::system::{State, advance, assemble, commit, respond};
 use super::trace::{End, Next, Path, Stage};
+use serde::{Deserialize, Serialize};
 
 /// Overlap by which joints are as good as glued, and overlap that is as good as none, as shares of the largest one of glued
 /// joints.
@@ -15,7 +16,7 @@ const GLUED: f64 = 10.0;
 const LET_GO: f64 = 1e-3;
 
 /// Joints that are let go by degrees.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct LetGo {
     /// Overlap by which they are pressed together in the present state [m], and the share of it that the next one keeps.
     pub pressed: f64,
@@ -25,7 +26,7 @@ pub(super) struct LetGo {
 }
 
 /// Blocks that fall under their own weight.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Settle {
     /// Whether the blocks fell for good from where their joints had been let go; none while they are on their way from there.
     pub fell_before: Option<bool>,

@@ -10,9 +10,10 @@ use super::settings::Settings;
 use crate::acting::Resultant;
 use crate::contact::Bond;
 use crate::plane::{Vec2, vec2};
+use serde::{Deserialize, Serialize};
 
 /// A state of the blocks: what a checkpoint must contain.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Translations [m] and rotation [rad] of each block since it was built.
     pub motions: Vec<[f64; 3]>,

@@ -10,29 +10,30 @@ use super::rise::Rise;
 use super::settings::{Program, Settings};
 use super::stand::{LetGo, Settle};
 use super::system::{State, Workspace, advance, assemble, commit};
-use super::words;
 use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::kept;
 use crate::watch::{Progress, Watch, Wish};
+use serde::{Deserialize, Serialize};
 
 /// The load at which equilibrium ends, with deformable joints: the path of balanced states from the blocks' own weight through
 /// the largest load. `resume` takes up a run that [`Watch::keep`] was offered, for the same blocks, loads, settings and program;
 /// the numbers are those of an undisturbed run.
 ///
 /// # Errors
-/// A model that cannot be analysed, and words that were kept for another one.
+/// A model that cannot be analysed, and a state that was kept for another one.
 pub fn collapse(
     blocks: &BlockModel,
     loading: &Loading,
     (settings, program): (&Settings, &Program),
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(blocks, loading, settings)?;
     let mut path = Path::new(&model, settings, program);
     path.keeps = true;
-    let belongs = words::fingerprint(&path);
-    if let Some(kept) = resume {
-        words::decode(&mut path, kept, belongs).ok_or(ModelError::ForeignState)?;
+    let belongs = kept::fingerprint(&(&model, settings, program));
+    if let Some(bytes) = resume {
+        path.take_up(belongs, bytes)?;
     }
     let status = path.run(Some(belongs), watch).status();
     let onsets = path.onsets(&[]);
@@ -40,7 +41,7 @@ pub fn collapse(
 }
 
 /// How the loads ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum End {
     Target,
     Limit,
@@ -65,7 +66,7 @@ impl End {
 }
 
 /// What a run does next.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Stage {
     /// Begins.
     Built,
@@ -90,7 +91,7 @@ pub(super) enum Next {
 }
 
 /// Where the path goes at a balanced state, per unit of its length.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Heading {
     pub direction: Vec<f64>,
     pub factor: f64,
@@ -195,7 +196,21 @@ impl<'m> Path<'m> {
         }
     }
 
-    /// Goes on to the end. Where the words of a run may be kept, they begin with what they belong to.
+    /// What a stopped run goes on from, as bytes.
+    fn kept(&self, belongs: u64) -> Vec<u8> {
+        let Path { state, stage, length, push, points, states, iterations, mechanism, snaps, .. } = self;
+        kept::write(belongs, &(state, stage, length, push, points, states, iterations, mechanism, snaps))
+    }
+
+    /// Puts the path to where a run was stopped.
+    fn take_up(&mut self, belongs: u64, bytes: &[u8]) -> Result<(), ModelError> {
+        let Path { state, stage, length, push, points, states, iterations, mechanism, snaps, .. } = self;
+        (*state, *stage, *length, *push, *points, *states, *iterations, *mechanism, *snaps) =
+            kept::read(belongs, bytes)?;
+        Ok(())
+    }
+
+    /// Goes on to the end. Where its state may be kept, the number of what it belongs to is given.
     fn run(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> End {
         loop {
             if let Some(end) = self.go_on(belongs, watch) {
@@ -208,7 +223,7 @@ impl<'m> Path<'m> {
     fn go_on(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> Option<End> {
         let keep = |path: &Path, watch: &mut dyn Watch| {
             if let Some(belongs) = belongs {
-                watch.keep(&|| words::encode(path, belongs));
+                watch.keep(&|| path.kept(belongs));
             }
         };
         keep(self, watch);

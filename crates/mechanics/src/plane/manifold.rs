@@ -6,9 +6,10 @@
 use super::polygon::Core;
 use super::pose::Pose;
 use super::vector::Vec2;
+use serde::{Deserialize, Serialize};
 
 /// Which features of two bodies face each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Meeting {
     /// An edge of one body (the reference) against an edge of the other (the incident); two contact points, at the
     /// ends of their common stretch.

@@ -1,6 +1,7 @@
 //! Convex polygons and the cores that round their corners.
 
 use super::vector::{Vec2, vec2};
+use serde::Serialize;
 use thiserror::Error;
 
 /// A convex polygon, counter-clockwise.
@@ -129,7 +130,7 @@ fn extent(points: &[Vec2]) -> f64 {
 /// A polygon with rounded corners: the polygon inset by `radius`, dilated by a disc of that radius. The faces stay
 /// where they are; each corner becomes an arc that touches its two faces `radius / tan(angle / 2)` away from the
 /// sharp corner. Coordinates are relative to the centre of mass.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Core {
     /// Corners of the inset polygon, counter-clockwise [m]: the centres of the arcs.
     pub vertices: Vec<Vec2>,

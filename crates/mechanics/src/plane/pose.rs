@@ -1,9 +1,10 @@
 //! Where a rigid body is.
 
 use super::vector::{Vec2, vec2};
+use serde::{Deserialize, Serialize};
 
 /// A rotation kept as cosine and sine, so that no step needs a trigonometric call.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rotation {
     /// Cosine of the angle.
     pub cos: f64,
@@ -43,7 +44,7 @@ impl Rotation {
 }
 
 /// Position of a body's centre of mass and its rotation since the body was made.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Centre of mass [m].
     pub position: Vec2,

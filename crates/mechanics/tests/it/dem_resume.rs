@@ -10,7 +10,7 @@ use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 /// Stops at the look with this number and keeps what it was offered last.
 pub struct StopAt {
     looks: u64,
-    pub kept: Vec<u64>,
+    pub kept: Vec<u8>,
 }
 
 impl StopAt {
@@ -27,8 +27,8 @@ impl Watch for StopAt {
         self.looks -= 1;
         Wish::GoOn
     }
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        self.kept = words();
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
+        self.kept = state();
     }
 }
 
@@ -64,7 +64,7 @@ fn a_resumed_run_ends_in_the_same_bits() {
     collapse(&model, &loading, &program, &settings, None, &mut count).unwrap();
     assert!(count.0 >= 8, "{}", count.0);
     for stops in [vec![0], vec![count.0 / 3], vec![count.0 / 2], vec![count.0 - 1], vec![1, 3]] {
-        let mut kept: Option<Vec<u64>> = None;
+        let mut kept: Option<Vec<u8>> = None;
         for look in stops {
             let mut watch = StopAt::look(look);
             let stopped = collapse(&model, &loading, &program, &settings, kept.as_deref(), &mut watch).unwrap();
@@ -95,36 +95,36 @@ fn a_run_stopped_while_supports_move_ends_in_the_same_bits() {
     }
 }
 
-/// Words with any bit flipped or cut short are refused by name.
-pub fn damage_is_refused(kept: &[u64], take: impl Fn(&[u64]) -> Result<(), ModelError>) {
+/// States with any bit flipped or cut short are refused by name.
+pub fn damage_is_refused(kept: &[u8], take: impl Fn(&[u8]) -> Result<(), ModelError>) {
     let refused = Err(ModelError::ForeignState);
     let mut seed = 1_u64;
     for _ in 0..500 {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let mut damaged = kept.to_vec();
         let place = (seed >> 33) as usize % damaged.len();
-        damaged[place] ^= 1 << (seed >> 20 & 63);
-        assert_eq!(take(&damaged), refused, "word {place}");
+        damaged[place] ^= 1 << (seed >> 20 & 7);
+        assert_eq!(take(&damaged), refused, "byte {place}");
     }
-    for length in [0, 1, 2, 100, kept.len() - 1] {
-        assert_eq!(take(&kept[..length]), refused, "{length} words");
+    for length in [0, 1, 7, 8, 20, 100, kept.len() - 1] {
+        assert_eq!(take(&kept[..length]), refused, "{length} bytes");
     }
 }
 
-/// Words with any bit flipped, cut short, or kept for other blocks, loads, laws, settings or another program are
+/// States with any bit flipped, cut short, or kept for other blocks, loads, laws, settings or another program are
 /// refused by name.
 #[test]
-fn damaged_and_foreign_words_are_refused() {
+fn damaged_and_foreign_states_are_refused() {
     let (model, loading, program, settings) = short();
     let mut watch = StopAt::look(2);
     collapse(&model, &loading, &program, &settings, None, &mut watch).unwrap();
     let kept = watch.kept;
-    let take = |model: &BlockModel, loading: &Loading, program: &Program, settings: &Settings, words: &[u64]| {
-        collapse(model, loading, program, settings, Some(words), &mut StopAt::look(0)).map(|_| ())
+    let take = |model: &BlockModel, loading: &Loading, program: &Program, settings: &Settings, kept: &[u8]| {
+        collapse(model, loading, program, settings, Some(kept), &mut StopAt::look(0)).map(|_| ())
     };
     assert_eq!(take(&model, &loading, &program, &settings, &kept), Ok(()));
     let refused = Err(ModelError::ForeignState);
-    damage_is_refused(&kept, |words| take(&model, &loading, &program, &settings, words));
+    damage_is_refused(&kept, |kept| take(&model, &loading, &program, &settings, kept));
     let mut other = model.clone();
     other.laws.iter_mut().for_each(|law| law.friction *= 1.01);
     assert_eq!(take(&other, &loading, &program, &settings, &kept), refused);

@@ -47,7 +47,7 @@ fn a_resumed_run_with_particles_ends_in_the_same_bits() {
         let undisturbed = collapse(&model, &loading, &program, &settings, None, &mut count).unwrap();
         assert!(count.0 >= 3, "{} looks in {} steps", count.0, undisturbed.iterations_total);
         for stops in [vec![0], vec![count.0 / 2], vec![count.0 - 1], vec![0, 0]] {
-            let mut kept: Option<Vec<u64>> = None;
+            let mut kept: Option<Vec<u8>> = None;
             for look in stops {
                 let mut watch = StopAt::look(look);
                 let stopped = collapse(&model, &loading, &program, &settings, kept.as_deref(), &mut watch).unwrap();
@@ -60,21 +60,21 @@ fn a_resumed_run_with_particles_ends_in_the_same_bits() {
     }
 }
 
-/// Words with any bit flipped, or kept for particles of another place, size, density or group, another gravity, or another
+/// States with any bit flipped, or kept for particles of another place, size, density or group, another gravity, or another
 /// law between particles alone, are refused by name.
 #[test]
-fn damaged_and_foreign_words_with_particles_are_refused() {
+fn damaged_and_foreign_states_with_particles_are_refused() {
     let (model, loading, program) = case();
     let settings = damped(Damping::Local(0.3));
     let mut watch = StopAt::look(1);
     collapse(&model, &loading, &program, &settings, None, &mut watch).unwrap();
     let kept = watch.kept;
-    let take = |model: &BlockModel, words: &[u64]| {
-        collapse(model, &loading, &program, &settings, Some(words), &mut StopAt::look(0)).map(|_| ())
+    let take = |model: &BlockModel, kept: &[u8]| {
+        collapse(model, &loading, &program, &settings, Some(kept), &mut StopAt::look(0)).map(|_| ())
     };
     assert_eq!(take(&model, &kept), Ok(()));
     let refused = Err(ModelError::ForeignState);
-    damage_is_refused(&kept, |words| take(&model, words));
+    damage_is_refused(&kept, |kept| take(&model, kept));
     let changes: [&dyn Fn(&mut BlockModel); 8] = [
         &|m| m.particles[ParticleId(3)].centre.x += 1e-9,
         &|m| m.particles[ParticleId(3)].radius *= 1.001,

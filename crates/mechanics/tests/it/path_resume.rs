@@ -23,7 +23,7 @@ impl Watch for Stages {
     }
 }
 
-fn run(arch: &(BlockModel, Loading), settings: &Settings, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Outcome {
+fn run(arch: &(BlockModel, Loading), settings: &Settings, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Outcome {
     collapse(&arch.0, &arch.1, (settings, &program()), resume, watch).unwrap()
 }
 
@@ -95,19 +95,19 @@ fn a_resumed_path_ends_in_the_same_bits() {
     }
 }
 
-/// Words with any bit flipped, cut short, or kept for other blocks, loads, laws, settings or another program are refused by name.
+/// States with any bit flipped, cut short, or kept for other blocks, loads, laws, settings or another program are refused by name.
 #[test]
-fn damaged_and_foreign_words_of_a_path_are_refused() {
+fn damaged_and_foreign_states_of_a_path_are_refused() {
     let arch = bridgemill(false, 1.0);
     let settings = Settings::new(ContactLength::Distributed);
     let mut watch = StopAt::look(20);
     run(&arch, &settings, None, &mut watch);
     let kept = watch.kept;
-    let take = |(model, loading): &(BlockModel, Loading), settings: &Settings, program: &Program, words: &[u64]| {
-        collapse(model, loading, (settings, program), Some(words), &mut StopAt::look(0)).map(|_| ())
+    let take = |(model, loading): &(BlockModel, Loading), settings: &Settings, program: &Program, kept: &[u8]| {
+        collapse(model, loading, (settings, program), Some(kept), &mut StopAt::look(0)).map(|_| ())
     };
     assert_eq!(take(&arch, &settings, &program(), &kept), Ok(()));
-    damage_is_refused(&kept, |words| take(&arch, &settings, &program(), words));
+    damage_is_refused(&kept, |kept| take(&arch, &settings, &program(), kept));
     let refused = Err(ModelError::ForeignState);
     let mut other = arch.clone();
     other.0.laws.iter_mut().for_each(|law| law.friction *= 1.01);

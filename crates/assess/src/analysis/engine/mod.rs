@@ -49,7 +49,7 @@ pub trait Engine: Sync {
     ///
     /// # Errors
     /// An analysis that cannot be set up.
-    fn load(&self, bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError>;
+    fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError>;
 
     /// Narrows the thickness at which the rings just stand.
     ///
@@ -66,7 +66,7 @@ pub trait Engine: Sync {
     fn support_movement(
         &self,
         _: &MovedSupport<'_>,
-        _: Option<&[u64]>,
+        _: Option<&[u8]>,
         _: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
         Err(Cannot::of(self.method(), Feature::SupportMovement).into())
@@ -80,7 +80,7 @@ pub trait Engine: Sync {
         &self,
         _: &Scene,
         _: &Discretised,
-        _: Option<&[u64]>,
+        _: Option<&[u8]>,
         _: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
         Err(Cannot::of(self.method(), Feature::DrawnBlocks).into())

@@ -4,6 +4,7 @@ use super::super::{AnalysisError, notes};
 use super::{Standing, State, hurts, leading, not_counted, states, warned};
 use bridge::Bridge;
 use mechanics::blocks::ModelError;
+use mechanics::kept;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{By, Collapse, PathPressure, Permissible, Sought, Status};
 use outcome::help::{Help, WithHelp};
@@ -11,12 +12,12 @@ use outcome::note::Size;
 use structure::blocks::Scene;
 
 /// A method: a model, a kept state of its own, an onlooker.
-type Method<'a, T> = &'a dyn Fn(&T, Option<&[u64]>, &mut dyn Watch) -> Result<Collapse, AnalysisError>;
+type Method<'a, T> = &'a dyn Fn(&T, Option<&[u8]>, &mut dyn Watch) -> Result<Collapse, AnalysisError>;
 
 /// What a bridge comes to by a method, with what helps it left out.
 pub fn collapse(
     bridge: &Bridge,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
     method: Method<'_, Bridge>,
 ) -> Result<Collapse, AnalysisError> {
@@ -32,7 +33,7 @@ pub fn collapse(
 /// The same for blocks of a file or a drawing.
 pub fn of_blocks(
     scene: &Scene,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
     method: Method<'_, Scene>,
 ) -> Result<Collapse, AnalysisError> {
@@ -53,7 +54,7 @@ struct Found {
 /// it are made again, to the same bits.
 fn each<T>(
     states: &[State<T>],
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
     method: Method<'_, T>,
 ) -> Result<Option<Found>, AnalysisError> {
@@ -61,19 +62,18 @@ fn each<T>(
     if count == 1 {
         return Ok(None);
     }
-    let kept = match resume.map(<[u64]>::split_first) {
-        None => None,
-        Some(Some((&number, words))) if (number as usize) < count => Some((number as usize, words)),
-        Some(_) => return Err(ModelError::ForeignState.into()),
-    };
+    let kept = resume.map(kept::split::<usize>).transpose()?;
+    if kept.is_some_and(|(at, _)| at >= count) {
+        return Err(ModelError::ForeignState.into());
+    }
     let mut all = Vec::with_capacity(count);
     for (number, state) in states.iter().enumerate() {
-        let words = kept.and_then(|(at, words)| (at == number).then_some(words));
+        let own = kept.and_then(|(at, own)| (at == number).then_some(own));
         let what = match &state.helps[..] {
             [] => "without what may come and go".to_owned(),
             helps => format!("with {}", Help::all_told(helps)),
         };
-        let found = method(&state.bridge, words, &mut Part { watch, number, count, what })?;
+        let found = method(&state.bridge, own, &mut Part { watch, number, count, what })?;
         if found.status == Status::Cancelled {
             return Ok(Some(Found { led: found, all: None }));
         }
@@ -177,8 +177,8 @@ impl Watch for Part<'_> {
         let stage = format!("{}: {}", self.what, progress.stage);
         self.watch.look(&Progress { stage, fraction, ..progress.clone() })
     }
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        let number = self.number as u64;
-        self.watch.keep(&|| [vec![number], words()].concat());
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
+        let number = self.number;
+        self.watch.keep(&|| kept::join(&number, &state()));
     }
 }

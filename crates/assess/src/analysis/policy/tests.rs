@@ -391,16 +391,16 @@ fn what_makes_no_difference_makes_no_noise() {
 /// An onlooker who stops after so many kept states, and holds the last one.
 struct Keeps {
     left: usize,
-    kept: Option<Vec<u64>>,
+    kept: Option<Vec<u8>>,
 }
 
 impl Watch for Keeps {
     fn look(&mut self, _: &Progress) -> Wish {
         if self.left == 0 { Wish::Stop } else { Wish::GoOn }
     }
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
         self.left = self.left.saturating_sub(1);
-        self.kept = Some(words());
+        self.kept = Some(state());
     }
 }
 

@@ -10,6 +10,7 @@ use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
 use mechanics::dem::{State, Workspace, begin, step};
+use mechanics::kept::digest;
 use mechanics::watch::{Progress, Watch, Wish};
 use verification::disks::{Disks, SOLID_FRACTION, disks, mean_radius, settings};
 
@@ -129,9 +130,9 @@ fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) ->
     let folder = arguments.checkpoint.as_deref();
     let folder = folder.map(|path| Folder::prepare(path, Purpose::new("bench", path, &[]))).transpose()?;
     let checkpoint = folder.as_ref().map(|folder| Checkpoint::of(&("disks", count, steps), folder));
-    if let Some(words) = checkpoint.as_ref().map(Checkpoint::take_up).transpose()?.flatten() {
-        let foreign = || Failure::input("F110", "the checkpoint is of another box of discs", "name another folder");
-        state = State::from_words(&disks.model, &words).ok_or_else(foreign)?;
+    if let Some(kept) = checkpoint.as_ref().map(Checkpoint::take_up).transpose()?.flatten() {
+        let foreign = |_| Failure::input("F110", "the checkpoint is of another box of discs", "name another folder");
+        state = State::from_bytes(&disks.model, &kept).map_err(foreign)?;
     }
     let resumed = state.steps;
     let (mut keeping, mut kept, mut keeps) = (0.0, Clock::start(), 0);
@@ -139,7 +140,7 @@ fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) ->
     while state.steps < steps {
         if let Some(checkpoint) = checkpoint.as_ref().filter(|_| kept.seconds() > KEEP_EVERY) {
             let clock = Clock::start();
-            checkpoint.keep(&state.words())?;
+            checkpoint.keep(&state.bytes())?;
             keeping += clock.seconds();
             (kept, keeps) = (Clock::start(), keeps + 1);
         }
@@ -176,7 +177,7 @@ fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) ->
         .with("resumed_at_step", resumed)
         .with("checkpoints", keeps)
         .with("seconds_of_checkpoints", keeping)
-        .with("fingerprint_of_state", format!("{:016x}", digest(&state.words())))
+        .with("fingerprint_of_state", format!("{:016x}", digest(&state.bytes())))
         .saying(format!(
             "disks: {:.2} million particle steps a second, {count} discs, steps {resumed} to {steps} from the expanded packing on in \
              {seconds:.1} s with {searches} searches; coordination {:.2}, {bytes:.0} bytes a disc\n{keeps} checkpoints in {keeping:.1} s\n",
@@ -209,9 +210,4 @@ fn side_by_side(disks: &Disks, copies: &mut [(State, Workspace)], steps: u64) ->
         }
     });
     Ok(clock.seconds())
-}
-
-/// Tells states apart to the bit (FNV-1a over words).
-fn digest(words: &[u64]) -> u64 {
-    words.iter().fold(0xcbf2_9ce4_8422_2325, |hash, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
 }

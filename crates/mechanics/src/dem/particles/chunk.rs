@@ -6,23 +6,27 @@ use super::laws::PairLaw;
 use super::lean::Lean;
 use super::neighbours::Blocks;
 use super::quad::{ByFours, Quad, by_fours};
+use serde::{Deserialize, Serialize};
 
 /// Particles of one chunk: enough work to be worth handing over, few enough to stay in a core's own cache
 /// (4,096 particles and their contacts take about 0.7 MB).
 pub(in crate::dem) const CHUNK: usize = 4096;
 
 /// A pair of particles close enough to touch before the next search.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::dem) struct Contact {
     /// The other particle, and the number of the law in the upper eight bits.
     tagged: u32,
     /// Row of the owner's force, and of the other's.
     pub one: u16,
+    #[serde(skip)]
     pub two: u16,
     /// Shear force [N/m], positive when it acts on the other particle along the normal turned left.
     pub shear: f64,
     /// Stiffness [Pa].
+    #[serde(skip)]
     pub normal_stiffness: f64,
+    #[serde(skip)]
     pub shear_stiffness: f64,
 }
 
@@ -67,7 +71,7 @@ pub(in crate::dem) type Force = [f64; 3];
 pub(in crate::dem) struct Row(pub [f64; 4]);
 
 /// A stretch of particles.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(in crate::dem) struct Chunk {
     /// First particle, and how many.
     pub first: u32,
@@ -77,15 +81,21 @@ pub(in crate::dem) struct Chunk {
     /// Contacts of these particles with blocks, sorted by particle and block.
     pub leans: Vec<Lean>,
     /// Particles of later chunks that contacts of this one act on, ascending: rows `count..` of `forces`.
+    #[serde(skip)]
     pub guests: Vec<u32>,
     /// Forces that this chunk's contacts exert.
+    #[serde(skip)]
     pub forces: Vec<Row>,
     /// Forces of other chunks on these particles, by chunk.
+    #[serde(skip)]
     pub incoming: Vec<Incoming>,
     /// Blocks that these particles may touch, ascending, and the force [N/m] and moment [N] on each.
+    #[serde(skip)]
     pub blocks: Vec<u32>,
+    #[serde(skip)]
     pub on_blocks: Vec<Force>,
     /// Energy lost in friction and opened contacts since it was last collected [J/m].
+    #[serde(skip)]
     pub dissipated: f64,
 }
 

@@ -1,9 +1,10 @@
 //! One particle as the steps see it: everything that a contact asks of it in one cache line.
 
 use crate::plane::{Vec2, vec2};
+use serde::{Deserialize, Serialize};
 
 /// A particle's place, motion and size.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[repr(C, align(64))]
 pub struct Disc {
     /// Centre [m].

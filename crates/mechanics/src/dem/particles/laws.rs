@@ -2,9 +2,10 @@
 
 use crate::blocks::{ContactLaw, LawTable};
 use crate::ids::{GroupId, Id};
+use serde::Serialize;
 
 /// What a step needs of the law between two groups of particles.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(in crate::dem) struct PairLaw {
     /// Coefficient of friction.
     pub friction: f64,
@@ -31,7 +32,7 @@ pub(in crate::dem) fn stiffness(law: &ContactLaw, distance: f64, length: f64) ->
 }
 
 /// The laws between the groups that have particles.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(in crate::dem) struct PairLaws {
     /// Groups of particles, and the number that each particle carries in place of its group.
     pub groups: Vec<GroupId>,

@@ -2,9 +2,10 @@
 
 use super::disc::Disc;
 use crate::plane::{Core, Pose, Vec2, vec2};
+use serde::{Deserialize, Serialize};
 
 /// A particle and a block close enough to touch before the next search.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::dem) struct Lean {
     /// The block, and its row in the chunk's list of blocks.
     pub block: u32,

@@ -24,12 +24,13 @@ pub(super) use neighbours::{Blocks, chunks, number_all};
 
 use super::settings::Damping;
 use crate::blocks::{LawTable, Particle};
-use crate::ids::{GroupId, Id, ParticleId, Table};
+use crate::ids::{GroupId, ParticleId, Table};
 use crate::plane::Vec2;
 pub(super) use chunk::Contact;
 use integrate::{Motion, Tally, integrate};
 use laws::{PairLaws, stiffness};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// Greatest distance at which a pair counts as near, as a share of the mean radius, and least: the more often searches
 /// come, the more each of them should be good for.
@@ -39,7 +40,7 @@ const SKIN: (f64, f64) = (0.02, 0.3);
 const SEARCHES: (u64, u64) = (100, 1_000);
 
 /// What is fixed about the particles once a run is set up.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(super) struct ParticleModel {
     /// The particle that stands in each row of memory, and the row of each particle.
     pub ids: Vec<u32>,
@@ -57,7 +58,7 @@ pub(super) struct ParticleModel {
 }
 
 /// Particles, their contacts and how they are searched: part of the state.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(super) struct Particles {
     /// The particles, by row.
     pub discs: Vec<Disc>,
@@ -110,15 +111,6 @@ impl ParticleModel {
     /// Weight of all particles [N/m], positive.
     pub fn weight(&self) -> f64 {
         (0..self.len()).map(|row| self.mass(row)).sum::<f64>() * (self.gravity.x.abs() + self.gravity.y.abs())
-    }
-    /// Hands out all that distinguishes these particles from others, as words.
-    pub fn words(&self, to: &mut dyn FnMut(u64)) {
-        to(self.len() as u64);
-        [self.gravity.x, self.gravity.y].iter().for_each(|x| to(x.to_bits()));
-        for row in 0..self.len() {
-            to(u64::from(self.ids[row]) << 32 | self.group(row as u32).index() as u64);
-            self.built[row].iter().chain([&self.densities[row]]).for_each(|x| to(x.to_bits()));
-        }
     }
     /// A contact of the rows `i` and `j`, `i < j`.
     pub fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {

@@ -35,7 +35,7 @@ impl Engine for Continuum {
         Ok(())
     }
 
-    fn load(&self, bridge: &Bridge, _: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         found(bridge, true, watch)
     }
 }

@@ -21,7 +21,7 @@ const MOST_STEPS: f64 = 100.0;
 pub(super) fn found(
     scene: &Scene,
     d: &Discretised,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     require_stiffness(scene)?;

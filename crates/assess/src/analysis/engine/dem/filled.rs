@@ -6,9 +6,10 @@ use crate::analysis::engine::rigid;
 use crate::analysis::state::{self, Change};
 use crate::analysis::{AnalysisError, notes, template};
 use bridge::{Bridge, Particles};
-use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
+use mechanics::blocks::{Block, BlockModel, Loading, Particle};
 use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
 use mechanics::ids::{BlockId, Table};
+use mechanics::kept;
 use mechanics::limit;
 use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::{CancelToken, Progress, Watch, Wish};
@@ -22,7 +23,7 @@ use structure::discretise::{Discretised, Origin, discretise};
 pub fn collapse_filled(
     bridge: &Bridge,
     particles: &Particles,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
@@ -34,9 +35,9 @@ pub fn collapse_filled(
     }
     let load_step = bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
     fits(&region, &particles.grains)?;
-    let kept = resume.map(Kept::read).transpose()?;
+    let kept = resume.map(kept::split::<Head>).transpose()?;
     let grains = match &kept {
-        Some(kept) => kept.grains.clone(),
+        Some(((grains, _), _)) => grains.clone(),
         None => match packing(bridge, &d, &region, particles, watch) {
             Ok(grains) => grains,
             Err(PackingError::Stopped) => return Ok(stopped(bridge, &d)),
@@ -44,7 +45,10 @@ pub fn collapse_filled(
         },
     };
     fill(&mut d, &region, &grains);
-    let before = Before::rest(bridge, &d, &grains, kept.as_ref(), watch)?;
+    let before = match kept {
+        Some(((_, Some((lifts, iterations))), state)) => Before::Loaded { lifts, iterations, state },
+        kept => Before::Rested(Settled::rest(bridge, &d, &grains, kept.map(|(_, state)| state), watch)?),
+    };
     let (lifts, settled, iterations) = match &before {
         Before::Loaded { lifts, iterations, .. } => (lifts.clone(), None, *iterations),
         Before::Rested(rested) if rested.outcome.status == dem::Status::StableToLastLoad => {
@@ -110,7 +114,7 @@ pub fn stepping(
         Err(error) => return Err(error.into()),
     };
     fill(&mut d, &region, &grains);
-    let Before::Rested(rested) = Before::rest(bridge, &d, &grains, None, watch)? else { return Ok(None) };
+    let rested = Settled::rest(bridge, &d, &grains, None, watch)?;
     match rested.outcome.status {
         dem::Status::StableToLastLoad => {}
         dem::Status::Cancelled => return Ok(None),
@@ -213,6 +217,22 @@ struct Settled {
 }
 
 impl Settled {
+    /// Takes the lid away, lets the ring go, and waits until all rests; or goes on with that.
+    fn rest(
+        bridge: &Bridge,
+        d: &Discretised,
+        grains: &[Grain],
+        resume: Option<&[u8]>,
+        watch: &mut dyn Watch,
+    ) -> Result<Settled, AnalysisError> {
+        let loading = Loading { permanent: d.loading.permanent.clone(), ..Loading::default() };
+        let model = Model::new(&without_loading_blocks(d), &loading)?;
+        let settings = settings(bridge);
+        let mut part = Part { watch, stage: "fill and ring come to rest", grains, before: None };
+        let outcome = dem::rest(&model, &|| begin(&model, &settings), &settings, resume, &mut part)?;
+        Ok(Settled { model, outcome })
+    }
+
     fn frame(&self) -> Frame {
         dem::frame(&self.model, &self.outcome.state)
     }
@@ -220,36 +240,11 @@ impl Settled {
 
 /// What came before the loads. There is one of them a run.
 #[allow(clippy::large_enum_variant)]
-enum Before {
+enum Before<'a> {
     /// Ring and fill at rest.
     Rested(Settled),
     /// A kept state has the loads on already; so many iterations had gone by when they came.
-    Loaded { lifts: Vec<f64>, iterations: u64, words: Vec<u64> },
-}
-
-impl Before {
-    /// Takes the lid away, lets the ring go, and waits until all rests; or takes up where a kept state stood.
-    fn rest(
-        bridge: &Bridge,
-        d: &Discretised,
-        grains: &[Grain],
-        kept: Option<&Kept>,
-        watch: &mut dyn Watch,
-    ) -> Result<Before, AnalysisError> {
-        let words = match kept {
-            Some(Kept { lifts: Some(lifts), iterations, words, .. }) => {
-                return Ok(Before::Loaded { lifts: lifts.clone(), iterations: *iterations, words: words.clone() });
-            }
-            Some(kept) => Some(&kept.words[..]),
-            None => None,
-        };
-        let loading = Loading { permanent: d.loading.permanent.clone(), ..Loading::default() };
-        let model = Model::new(&without_loading_blocks(d), &loading)?;
-        let settings = settings(bridge);
-        let mut part = Part { watch, stage: "fill and ring come to rest", grains, before: None };
-        let outcome = dem::rest(&model, &|| begin(&model, &settings), &settings, words, &mut part)?;
-        Ok(Before::Rested(Settled { model, outcome }))
-    }
+    Loaded { lifts: Vec<f64>, iterations: u64, state: &'a [u8] },
 }
 
 /// How far each loading block must rise or sink to stand on the particles below it [m].
@@ -287,7 +282,7 @@ fn load(
     load_step: f64,
     (grains, lifts): (&[Grain], &[f64]),
     settled: Option<&Settled>,
-    before: &Before,
+    before: &Before<'_>,
     watch: &mut dyn Watch,
 ) -> Result<dem::Outcome, AnalysisError> {
     let model = Model::new(&d.model, &d.loading)?;
@@ -297,12 +292,12 @@ fn load(
         Some(s) => take_over(&model, &settings, (&s.model, &s.outcome.state)),
         None => begin(&model, &settings),
     };
-    let (words, iterations) = match before {
-        Before::Loaded { words, iterations, .. } => (Some(&words[..]), *iterations),
+    let (resume, iterations) = match before {
+        Before::Loaded { state, iterations, .. } => (Some(*state), *iterations),
         Before::Rested(rested) => (None, rested.outcome.iterations),
     };
     let mut part = Part { watch, stage: "loading", grains, before: Some((lifts, iterations)) };
-    Ok(dem::collapse_from(&model, &state, &program, &settings, words, &mut part)?)
+    Ok(dem::collapse_from(&model, &state, &program, &settings, resume, &mut part)?)
 }
 
 /// The load steps of a plan.
@@ -319,57 +314,9 @@ fn program(bridge: &Bridge, d: &Discretised, load_step: f64) -> dem::Program {
 /// Load steps tried where the file gives no limit.
 const MOST_STEPS: f64 = 100.0;
 
-/// What a checkpoint of such a run holds.
-struct Kept {
-    grains: Vec<Grain>,
-    /// Where loads are on: how far their blocks were lifted [m].
-    lifts: Option<Vec<f64>>,
-    /// Iterations until the loads came; zero before.
-    iterations: u64,
-    words: Vec<u64>,
-}
-
-impl Kept {
-    fn read(words: &[u64]) -> Result<Kept, AnalysisError> {
-        let foreign = || AnalysisError::from(ModelError::ForeignState);
-        let mut rest = words;
-        let mut next = || -> Result<u64, AnalysisError> {
-            let (&first, others) = rest.split_first().ok_or_else(foreign)?;
-            rest = others;
-            Ok(first)
-        };
-        let count = next()? as usize;
-        if count > words.len() / 3 {
-            return Err(foreign());
-        }
-        let mut grains = Vec::with_capacity(count);
-        for _ in 0..count {
-            let [x, y, radius] = [next()?, next()?, next()?].map(f64::from_bits);
-            grains.push(Grain { centre: vec2(x, y), radius });
-        }
-        let lifts = match next()? {
-            0 => None,
-            blocks if (blocks as usize) <= words.len() => {
-                Some((1..blocks).map(|_| next().map(f64::from_bits)).collect::<Result<Vec<f64>, _>>()?)
-            }
-            _ => return Err(foreign()),
-        };
-        let iterations = next()?;
-        Ok(Kept { grains, lifts, iterations, words: rest.to_vec() })
-    }
-
-    /// `before` is how far loading blocks were lifted, and the iterations until then.
-    fn write(grains: &[Grain], before: Option<(&[f64], u64)>, words: Vec<u64>) -> Vec<u64> {
-        let (lifts, iterations) = before.unzip();
-        let mut to = vec![grains.len() as u64];
-        to.extend(grains.iter().flat_map(|g| [g.centre.x, g.centre.y, g.radius]).map(f64::to_bits));
-        to.push(lifts.map_or(0, |l| 1 + l.len() as u64));
-        to.extend(lifts.unwrap_or_default().iter().map(|l| l.to_bits()));
-        to.push(iterations.unwrap_or(0));
-        to.extend(words);
-        to
-    }
-}
+/// What stands in front of a kept state: the grains and, where the loads are on, how far their blocks were lifted [m] and the
+/// iterations until then.
+type Head = (Vec<Grain>, Option<(Vec<f64>, u64)>);
 
 /// An onlooker who is told which stage is at work, and keeps the packing with the state.
 struct Part<'a> {
@@ -386,9 +333,9 @@ impl Watch for Part<'_> {
         let fraction = progress.fraction.filter(|_| self.before.is_some());
         self.watch.look(&Progress { stage, fraction, ..progress.clone() })
     }
-    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        let (grains, before) = (self.grains, self.before);
-        self.watch.keep(&|| Kept::write(grains, before, words()));
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
+        let head = (self.grains, self.before);
+        self.watch.keep(&|| kept::join(&head, &state()));
     }
 }
 

@@ -46,7 +46,7 @@ impl Engine for Dem {
         fill::wanted(bridge).map_or(Ok(()), |particles| filled::ready(bridge, &d, particles))
     }
 
-    fn load(&self, bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         match fill::wanted(bridge) {
             Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
             None => collapse(bridge, resume, watch),
@@ -60,7 +60,7 @@ impl Engine for Dem {
     fn support_movement(
         &self,
         moves: &MovedSupport<'_>,
-        resume: Option<&[u64]>,
+        resume: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
         movement::found(moves, resume, watch)
@@ -70,7 +70,7 @@ impl Engine for Dem {
         &self,
         scene: &Scene,
         d: &Discretised,
-        resume: Option<&[u64]>,
+        resume: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
         drawn::found(scene, d, resume, watch)
@@ -122,7 +122,7 @@ pub(super) fn increased(
 }
 
 /// Raises the loads of the file in steps until the blocks collapse.
-fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let (d, rigid) = increased(bridge, watch)?;
     if rigid.status == limit::Status::Cancelled {
         return Ok(rigid::cancelled(bridge, &d, By::Dem(None)));

@@ -11,7 +11,7 @@ use outcome::collapse::{Collapse, Sought, SupportReport};
 /// Moves a support in steps until the blocks do not come to rest.
 pub(super) fn found(
     moves: &MovedSupport<'_>,
-    resume: Option<&[u64]>,
+    resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     let MovedSupport { bridge, blocks: d, step, largest } = *moves;

@@ -59,7 +59,7 @@ impl Engine for Elements {
         mesh(bridge, &d, false).map(|_| ())
     }
 
-    fn load(&self, bridge: &Bridge, _: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         collapse(bridge, watch)
     }
 }

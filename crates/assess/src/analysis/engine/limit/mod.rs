@@ -27,7 +27,7 @@ impl Engine for Limit {
         Ok(())
     }
 
-    fn load(&self, bridge: &Bridge, _: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         let d = rigid::prepared(bridge)?;
         if d.loading.variable.is_empty() {
             return Err(AnalysisError::NoLoad);
@@ -42,7 +42,7 @@ impl Engine for Limit {
     fn support_movement(
         &self,
         moves: &MovedSupport<'_>,
-        _: Option<&[u64]>,
+        _: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
         movement::found(moves, watch)
@@ -52,7 +52,7 @@ impl Engine for Limit {
         &self,
         scene: &Scene,
         d: &Discretised,
-        _: Option<&[u64]>,
+        _: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
         drawn::found(scene, d, watch)

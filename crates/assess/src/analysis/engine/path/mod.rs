@@ -41,13 +41,13 @@ impl Engine for Path {
         require_stiffness(&default_stiffness::stiffened(bridge))
     }
 
-    fn load(&self, bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         collapse(bridge, resume, watch)
     }
 }
 
 /// Follows the balanced states of the bridge from its own weight to its largest load.
-fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let taken = default_stiffness::note(bridge);
     let bridge = &default_stiffness::stiffened(bridge);
     require_stiffness(bridge)?;
