@@ -46,8 +46,9 @@ findings::cards! {
         "The analysis finished, but writing its files failed: the disk is full or the folder was removed. No \
                incomplete file remains. Run again with another --out folder.";
     "F110", "the checkpoint cannot be used",
-        "The checkpoint is damaged or cannot be read. Checkpoints are written whole or not at all, so this is \
-               most often an incomplete copy. Run without --resume to start from the beginning.";
+        "The checkpoint is damaged or cannot be read, or another version of this program kept it. Checkpoints are written whole or \
+               not at all, so damage is most often an incomplete copy. Run without --resume to start from the beginning; the \
+               checkpoint of another version is put aside, where that version finds it.";
     "F111", "no verification cases found",
         "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/ of the \
         current folder. The cases come with the source and not with the program: run it in a clone, or name the folder.";

@@ -137,6 +137,28 @@ fn a_checkpoint_stays_until_the_results_stand() {
     assert!(!stage.names("o").contains(&"run.checkpoint".to_owned()), "a finished run needs no checkpoint");
 }
 
+/// A checkpoint that another version of the program kept is not taken up, and a run that starts anew does not write over it.
+#[test]
+fn a_checkpoint_of_another_version_is_refused_and_stays() {
+    let stage = Stage::with_example("keeping-version", "bridgemill");
+    fs::create_dir_all(stage.folder.join("o")).expect("a folder");
+    stage.write("o/paraview", "a file where a folder must come: results cannot be written");
+    let run = ["collapse", "bridge/case-1.toml", "--out", "o", "--keep-every", "0", "--quiet"];
+    assert_eq!(refused(&stage, &run).1, "F109");
+    let path = stage.folder.join("o/run.checkpoint");
+    let mut older = fs::read(&path).expect("a checkpoint");
+    older[8] -= 1;
+    fs::write(&path, &older).expect("written");
+    let (code, error, message) = refused(&stage, &[&run[..], &["--resume"]].concat());
+    assert_eq!((code, error.as_str()), (Some(2), "F110"), "{message}");
+    assert!(message.contains("another version of this program"), "{message}");
+    assert_eq!(fs::read(&path).expect("it stays"), older);
+    assert_eq!(refused(&stage, &run).1, "F109");
+    let aside: Vec<String> = stage.names("o").into_iter().filter(|name| name.starts_with("run-")).collect();
+    assert_eq!(aside.len(), 1, "{aside:?}");
+    assert_eq!(fs::read(stage.folder.join("o").join(&aside[0])).expect("it is kept"), older);
+}
+
 #[test]
 fn a_checkpoint_of_another_run_is_set_aside_and_found_again() {
     let stage = Stage::with_example("keeping-aside", "bridgemill");
