@@ -98,6 +98,7 @@ impl Trial {
         self.counts.iter().map(line).collect::<Vec<_>>().join("\n")
     }
 
+    #[expect(clippy::print_stdout, reason = "the table of the page is made from it")]
     fn finish(self) {
         println!("{}", self.told());
         assert!(self.broken.is_empty(), "{} broken:\n{}", self.broken.len(), self.broken.join("\n"));
@@ -150,6 +151,7 @@ fn no_help_raises_a_number() {
 
 #[test]
 #[ignore = "minutes; .ci/slow"]
+#[expect(clippy::print_stdout, reason = "how far it is")]
 fn no_help_raises_a_number_of_any_bridge() {
     let mut trial = Trial::default();
     for seed in random::seeds("EXTRADOS_POLICY", 0..24) {
