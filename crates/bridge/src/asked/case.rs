@@ -7,6 +7,9 @@ use crate::model::Load;
 use crate::tree::{At, Table};
 use crate::vary::{Request, Spread, find, settle};
 
+/// What finds the errors of another text of the file, in a line each.
+type Errors<'a> = &'a dyn Fn(&str) -> Vec<String>;
+
 /// Most cases of a file.
 const MOST: usize = 200;
 
@@ -15,7 +18,7 @@ pub(crate) fn cases(
     text: &str,
     file: &Table<'_>,
     loads: Option<&[Load]>,
-    errors: &dyn Fn(&str) -> Vec<String>,
+    errors: Errors<'_>,
     findings: &mut Findings,
 ) -> Vec<Case> {
     if !file.has("case") {
@@ -60,7 +63,7 @@ fn case(
     table: &Table<'_>,
     name: Option<At<String>>,
     loads: Option<&[Load]>,
-    whole: Option<(&Document, &dyn Fn(&str) -> Vec<String>)>,
+    whole: Option<(&Document, Errors<'_>)>,
     findings: &mut Findings,
 ) -> Option<Case> {
     let weights = ["masonry_weight", "fill_weight", "surfacing_weight"].map(|key| table.read::<f64>(key, findings));
@@ -82,7 +85,7 @@ fn case(
 }
 
 /// Reports a case whose changed file cannot be used.
-fn reads(document: &Document, changes: &[Request], errors: &dyn Fn(&str) -> Vec<String>, findings: &mut Findings) {
+fn reads(document: &Document, changes: &[Request], errors: Errors<'_>, findings: &mut Findings) {
     let mut changed = document.clone();
     changed.remove("case");
     let Some(places) = changes.last().and_then(|change| change.places) else { return };
