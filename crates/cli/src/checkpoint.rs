@@ -71,13 +71,13 @@ impl Checkpoint {
             Ok(_) => {
                 Ok(Some(format!("{shown} holds this run as it was interrupted: it starts anew; --resume would go on")))
             }
-            Err(Unusable::Wrong(
-                error @ (CheckpointError::OtherInput { found } | CheckpointError::Version { found, .. }),
-            )) => {
-                let aside = self.set_aside(found);
-                fs::rename(&self.path, &aside).map_err(|error| Failure::not_written(&aside, &error))?;
-                let what = format!("{shown}: {error}; it is kept as {}", aside.display());
-                Ok(Some(format!("{what}, where --resume of that run finds it")))
+            Err(Unusable::Wrong(error @ CheckpointError::OtherInput { found })) => {
+                self.put_aside(&error, &self.set_aside(found), "where --resume of that run finds it")
+            }
+            // What this program takes away when the run is finished has another name.
+            Err(Unusable::Wrong(error @ CheckpointError::Version { found, format })) => {
+                let aside = self.path.with_file_name(format!("run-{found:016x}-format-{format}.checkpoint"));
+                self.put_aside(&error, &aside, "for that version")
             }
             Err(Unusable::Wrong(CheckpointError::Foreign)) => {
                 let folder = self.path.parent().unwrap_or(Path::new(""));
@@ -85,6 +85,13 @@ impl Checkpoint {
             }
             Err(_) => Ok(None),
         }
+    }
+
+    /// Gives the file another name; says which, and what for.
+    fn put_aside(&self, error: &CheckpointError, aside: &Path, what_for: &str) -> Result<Option<String>, Failure> {
+        fs::rename(&self.path, aside).map_err(|error| Failure::not_written(aside, &error))?;
+        let shown = self.path.display();
+        Ok(Some(format!("{shown}: {error}; it is kept as {}, {what_for}", aside.display())))
     }
 
     /// Where the state of another run is kept.

@@ -1,6 +1,6 @@
 //! Collapse load over the position of a moving load.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place, runs};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint, runs};
 use crate::elevation::INK;
 use crate::sheet::Pen;
 use crate::ticks::Ticks;
@@ -77,7 +77,7 @@ pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<
     panel.clip("curves", "plane");
     for (k, sweep) in sweeps.iter().enumerate() {
         let (colour, dashes) = STYLES[k % STYLES.len()];
-        let places: Vec<Place> = sweep.points.iter().map(|point| [point.0, unit(point.1)]).collect();
+        let places: Vec<PanelPoint> = sweep.points.iter().map(|point| [point.0, unit(point.1)]).collect();
         for run in runs(&places) {
             panel.curve(run, Pen::line(colour, 1.8).dashed(dashes).class("sweep"));
             if run.len() == 1 {

@@ -1,6 +1,6 @@
 //! Load against displacement.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint};
 use crate::elevation::INK;
 use crate::figure::Figure;
 use crate::sheet::Pen;
@@ -50,9 +50,9 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
 
     let [first, end] = x.range;
     let hair = 7e-4 * (end - first);
-    let inside = |place: &Place| place[0] >= first - hair && place[0] <= end + hair;
-    let places: Vec<Place> = steps.iter().map(|s| [sink(s), load(s)]).collect();
-    let stay: Vec<Place> = places.iter().copied().take_while(inside).collect();
+    let inside = |place: &PanelPoint| place[0] >= first - hair && place[0] <= end + hair;
+    let places: Vec<PanelPoint> = steps.iter().map(|s| [sink(s), load(s)]).collect();
+    let stay: Vec<PanelPoint> = places.iter().copied().take_while(inside).collect();
     let mut panel = Panel::new(x, Axis::round(y_name, y));
     let mut leaving = None;
     panel.open("curve");

@@ -1,6 +1,6 @@
 //! A surveyed section of an intrados: its points on the fitted curve, and how far each lies from it.
 
-use crate::chart::{Axis, Panel, Place};
+use crate::chart::{Axis, Panel, PanelPoint};
 use crate::elevation::{INK, scale_bar};
 use crate::geometry::Extent;
 use crate::sheet::{MEDIUM, Pen, Sheet, Spot};
@@ -79,7 +79,7 @@ fn deviations(sheet: &mut Sheet, section: &Section, top: f64) -> f64 {
     panel.level(0.0, Pen::line(INK, 1.2));
     for (left_out, radius, colour) in [(false, 1.8, POINT), (true, 3.4, LEFT_OUT)] {
         let points = section.points.iter().filter(|point| point.is_left_out == left_out);
-        let places: Vec<Place> = points.map(place).collect();
+        let places: Vec<PanelPoint> = points.map(place).collect();
         panel.add(move |sheet, axes| sheet.dots(&axes.spots(&places), radius, colour));
     }
     panel.close();

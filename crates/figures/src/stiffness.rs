@@ -1,6 +1,6 @@
 //! Load over the stiffness of the joints, with that of rigid blocks as its asymptote.
 
-use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint};
 use crate::elevation::INK;
 use crate::figure::Figure;
 use crate::sheet::Pen;
@@ -30,7 +30,7 @@ fn over_stiffness(picture: &Picture) -> Option<String> {
         [first, last].map(|times| [times, over.rigid / 1e3]),
         Pen::line(RIGID, 1.4).dashed("9 4").class("rigid"),
     );
-    let places: Vec<Place> = over.points.iter().map(|[times, load]| [*times, load / 1e3]).collect();
+    let places: Vec<PanelPoint> = over.points.iter().map(|[times, load]| [*times, load / 1e3]).collect();
     panel.curve(&places[..], Pen::line(CURVE, 1.8).class("curve"));
     for (place, [times, load]) in places.into_iter().zip(&over.points) {
         let own = *times == 1.0;

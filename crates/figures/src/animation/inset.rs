@@ -1,6 +1,6 @@
 //! How far the load path has come: a small chart beside the load.
 
-use crate::chart::{Axes, Axis, Place};
+use crate::chart::{Axes, Axis, PanelPoint};
 use crate::elevation::{FAINT, INK, LOAD, THRUST};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Spot, Style, WIDTH};
 use crate::ticks::Ticks;
@@ -32,7 +32,7 @@ pub fn draw(sheet: &mut Sheet, picture: &Picture, snapshot: usize, corner: Spot)
         Area { left: corner[0] + 52.0, right: WIDTH - MARGIN - 12.0, top: corner[1] + 18.0, bottom: corner[1] + 108.0 };
     let axes = Axes { area, x: &x, y: &y };
     frame(sheet, &axes);
-    let places: Vec<Place> = steps.iter().map(|s| [sink(s), s.load * unit]).collect();
+    let places: Vec<PanelPoint> = steps.iter().map(|s| [sink(s), s.load * unit]).collect();
     let spots = axes.spots(&places);
     sheet.polyline(&spots, Pen::line(FAINT, MEDIUM));
     // Loads of steps and snapshots are the same numbers; the allowance is for round-off.

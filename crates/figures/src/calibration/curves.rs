@@ -1,7 +1,7 @@
 //! Stress over strain at each multiple of the stiffness.
 
 use super::STYLES;
-use crate::chart::{Axis, Chart, Entry, Panel, Place};
+use crate::chart::{Axis, Chart, Entry, Panel, PanelPoint};
 use crate::sheet::{HAIR, Pen};
 use crate::ticks::Ticks;
 use outcome::calibration::{CalibrationReport, Measured};
@@ -20,13 +20,13 @@ pub fn stress_strain(report: &CalibrationReport) -> Option<String> {
     let styles = || rows.iter().zip(STYLES.iter().cycle());
     let pales: Vec<String> = styles().map(|(_, (colour, _))| pale(colour)).collect();
     // The curve, moved by so many standard deviations of its strain.
-    let line = |m: &Measured, by: f64| -> Vec<Place> {
+    let line = |m: &Measured, by: f64| -> Vec<PanelPoint> {
         m.curve.iter().map(|(p, deviation)| [1e3 * (p.strain + by * deviation), 1e-3 * p.stress]).collect()
     };
     let mut panel = Panel::new(x, y);
     panel.clip("bands", "plane");
     for (m, pale) in rows.iter().zip(&pales) {
-        let band: Vec<Place> = line(m, 1.0).into_iter().chain(line(m, -1.0).into_iter().rev()).collect();
+        let band: Vec<PanelPoint> = line(m, 1.0).into_iter().chain(line(m, -1.0).into_iter().rev()).collect();
         panel.area(band, Pen::shape(pale, "none", 0.0).class("band"));
     }
     // Bands lie over one another: their edges show through.

@@ -1,7 +1,7 @@
 //! Moduli over the multiple of the stiffness.
 
 use super::STYLES;
-use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint};
 use crate::elevation::INK;
 use crate::sheet::{MEDIUM, Pen};
 use crate::ticks::Ticks;
@@ -43,7 +43,7 @@ pub fn moduli(report: &CalibrationReport) -> Option<String> {
     for (k, (name, of)) in kinds.iter().enumerate() {
         let (colour, dashes) = STYLES[k];
         let points: Vec<(f64, Spread)> = rows.iter().filter_map(|m| Some((m.multiple, of(m)?))).collect();
-        let line: Vec<Place> = points.iter().map(|(m, s)| [*m, s.mean / 1e6]).collect();
+        let line: Vec<PanelPoint> = points.iter().map(|(m, s)| [*m, s.mean / 1e6]).collect();
         panel.curve(line, Pen::line(colour, 1.8).dashed(dashes).class("modulus"));
         panel.add(move |sheet, axes| {
             for (multiple, s) in &points {

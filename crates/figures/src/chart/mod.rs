@@ -8,7 +8,7 @@ mod panel;
 pub use axes::{Axes, Axis, NAME};
 pub use heading::{HEADING, Heading, heading, heading_lines};
 pub use key::{Entry, Key, key};
-pub use panel::{Panel, Place, ZERO, runs};
+pub use panel::{Panel, PanelPoint, ZERO, runs};
 
 use crate::elevation::INK;
 use crate::sheet::{MARGIN, MEDIUM, Pen, Sheet, Spot, WIDTH};
@@ -85,7 +85,7 @@ mod tests {
         let panel = |name: &str| {
             let mut panel = Panel::new(Axis::exact("x", 0.0, 4.0, 4), Axis::round("y", Ticks::over(0.0, 1.0, 2)));
             panel.heading.0 = name.to_owned();
-            let places: Vec<Place> = (0..5).map(|k| [f64::from(k), if k == 2 { f64::NAN } else { 0.5 }]).collect();
+            let places: Vec<PanelPoint> = (0..5).map(|k| [f64::from(k), if k == 2 { f64::NAN } else { 0.5 }]).collect();
             runs(&places).for_each(|run| panel.curve(run, Pen::line(INK, 1.0).class("run")));
             panel.mark([4.0, 1.0], Mark::Full, INK);
             panel

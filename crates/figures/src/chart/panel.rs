@@ -6,7 +6,7 @@ use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH};
 use crate::thinned::thinned;
 
 /// A place in the plane: a value along each axis.
-pub type Place = [f64; 2];
+pub type PanelPoint = [f64; 2];
 
 /// The line of zero, darker than the grid.
 pub const ZERO: Pen = Pen::line("#8a8a8a", HAIR + 0.2);
@@ -60,12 +60,12 @@ impl<'a> Panel<'a> {
         self.add(|sheet, _| sheet.close());
     }
     /// A line through places.
-    pub fn line(&mut self, places: impl Into<Vec<Place>>, pen: Pen<'a>) {
+    pub fn line(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| sheet.polyline(&axes.spots(&places), pen));
     }
     /// A line of which labels keep clear.
-    pub fn curve(&mut self, places: impl Into<Vec<Place>>, pen: Pen<'a>) {
+    pub fn curve(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| {
             let spots = axes.spots(&places);
@@ -75,7 +75,7 @@ impl<'a> Panel<'a> {
     }
     /// A long record, no more of it than is seen.
     pub fn record(&mut self, x: &[f64], y: &[f64], pen: Pen<'a>) {
-        let places: Vec<Place> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
+        let places: Vec<PanelPoint> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
         self.add(move |sheet, axes| {
             for run in runs(&places) {
                 let spots = thinned(&axes.spots(run));
@@ -94,28 +94,28 @@ impl<'a> Panel<'a> {
         self.line(self.x.range.map(|x| [x, y]), pen);
     }
     /// The area within places.
-    pub fn area(&mut self, places: impl Into<Vec<Place>>, pen: Pen<'a>) {
+    pub fn area(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| sheet.polygon(&axes.spots(&places), pen));
     }
     /// A rectangle between two corners.
-    pub fn bar(&mut self, low: Place, high: Place, pen: Pen<'a>) {
+    pub fn bar(&mut self, low: PanelPoint, high: PanelPoint, pen: Pen<'a>) {
         self.add(move |sheet, axes| {
             let ([left, bottom], [right, top]) = (axes.spot(low), axes.spot(high));
             sheet.rectangle(Area { left, top, right, bottom }, pen);
         });
     }
     /// Small circles.
-    pub fn circles(&mut self, places: impl Into<Vec<Place>>, radius: f64, pen: Pen<'a>) {
+    pub fn circles(&mut self, places: impl Into<Vec<PanelPoint>>, radius: f64, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| axes.spots(&places).iter().for_each(|at| sheet.circle(*at, radius, pen)));
     }
     /// A mark in a colour.
-    pub fn mark(&mut self, at: Place, mark: Mark, colour: &'a str) {
+    pub fn mark(&mut self, at: PanelPoint, mark: Mark, colour: &'a str) {
         self.add(move |sheet, axes| mark.draw(sheet, axes.spot(at), colour));
     }
     /// Words beside a place, no closer than `clear`.
-    pub fn label(&mut self, at: Place, text: String, towards: Spot, clear: f64) {
+    pub fn label(&mut self, at: PanelPoint, text: String, towards: Spot, clear: f64) {
         self.add(move |sheet, axes| {
             let room = Room { area: axes.area.grown(-5.0), towards, clear };
             sheet.label(axes.spot(at), &text, Style::on_drawing(), room);
@@ -124,6 +124,6 @@ impl<'a> Panel<'a> {
 }
 
 /// The pieces of a line between its gaps, where a value is not finite.
-pub fn runs(places: &[Place]) -> impl Iterator<Item = &[Place]> {
+pub fn runs(places: &[PanelPoint]) -> impl Iterator<Item = &[PanelPoint]> {
     places.split(|place| place.iter().any(|value| !value.is_finite())).filter(|run| !run.is_empty())
 }

@@ -1,6 +1,6 @@
 //! Records over time, and influence lines: one panel below the other.
 
-use crate::chart::{Axis, Chart, Mark, Panel, Place, ZERO};
+use crate::chart::{Axis, Chart, Mark, Panel, PanelPoint, ZERO};
 use crate::elevation::INK;
 use crate::sheet::place::Room;
 use crate::sheet::{HAIR, Pen, Style};
@@ -97,7 +97,7 @@ fn ticks(values: &[f64]) -> Ticks {
 }
 
 /// A peak with its words.
-fn mark(panel: &mut Panel, at: Place, unit: &str, place: String) {
+fn mark(panel: &mut Panel, at: PanelPoint, unit: &str, place: String) {
     panel.mark(at, Mark::Hollow, INK);
     let text = format!("{} {unit} {place}", words::three_digits(at[1]).replace('-', "−"));
     let up = if at[1] > 0.0 { -0.4 } else { 0.4 };

@@ -1,7 +1,7 @@
 //! How the answer follows one quantity.
 
 use super::{axis_name, honest, name_and_unit, with_unit};
-use crate::chart::{Axis, Chart, Entry, Mark, Panel, Place, runs};
+use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint, runs};
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Style};
 use crate::ticks::Ticks;
@@ -33,7 +33,7 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
     let (first, last) = (points.first()?.0, points.last()?.0);
     let x = Axis::exact(&x_name, first - 0.03 * (last - first), last + 0.03 * (last - first), 8);
     let mut panel = Panel::new(x, Axis::round(&y_name, Ticks::over(low, high, 6)));
-    let places: Vec<Place> = points.iter().map(|point| [point.0, point.1.unwrap_or(f64::NAN)]).collect();
+    let places: Vec<PanelPoint> = points.iter().map(|point| [point.0, point.1.unwrap_or(f64::NAN)]).collect();
     panel.open("curve");
     for run in runs(&places) {
         panel.curve(run, Pen::line(CURVE, 1.8).class("response"));

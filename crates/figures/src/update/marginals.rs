@@ -1,7 +1,7 @@
 //! What the data leave open of each parameter: its posterior over its range, beside what was believed before.
 
 use super::{UPDATED, axis, fitting, second_line, value_words};
-use crate::chart::{Axis, Entry, Mark, NAME, Panel, Place, key};
+use crate::chart::{Axis, Entry, Mark, NAME, Panel, PanelPoint, key};
 use crate::elevation::INK;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};
 use crate::words::{four_digits, three_digits};
@@ -126,7 +126,7 @@ fn panel(
         panel.bar([edge(bar), 0.0], [edge(bar + 1), *height], Pen::shape(BAR, "#5f8fbf", HAIR).class("bar"));
     }
     let middle = |k: usize| parameter.at((k as f64 + 0.5) / prior.len() as f64);
-    let mut places: Vec<Place> = prior.iter().enumerate().map(|(k, height)| [middle(k), *height]).collect();
+    let mut places: Vec<PanelPoint> = prior.iter().enumerate().map(|(k, height)| [middle(k), *height]).collect();
     if let [first, .., last] = &mut places[..] {
         [first[0], last[0]] = panel.x.range;
     }

@@ -2,7 +2,7 @@
 
 use super::{axis, errors_in, fitting, search_words, second_line, value_words};
 use crate::chart::{
-    Axes, Axis, Entry, HEADING, Heading, Mark, NAME, Panel, Place, ZERO, heading, heading_lines, key, runs,
+    Axes, Axis, Entry, HEADING, Heading, Mark, NAME, Panel, PanelPoint, ZERO, heading, heading_lines, key, runs,
 };
 use crate::elevation::INK;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, WIDTH};
@@ -35,7 +35,7 @@ pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Optio
         ranked.map(|sweep| (sweep, false)).chain(pass.last.iter().map(|s| (s, true))).collect();
     let norms = || rows.iter().flat_map(|(sweep, _)| &sweep.norms).flatten().copied().filter(|norm| norm.is_finite());
     let most = norms().reduce(f64::max)?;
-    let pieces: Vec<(usize, Vec<Place>)> = rows.iter().flat_map(|(sweep, _)| errors(update, sweep)).collect();
+    let pieces: Vec<(usize, Vec<PanelPoint>)> = rows.iter().flat_map(|(sweep, _)| errors(update, sweep)).collect();
     let sizes = || pieces.iter().flat_map(|(_, run)| run).map(|place| place[1]);
     let (low, high) = (sizes().fold(0.0, f64::min), sizes().fold(0.0, f64::max));
 
@@ -93,7 +93,7 @@ fn row(sheet: &mut Sheet, update: &Update, sweep: &Sweep, frames: [Area; 2], up:
 
 fn add_norms(panel: &mut Panel, _: &Update, sweep: &Sweep) {
     let norms = sweep.values.iter().zip(&sweep.norms);
-    let places: Vec<Place> = norms.map(|(value, norm)| [*value, norm.unwrap_or(f64::NAN)]).collect();
+    let places: Vec<PanelPoint> = norms.map(|(value, norm)| [*value, norm.unwrap_or(f64::NAN)]).collect();
     for run in runs(&places) {
         panel.line(run, Pen::line(NORM, 1.8).class("norm"));
         panel.circles(run, 2.4, Pen::shape(NORM, NORM, HAIR));
@@ -112,14 +112,14 @@ fn add_errors(panel: &mut Panel, update: &Update, sweep: &Sweep) {
 }
 
 /// Errors along a sweep by channel, those that count, in pieces without a gap [as the axis has them].
-fn errors(update: &Update, sweep: &Sweep) -> Vec<(usize, Vec<Place>)> {
+fn errors(update: &Update, sweep: &Sweep) -> Vec<(usize, Vec<PanelPoint>)> {
     let channels = update.problem.channels();
     let (factor, _) = errors_in(update);
     let mut pieces = Vec::new();
     for k in (0..channels.len()).filter(|k| channels[*k].counts()) {
         let points = sweep.values.iter().zip(&sweep.errors);
         let places = points.map(|(x, errors)| [*x, factor * errors.get(k).copied().unwrap_or(f64::NAN)]);
-        pieces.extend(runs(&places.collect::<Vec<Place>>()).map(|run| (k, run.to_vec())));
+        pieces.extend(runs(&places.collect::<Vec<PanelPoint>>()).map(|run| (k, run.to_vec())));
     }
     pieces
 }
