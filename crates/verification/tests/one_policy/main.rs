@@ -138,14 +138,14 @@ fn drawn(seed: u64) -> (String, Bridge) {
 #[test]
 fn no_help_raises_a_number() {
     let mut trial = Trial::default();
-    for seed in 0..3 {
+    for seed in 0..2 {
         let (name, bridge) = drawn(seed);
         trial.ask(&name, &bridge, &[Method::Limit], &Question::ALL);
     }
     let (name, bridge) = drawn(4);
     trial.ask(&name, &bridge, &[Method::Path], &[Question::Load]);
     let compared: usize = trial.counts.values().map(|of| of.compared).sum();
-    assert!(compared >= 80, "{compared} compared:\n{}", trial.told());
+    assert!(compared >= 50, "{compared} compared:\n{}", trial.told());
     trial.finish();
 }
 
