@@ -1,4 +1,4 @@
-//! Field cards: one table of everything a bridge file may say ([`crate::card`] has what a card is). Accessors, error messages, the JSON Schema and the
+//! Field cards: one table of everything a bridge file may say (`card.rs` has what a card is). Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
 pub(crate) mod assess;
