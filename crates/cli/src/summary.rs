@@ -172,12 +172,7 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
 }
 
 fn title(found: &Collapse) -> String {
-    let method = match found.method() {
-        Method::Dem => "discrete elements",
-        Method::Limit => "limit analysis",
-        Method::Path => "the equilibrium path",
-        Method::Fe => "finite elements",
-    };
+    let method = found.method().name();
     format!("{} by {method}, {}", found.status.word().replace('-', " "), counted(found.blocks, "block"))
 }
 

@@ -5,6 +5,7 @@ use crate::collapse::planned;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
+use assess::analysis::engine::can;
 use assess::analysis::{self, Places};
 use bridge::{LEAST_STEP, Method};
 use outcome::note::{self, Note};
@@ -65,9 +66,7 @@ pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -
 }
 
 /// Whether a method moves loads over a bridge: limit analysis does, and the equilibrium path beside it.
+#[must_use]
 pub fn sweeps(method: Method) -> bool {
-    match method {
-        Method::Limit | Method::Path => true,
-        Method::Dem | Method::Fe => false,
-    }
+    can::knows(method, can::Feature::LoadSweep) == can::Knows::Yes
 }

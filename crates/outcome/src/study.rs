@@ -96,16 +96,6 @@ published! {
 }
 
 impl Study {
-    /// The method in words.
-    pub fn method_in_words(&self) -> &'static str {
-        match self.method {
-            bridge::Method::Dem => "discrete elements",
-            bridge::Method::Limit => "limit analysis",
-            bridge::Method::Path => "the equilibrium path",
-            bridge::Method::Fe => "finite elements",
-        }
-    }
-
     /// The bridge as its file has it.
     pub fn baseline(&self) -> Option<&Row> {
         self.rows.first()

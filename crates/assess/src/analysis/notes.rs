@@ -79,7 +79,7 @@ pub fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Opti
             with: with.last_stable_load,
             rigid: with.limit_load,
         },
-        By::Dem(_) | By::Fe(_) => return None,
+        _ => return None,
     };
     Some(told.into())
 }

@@ -53,6 +53,19 @@ choice! {
     }
 }
 
+impl Method {
+    /// What it is called in a sentence.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Method::Dem => "discrete elements",
+            Method::Limit => "limit analysis",
+            Method::Path => "the equilibrium path",
+            Method::Fe => "finite elements",
+        }
+    }
+}
+
 choice! {
     /// A strip of the bridge's width with what stands on its rings.
     pub enum Strip {

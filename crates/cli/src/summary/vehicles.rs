@@ -1,7 +1,6 @@
 //! A sweep of vehicles in words.
 
 use crate::page::Page;
-use bridge::Method;
 use findings::words::counted;
 use outcome::help::Help;
 use outcome::sweep::Ended;
@@ -19,13 +18,8 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
         page += "  interrupted: these are the positions that were answered by then\n\n";
     }
     if let (Some((factor, method)), Some(k)) = (found.headline(), found.governing) {
-        let method = match method {
-            Method::Dem => "discrete elements",
-            Method::Path => "the equilibrium path",
-            _ => "limit analysis",
-        };
-        let _ =
-            writeln!(page, "  {:<22}  {factor:>8.3}  {} governs, by {method}\n", "adequacy", found.vehicles[k].code);
+        let (code, by) = (&found.vehicles[k].code, method.name());
+        let _ = writeln!(page, "  {:<22}  {factor:>8.3}  {code} governs, by {by}\n", "adequacy");
     }
     let open = found.positions_not_converged();
     if open > 0 {

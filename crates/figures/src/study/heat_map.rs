@@ -25,7 +25,7 @@ pub fn heat_map(study: &Study) -> Option<String> {
     let (columns, lines) = (order(&across.values), order(&up.values));
 
     let (name, _) = name_and_unit(&study.outcome);
-    let second = format!("The {name} over {} and {}, by {}", across.path, up.path, study.method_in_words());
+    let second = format!("The {name} over {} and {}, by {}", across.path, up.path, study.method.name());
     let (mut sheet, top) = Sheet::titled("heat-map", &study.bridge, &second);
     let small = Style::small();
     let wide = |setting: &Setting| small.width(&raised(&setting.text));

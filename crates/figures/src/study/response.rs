@@ -70,7 +70,7 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
         chart.words.push("Crosses at the foot: runs without this number, with how they ended.".to_owned());
     }
     let (name, _) = name_and_unit(&study.outcome);
-    let second = format!("The {name} over {}, by {}", varied.path, study.method_in_words());
+    let second = format!("The {name} over {}, by {}", varied.path, study.method.name());
     Some(chart.draw("curve", &study.bridge, &second))
 }
 

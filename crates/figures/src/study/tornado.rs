@@ -29,7 +29,7 @@ pub fn tornado(study: &Study) -> Option<String> {
     let (mut sheet, top) = Sheet::titled(
         "tornado",
         &study.bridge,
-        &format!("What moves the {name}, one quantity at a time, by {}", study.method_in_words()),
+        &format!("What moves the {name}, one quantity at a time, by {}", study.method.name()),
     );
     let name = axis_name(&study.outcome);
     let plane = Plane::new(study, &bars, top, &name, honest(low, high));
