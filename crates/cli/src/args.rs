@@ -22,7 +22,7 @@ use verification::footing::Ground;
     about,
     after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml"
 )]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
@@ -33,7 +33,7 @@ pub struct Arguments {
 
 /// The commands.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Write a working example to edit
     New(New),
     /// Read a bridge file, report every problem with its place, and draw the bridge; computes nothing
@@ -78,7 +78,7 @@ pub enum Command {
 
 /// How a command speaks.
 #[derive(Debug, Clone, Args)]
-pub struct Speech {
+pub(crate) struct Speech {
     /// Print exactly one JSON object on stdout
     #[arg(long, global = true)]
     pub json: bool,
@@ -95,7 +95,7 @@ pub struct Speech {
 
 /// `extrados new`.
 #[derive(Debug, Args)]
-pub struct New {
+pub(crate) struct New {
     /// The folder to write; it must be new or empty
     pub dir: PathBuf,
     /// Which example
@@ -105,7 +105,7 @@ pub struct New {
 
 /// `extrados check`.
 #[derive(Debug, Args)]
-pub struct Check {
+pub(crate) struct Check {
     /// The bridge file or block model file (TOML)
     pub file: PathBuf,
     /// Folder for the drawing [default: out/NAME]
@@ -115,7 +115,7 @@ pub struct Check {
 
 /// `extrados collapse`.
 #[derive(Debug, Args)]
-pub struct Collapse {
+pub(crate) struct Collapse {
     /// The bridge file or block model file (TOML)
     pub file: PathBuf,
     /// Say everything: every number, every check, every warning and assumption
@@ -146,7 +146,7 @@ pub struct Collapse {
 
 /// Which analysis, and how exactly, in place of the file's plan.
 #[derive(Debug, Clone, Args)]
-pub struct Choice {
+pub(crate) struct Choice {
     /// Method, in place of the file's
     #[arg(long, value_parser = word::<Method>())]
     pub method: Option<Method>,
@@ -163,7 +163,7 @@ pub struct Choice {
 
 /// `extrados vary`.
 #[derive(Debug, Args)]
-pub struct Vary {
+pub(crate) struct Vary {
     /// The bridge file (TOML)
     pub file: PathBuf,
     /// Folder for results and finished runs [default: out/NAME-vary]
@@ -201,7 +201,7 @@ pub struct Vary {
 
 /// `extrados respond`.
 #[derive(Debug, Args)]
-pub struct Respond {
+pub(crate) struct Respond {
     /// The bridge file (TOML), with [train], [track] and [passage]
     pub file: PathBuf,
     /// Folder for results [default: out/NAME]
@@ -227,7 +227,7 @@ pub struct Respond {
 /// How a synthetic record is taken.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The synthetic record (with --records)")]
-pub struct Logger {
+pub(crate) struct Logger {
     /// Noise of a logger, or none: the values as computed
     #[arg(long, value_name = "KIND", default_value = "logger", requires = "records")]
     pub noise: RecordNoise,
@@ -247,7 +247,7 @@ pub struct Logger {
 
 /// Noise of a synthetic record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum RecordNoise {
+pub(crate) enum RecordNoise {
     /// Normal noise, then rounding to the least count
     Logger,
     /// Neither noise nor rounding
@@ -256,7 +256,7 @@ pub enum RecordNoise {
 
 /// `extrados update`.
 #[derive(Debug, Args)]
-pub struct Update {
+pub(crate) struct Update {
     /// The bridge file (TOML), with [records] and [[parameter]] beside its [passage]
     pub file: PathBuf,
     /// Folder for results and the log of evaluations [default: out/NAME]
@@ -281,7 +281,7 @@ pub struct Update {
 
 /// `extrados assess`.
 #[derive(Debug, Args)]
-pub struct Assess {
+pub(crate) struct Assess {
     /// The bridge file (TOML), or a folder of bridge files
     pub file: PathBuf,
     /// Say everything: every number, every check, every warning and assumption
@@ -306,7 +306,7 @@ pub struct Assess {
 
 /// `extrados merge`.
 #[derive(Debug, Args)]
-pub struct Merge {
+pub(crate) struct Merge {
     /// Folders of results of the shards
     #[arg(required = true, value_name = "DIR")]
     pub dirs: Vec<PathBuf>,
@@ -317,7 +317,7 @@ pub struct Merge {
 
 /// `extrados calibrate-fill`.
 #[derive(Debug, Args)]
-pub struct CalibrateFill {
+pub(crate) struct CalibrateFill {
     /// The bridge file (TOML), with a layer as particles
     pub file: PathBuf,
     /// Modulus that the fill is to have, in place of the file's, such as "40 MPa"
@@ -334,7 +334,7 @@ pub struct CalibrateFill {
 /// Numerical settings in place of the file's.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Numerical settings, in place of the file's")]
-pub struct Overrides {
+pub(crate) struct Overrides {
     /// local, viscous or adaptive, the first two with a share: "local:0.8"
     #[arg(long, value_name = "KIND[:SHARE]", value_parser = damping)]
     pub damping: Option<bridge::Damping>,
@@ -360,7 +360,7 @@ pub struct Overrides {
 
 /// `extrados cases`.
 #[derive(Debug, Args)]
-pub struct Cases {
+pub(crate) struct Cases {
     /// The bridge file (.toml), with named cases
     pub file: PathBuf,
     /// Folder for results [default: out/NAME]
@@ -373,7 +373,7 @@ pub struct Cases {
 
 /// `extrados compare`.
 #[derive(Debug, Args)]
-pub struct Compare {
+pub(crate) struct Compare {
     /// The bridge file before, such as before a repair
     pub before: PathBuf,
     /// The bridge file after
@@ -388,7 +388,7 @@ pub struct Compare {
 
 /// `extrados convert`.
 #[derive(Debug, Args)]
-pub struct Convert {
+pub(crate) struct Convert {
     /// A bridge file or a block model file (.toml), a drawing (.dxf), or a surveyed section of an intrados (.csv)
     pub from: PathBuf,
     /// What to write: .toml, .dxf or .vtu; of a section .toml, .svg, .png or .csv
@@ -412,28 +412,28 @@ pub struct Convert {
 
 /// `extrados explain`.
 #[derive(Debug, Args)]
-pub struct Explain {
+pub(crate) struct Explain {
     /// A code such as B104, or a status such as collapsed; without one, all are listed
     pub code: Option<String>,
 }
 
 /// `extrados vehicles`.
 #[derive(Debug, Args)]
-pub struct Vehicles {
+pub(crate) struct Vehicles {
     /// A vehicle, a load model or a rule, such as lm71 or cs-454; without a name, all are listed
     pub name: Option<String>,
 }
 
 /// `extrados materials`.
 #[derive(Debug, Args)]
-pub struct Materials {
+pub(crate) struct Materials {
     /// A material or a table of a bridge file, such as sandstone or masonry; without a name, all are listed
     pub name: Option<String>,
 }
 
 /// `extrados schema`.
 #[derive(Debug, Args)]
-pub struct Schema {
+pub(crate) struct Schema {
     /// Of block model files instead of bridge files
     #[arg(long)]
     pub blocks: bool,
@@ -447,7 +447,7 @@ pub struct Schema {
 
 /// `extrados verify`.
 #[derive(Debug, Args)]
-pub struct Verify {
+pub(crate) struct Verify {
     /// Folder with cases, or one case
     #[arg(default_value = "verification")]
     pub folder: PathBuf,
@@ -461,7 +461,7 @@ pub struct Verify {
 
 /// `extrados validate`.
 #[derive(Debug, Args)]
-pub struct Validate {
+pub(crate) struct Validate {
     /// Folder with priors.toml and a folder for each test
     #[arg(default_value = "validation")]
     pub folder: PathBuf,
@@ -481,7 +481,7 @@ pub struct Validate {
 
 /// `extrados workbench`.
 #[derive(Debug, Args)]
-pub struct Workbench {
+pub(crate) struct Workbench {
     /// Port on 127.0.0.1; 0 for a free one
     #[arg(long, value_name = "N", default_value_t = 7717)]
     pub port: u16,
@@ -492,7 +492,7 @@ pub struct Workbench {
 
 /// `extrados bench`.
 #[derive(Debug, Args)]
-pub struct Bench {
+pub(crate) struct Bench {
     /// What to measure
     pub name: BenchName,
     /// How often
@@ -517,7 +517,7 @@ pub struct Bench {
 
 /// A measure of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum BenchName {
+pub(crate) enum BenchName {
     /// Dense discs in a closed box near rest: steps of particles in a second
     Disks,
     /// Bridgemill, case 1, to collapse by discrete elements
@@ -541,10 +541,10 @@ pub enum BenchName {
 }
 
 /// A word on the command line, what it means there, and what it stands for.
-pub type Word<T> = (&'static str, &'static str, T);
+pub(crate) type Word<T> = (&'static str, &'static str, T);
 
 /// Stages of an assessment.
-pub const STAGES: &[Word<StageName>] = &[
+pub(crate) const STAGES: &[Word<StageName>] = &[
     ("update", "Moduli from records; the file's own values count", StageName::Update),
     ("service", "The train that crosses", StageName::Service),
     ("collapse", "The loads of the file at collapse", StageName::Collapse),
@@ -555,7 +555,7 @@ pub const STAGES: &[Word<StageName>] = &[
 ];
 
 /// Methods of `validate`.
-pub const PREDICTORS: &[Word<Predictor>] = &[
+pub(crate) const PREDICTORS: &[Word<Predictor>] = &[
     ("weight", Predictor::Weight.about(), Predictor::Weight),
     ("pressure", Predictor::Pressure.about(), Predictor::Pressure),
     ("continuum", Predictor::Continuum.about(), Predictor::Continuum),
@@ -565,7 +565,7 @@ pub const PREDICTORS: &[Word<Predictor>] = &[
 ];
 
 /// Ground under the footing of `bench footing`.
-pub const GROUNDS: &[Word<Ground>] = &[
+pub(crate) const GROUNDS: &[Word<Ground>] = &[
     ("von-mises", "Clay", Ground::VonMises),
     ("drucker-prager", "Frictional, with associated flow", Ground::DruckerPrager),
     ("non-associated", "Frictional, without dilation: an unsymmetric tangent", Ground::NonAssociated),
@@ -586,13 +586,13 @@ fn one_of<T: Copy + Send + Sync>(words: &'static [Word<T>]) -> impl TypedValuePa
 }
 
 /// The word for one of these.
-pub fn word_for<T: PartialEq>(words: &[Word<T>], value: T) -> &'static str {
+pub(crate) fn word_for<T: PartialEq>(words: &[Word<T>], value: T) -> &'static str {
     words.iter().find(|(.., one)| *one == value).map_or("", |(word, ..)| word)
 }
 
 impl Choice {
     /// What was said in place of a file's plan, for a bridge of this width [m].
-    pub fn of(&self, width: f64) -> Result<extrados::Choice, Failure> {
+    pub(crate) fn of(&self, width: f64) -> Result<extrados::Choice, Failure> {
         let resolution = self.resolution.as_ref().map(|text| quantities::line_load("--resolution", text, width));
         let own = &self.overrides;
         Ok(extrados::Choice {

@@ -15,35 +15,35 @@ const NAME: &str = "run.checkpoint";
 
 /// Where a run keeps its state, and which run it is.
 #[derive(Debug, Clone)]
-pub struct Checkpoint {
+pub(crate) struct Checkpoint {
     path: PathBuf,
     fingerprint: u64,
 }
 
 impl Checkpoint {
     /// The checkpoint of this bridge or block model with its plan.
-    pub fn of<T: Debug>(input: &T, folder: &Folder) -> Checkpoint {
+    pub(crate) fn of<T: Debug>(input: &T, folder: &Folder) -> Checkpoint {
         Checkpoint { path: folder.file(NAME), fingerprint: checkpoint::fingerprint(input) }
     }
 
     /// Where it is.
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
     /// What to tell of it when the run is interrupted.
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         format!("the run is kept in {}\ngo on with the same command and --resume", self.path.display())
     }
 
     /// Keeps a state, whole or not at all.
-    pub fn keep(&self, state: &[u8]) -> Result<(), Failure> {
+    pub(crate) fn keep(&self, state: &[u8]) -> Result<(), Failure> {
         write(&self.path, &checkpoint::bytes(self.fingerprint, state))
             .map_err(|error| Failure::not_written(&self.path, &error))
     }
 
     /// The state that was kept, where there is one.
-    pub fn take_up(&self) -> Result<Option<Vec<u8>>, Failure> {
+    pub(crate) fn take_up(&self) -> Result<Option<Vec<u8>>, Failure> {
         match read(&self.path, self.fingerprint) {
             Ok(state) => Ok(Some(state)),
             Err(Unusable::Unread(error)) if error.kind() == io::ErrorKind::NotFound => {
@@ -65,7 +65,7 @@ impl Checkpoint {
 
     /// Makes way for a run that starts anew: the state of another run, or of another version of this program, is kept under a name of
     /// its own, a file that is no checkpoint is refused. Says what a reader should know.
-    pub fn make_way(&self) -> Result<Option<String>, Failure> {
+    pub(crate) fn make_way(&self) -> Result<Option<String>, Failure> {
         let shown = self.path.display();
         match read(&self.path, self.fingerprint) {
             Ok(_) => {
@@ -100,7 +100,7 @@ impl Checkpoint {
     }
 
     /// Takes it away when the run is finished. One that stays would only be refused or taken up to the same end.
-    pub fn remove(&self) {
+    pub(crate) fn remove(&self) {
         let _ = folder::remove(&self.path);
         let _ = folder::remove(&self.set_aside(self.fingerprint));
     }

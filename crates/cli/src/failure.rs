@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// A command could not do its work.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Failure {
+pub(crate) struct Failure {
     /// Stable code, `F…`; `extrados explain CODE` tells more.
     pub code: &'static str,
     /// How the command ends.
@@ -167,36 +167,36 @@ findings::cards! {
 
 impl Failure {
     /// The input cannot be used.
-    pub fn input(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Failure {
+    pub(crate) fn input(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Failure {
         Failure { code, status: Status::UnusableInput, message: message.into(), help: help.into() }
     }
 
     /// A file cannot be read.
-    pub fn unreadable(path: &Path, error: &io::Error) -> Failure {
+    pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Failure {
         Refusal::unreadable(path, error).into()
     }
 
     /// A folder for results cannot be written.
-    pub fn unwritable(path: &Path, error: &io::Error) -> Failure {
+    pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Failure {
         let message = format!("cannot write to {}: {}", path.display(), reason(error));
         Failure::input("F102", message, "choose a folder that you may write to with --out DIR")
     }
 
     /// Another run writes there.
-    pub fn in_use(folder: &Path) -> Failure {
+    pub(crate) fn in_use(folder: &Path) -> Failure {
         let message = format!("another run is at work in {}", folder.display());
         Failure::input("F148", message, "wait until it has ended, or name a folder of its own with --out DIR")
     }
 
     /// Results would be written over files that are read.
-    pub fn replaces_input(folder: &Path, names: &[String]) -> Failure {
+    pub(crate) fn replaces_input(folder: &Path, names: &[String]) -> Failure {
         let message =
             format!("results in {} would replace what this command reads: {}", folder.display(), listed(names));
         Failure::input("F122", message, "name a folder of its own with --out DIR")
     }
 
     /// Results would be written over files of somebody else; whether each was made here and changed since, and its name.
-    pub fn replaces_foreign(folder: &Path, files: &[(bool, String)]) -> Failure {
+    pub(crate) fn replaces_foreign(folder: &Path, files: &[(bool, String)]) -> Failure {
         let named = |(changed, name): &(bool, String)| match changed {
             true => format!("{name} (changed since it was made)"),
             false => name.clone(),
@@ -208,7 +208,7 @@ impl Failure {
     }
 
     /// Results could not be written after the work was done.
-    pub fn not_written(path: &Path, error: &io::Error) -> Failure {
+    pub(crate) fn not_written(path: &Path, error: &io::Error) -> Failure {
         Failure {
             code: "F109",
             status: Status::NotWritten,

@@ -5,8 +5,8 @@ mod earlier;
 mod list;
 mod purpose;
 
-pub use list::{hash, is_inside};
-pub use purpose::Purpose;
+pub(crate) use list::{hash, is_inside};
+pub(crate) use purpose::Purpose;
 
 use crate::failure::Failure;
 use claim::{Claim, PARTIAL, READY};
@@ -18,11 +18,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// The seal: a folder with this file is complete. It goes first when results are replaced, and comes last.
-pub const SEAL: &str = "result.json";
+pub(crate) const SEAL: &str = "result.json";
 
 /// A folder that results will be written to.
 #[derive(Debug)]
-pub struct Folder {
+pub(crate) struct Folder {
     path: PathBuf,
     purpose: Purpose,
     /// No other run writes here meanwhile.
@@ -34,7 +34,7 @@ const PROBE: &str = ".extrados-probe-";
 
 /// Where an answer went.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Placed {
+pub(crate) struct Placed {
     /// Where the answer of another run was moved, which stood there before.
     pub earlier: Option<PathBuf>,
     /// Files of somebody else that came while the run went on: the answer stands beside them in a folder of its own.
@@ -42,12 +42,12 @@ pub struct Placed {
 }
 
 /// The default folder for a file: out/NAME beside the current folder.
-pub fn default_for(file: &Path) -> PathBuf {
+pub(crate) fn default_for(file: &Path) -> PathBuf {
     Path::new("out").join(shown_stem(file))
 }
 
 /// The name of a file without its ending, as a folder may be called: characters that act instead of being seen become "_".
-pub fn shown_stem(file: &Path) -> OsString {
+pub(crate) fn shown_stem(file: &Path) -> OsString {
     let stem = file.file_stem().unwrap_or(file.as_os_str());
     match stem.to_str().filter(|name| name.chars().any(is_hidden)) {
         Some(name) => name.replace(is_hidden, "_").into(),
@@ -58,7 +58,7 @@ pub fn shown_stem(file: &Path) -> OsString {
 impl Folder {
     /// Makes sure, before anything is computed, that results can be written here, and that they replace nothing but what the
     /// command made here before.
-    pub fn prepare(path: &Path, purpose: Purpose) -> Result<Folder, Failure> {
+    pub(crate) fn prepare(path: &Path, purpose: Purpose) -> Result<Folder, Failure> {
         let unwritable = |error: io::Error| Failure::unwritable(path, &error);
         fs::create_dir_all(path).map_err(unwritable)?;
         let claim = Claim::of(path).ok_or_else(|| Failure::in_use(path))?;
@@ -71,11 +71,11 @@ impl Folder {
     }
 
     /// Where it is.
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
-    pub fn file(&self, name: &str) -> PathBuf {
+    pub(crate) fn file(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
 
@@ -117,7 +117,7 @@ impl Folder {
     /// Lets `write` fill an empty folder beside the results, then moves its files into their place; what `seal` makes of
     /// their names and of their place becomes [`SEAL`]. Files of an earlier answer of the same run that are not part of this one
     /// are taken away; an earlier answer of another run is moved into `earlier`.
-    pub fn fill(
+    pub(crate) fn fill(
         &self,
         write: impl FnOnce(&Path) -> io::Result<()>,
         seal: impl FnOnce(&[String], &Path, &Placed) -> String,
@@ -139,7 +139,7 @@ impl Folder {
     }
 
     /// Writes files, each whole or not at all, beside whatever else is there. An answer of another file is moved away first.
-    pub fn put(&self, files: &[(&str, &[u8])]) -> Result<Placed, Failure> {
+    pub(crate) fn put(&self, files: &[(&str, &[u8])]) -> Result<Placed, Failure> {
         let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
         self.guard()?;
         let mut placed = Placed::default();
@@ -218,7 +218,7 @@ impl Drop for Folder {
 }
 
 /// Writes a file whole or not at all.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let _busy = crate::signs::busy();
     let partial = partial(path);
     let written = fs::File::create(&partial).and_then(|mut file| {
@@ -233,13 +233,13 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// A name beside a file that nobody else uses.
-pub fn partial(path: &Path) -> PathBuf {
+pub(crate) fn partial(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!(".{name}{PARTIAL}{}", std::process::id()))
 }
 
 /// Removes a file that may not be there.
-pub fn remove(path: &Path) -> io::Result<()> {
+pub(crate) fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
@@ -247,7 +247,7 @@ pub fn remove(path: &Path) -> io::Result<()> {
 }
 
 /// Every file below a folder, relative to it, with forward slashes, in order.
-pub fn files_in(folder: &Path) -> io::Result<Vec<String>> {
+pub(crate) fn files_in(folder: &Path) -> io::Result<Vec<String>> {
     fn visit(folder: &Path, prefix: &str, found: &mut Vec<String>) -> io::Result<()> {
         for entry in fs::read_dir(folder)? {
             let entry = entry?;

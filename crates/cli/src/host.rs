@@ -15,10 +15,10 @@ const TICK: Duration = Duration::from_millis(20);
 /// What a run is given to come to an end by itself, with an answer of its own.
 const GRACE: Duration = Duration::from_millis(700);
 /// Stack of the run: as much as a main thread has, and more for files that nest deeply.
-pub const STACK: usize = 32 << 20;
+pub(crate) const STACK: usize = 32 << 20;
 
 /// How a run ended.
-pub enum Ended<T> {
+pub(crate) enum Ended<T> {
     /// By itself.
     Whole(T),
     /// It was asked to stop and did not in time.
@@ -28,7 +28,7 @@ pub enum Ended<T> {
 }
 
 /// Runs `work` and waits for it. Every `lines` something is said of its progress.
-pub fn wait<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static, lines: Option<Duration>) -> Ended<T> {
+pub(crate) fn wait<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static, lines: Option<Duration>) -> Ended<T> {
     let (sender, receiver) = mpsc::channel();
     let run = move || {
         // The host only goes first when the command is over.
@@ -61,7 +61,7 @@ pub fn wait<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static, lines:
 }
 
 /// How often to say something: never where a bar is drawn, or nothing is wanted.
-pub fn lines(quiet: bool, every: f64) -> Option<Duration> {
+pub(crate) fn lines(quiet: bool, every: f64) -> Option<Duration> {
     let wanted = !quiet && every > 0.0 && !std::io::stderr().is_terminal();
     wanted.then(|| Duration::from_secs_f64(every))
 }
@@ -94,7 +94,7 @@ fn span(seconds: f64) -> String {
 }
 
 /// The answer of a run that was cut off, with what is kept of it.
-pub fn cut_off() -> Report {
+pub(crate) fn cut_off() -> Report {
     let report = Report::new(Status::Cancelled);
     match signs::now().kept {
         Some(kept) => report.with(kept.key, kept.place).saying(format!("interrupted; {}\n", kept.words)),

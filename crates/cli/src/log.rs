@@ -10,10 +10,10 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
-pub const NAME: &str = "evaluations.log";
+pub(crate) const NAME: &str = "evaluations.log";
 
 /// A log that is written to.
-pub struct LogFile {
+pub(crate) struct LogFile {
     path: PathBuf,
     file: File,
     trouble: Option<io::Error>,
@@ -21,7 +21,7 @@ pub struct LogFile {
 
 impl LogFile {
     /// What an earlier run of the same model did, if it is to be taken up, and the file for what comes.
-    pub fn open(folder: &Folder, identity: &str, resume: bool) -> Result<(Log, LogFile), Failure> {
+    pub(crate) fn open(folder: &Folder, identity: &str, resume: bool) -> Result<(Log, LogFile), Failure> {
         let path = folder.file(NAME);
         let log = match read(&path)? {
             Some(text) if resume => take_up(folder, identity, &text)?,
@@ -45,14 +45,14 @@ impl LogFile {
     }
 
     /// Adds a line.
-    pub fn append(&mut self, line: &str) {
+    pub(crate) fn append(&mut self, line: &str) {
         if let Err(error) = self.file.write_all(format!("{line}\n").as_bytes()) {
             self.trouble.get_or_insert(error);
         }
     }
 
     /// What kept a line from being kept.
-    pub fn trouble(&self) -> Option<Failure> {
+    pub(crate) fn trouble(&self) -> Option<Failure> {
         self.trouble.as_ref().map(|error| Failure::not_written(&self.path, error))
     }
 }

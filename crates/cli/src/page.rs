@@ -6,7 +6,7 @@ use outcome::warning;
 use serde_json::Value;
 
 /// Lines of a first screen.
-pub const MOST_LINES: usize = 20;
+pub(crate) const MOST_LINES: usize = 20;
 /// Warnings on it.
 const MOST_WARNINGS: usize = 3;
 /// Letters of a line on it.
@@ -14,7 +14,7 @@ const WIDTH: usize = 150;
 
 /// A result in words.
 #[derive(Debug, Clone, Default)]
-pub struct Page {
+pub(crate) struct Page {
     /// What was found, the answer first.
     pub body: String,
     /// What it rests on, each in a sentence.
@@ -36,7 +36,7 @@ const LAST: [&str; 7] = [
 
 impl Page {
     /// Everything.
-    pub fn whole(&self) -> String {
+    pub(crate) fn whole(&self) -> String {
         let mut page = self.body.clone();
         if !self.assumptions.is_empty() {
             page += "\nThis assumes:\n";
@@ -46,7 +46,7 @@ impl Page {
     }
 
     /// The first screen: the answer, the warnings that matter most, and how much more there is.
-    pub fn first(&self, warnings: &[Value]) -> String {
+    pub(crate) fn first(&self, warnings: &[Value]) -> String {
         let told = important(warnings);
         let more = more(told.len().saturating_sub(MOST_WARNINGS), self.assumptions.len());
         let shown = told.len().min(MOST_WARNINGS);

@@ -3,7 +3,7 @@
 use std::fs;
 
 /// Version and bytes of the running program, as a hash in hexadecimal digits: another build may compute other bits.
-pub fn hash() -> String {
+pub(crate) fn hash() -> String {
     let mut hasher = blake3::Hasher::new();
     hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
     if let Ok(bytes) = std::env::current_exe().and_then(fs::read) {

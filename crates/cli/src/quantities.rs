@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use bridge::quantity::{self, Dimension};
 
 /// A load per metre of width [N/m]; one over the whole width is divided by it [m].
-pub fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Failure> {
+pub(crate) fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Failure> {
     let example = "1 kN/m";
     let quantity = read(option, text, &[Dimension::LineLoad, Dimension::Force], example)?;
     let load = match quantity.unit.dimension {
@@ -25,19 +25,19 @@ pub fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Failure> {
 const LEAST_LOAD: f64 = 1.0;
 
 /// A length [m].
-pub fn length(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn length(option: &str, text: &str) -> Result<f64, Failure> {
     let example = "0.25 m";
     positive(option, text, read(option, text, &[Dimension::Length], example)?.si(), example)
 }
 
 /// A stress or modulus [Pa].
-pub fn stress(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn stress(option: &str, text: &str) -> Result<f64, Failure> {
     let example = "40 MPa";
     positive(option, text, read(option, text, &[Dimension::Stress], example)?.si(), example)
 }
 
 /// A speed [m/s].
-pub fn speed(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn speed(option: &str, text: &str) -> Result<f64, Failure> {
     let example = "45 km/h";
     let speed = positive(option, text, read(option, text, &[Dimension::Speed], example)?.si(), example)?;
     if (LEAST_SPEED..=Dimension::Speed.most()).contains(&speed) {
@@ -48,7 +48,7 @@ pub fn speed(option: &str, text: &str) -> Result<f64, Failure> {
 }
 
 /// A sampling rate [Hz].
-pub fn frequency(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn frequency(option: &str, text: &str) -> Result<f64, Failure> {
     let example = "200 Hz";
     let rate = positive(option, text, read(option, text, &[Dimension::Frequency], example)?.si(), example)?;
     if (LEAST_RATE..=MOST_RATE).contains(&rate) {
@@ -64,7 +64,7 @@ const LEAST_RATE: f64 = 0.1;
 const MOST_RATE: f64 = 1e5;
 
 /// A size of displacements or of strains in a unit of records, and which of the two it is; none of them is below zero [SI].
-pub fn of_records(option: &str, text: &str) -> Result<(records::Dimension, f64), Failure> {
+pub(crate) fn of_records(option: &str, text: &str) -> Result<(records::Dimension, f64), Failure> {
     let help = || format!("write {option} \"0.01 mm\" or {option} \"0.05 microstrain\"");
     let refuse = |why: &str| Failure::input("F107", format!("{option} \"{text}\" {why}"), help());
     let start = text.find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E').unwrap_or(text.len());

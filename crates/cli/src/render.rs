@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 /// Colours, or none where the text does not go to a terminal.
 #[derive(Debug, Clone)]
-pub struct Paint {
+pub(crate) struct Paint {
     error: Style,
     warning: Style,
     frame: Style,
@@ -18,7 +18,7 @@ pub struct Paint {
 
 impl Paint {
     /// With or without colours.
-    pub fn new(coloured: bool) -> Paint {
+    pub(crate) fn new(coloured: bool) -> Paint {
         let style = || Style::new().force_styling(coloured);
         Paint {
             error: style().red().bold(),
@@ -29,7 +29,7 @@ impl Paint {
     }
 
     /// Coloured where stderr is a terminal that wants it.
-    pub fn for_stderr() -> Paint {
+    pub(crate) fn for_stderr() -> Paint {
         Paint::new(console::colors_enabled_stderr() && console::user_attended_stderr())
     }
 
@@ -40,7 +40,7 @@ impl Paint {
 }
 
 /// All findings about a file, and how many they are.
-pub fn findings(name: &str, text: &[u8], list: &[Diagnostic], paint: &Paint) -> String {
+pub(crate) fn findings(name: &str, text: &[u8], list: &[Diagnostic], paint: &Paint) -> String {
     let mut page = String::new();
     for finding in list {
         page += &one(name, text, finding, paint);
@@ -53,7 +53,7 @@ pub fn findings(name: &str, text: &[u8], list: &[Diagnostic], paint: &Paint) -> 
 }
 
 /// Findings in a drawing: errors and warnings one by one with their places, notes counted by code and layer.
-pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
+pub(crate) fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
     let mut page = String::new();
     let name = one_line(name);
     let (mut errors, mut warnings) = (0, 0);
@@ -112,14 +112,14 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
 }
 
 /// A failure of the command itself.
-pub fn failure(failure: &Failure, paint: &Paint) -> String {
+pub(crate) fn failure(failure: &Failure, paint: &Paint) -> String {
     let head = paint.error.apply_to(format!("error[{}]", failure.code));
     let message = paint.bold.apply_to(format!(": {}", visible(&failure.message)));
     format!("{head}{message}\n  help: {}\n", visible(&failure.help))
 }
 
 /// A warning of an analysis.
-pub fn warning(code: &str, message: &str, paint: &Paint) -> String {
+pub(crate) fn warning(code: &str, message: &str, paint: &Paint) -> String {
     let head = paint.warning.apply_to(format!("warning[{code}]"));
     format!("{head}: {}\n", visible(message))
 }

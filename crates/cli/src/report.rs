@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 
 /// The answer of a command.
 #[derive(Debug, Clone)]
-pub struct Report {
+pub(crate) struct Report {
     /// How it ended.
     pub status: Status,
     /// Fields of the object besides the common ones.
@@ -27,7 +27,7 @@ pub struct Report {
 
 impl Report {
     /// An answer without fields yet.
-    pub fn new(status: Status) -> Report {
+    pub(crate) fn new(status: Status) -> Report {
         Report {
             status,
             fields: Map::new(),
@@ -39,7 +39,7 @@ impl Report {
     }
 
     /// The exit code of the command: an assessment that finished without a verdict is 1, one that could not finish 3.
-    pub fn exit_code(&self) -> u8 {
+    pub(crate) fn exit_code(&self) -> u8 {
         match self.status {
             Status::Undetermined if self.finished => Status::Inadequate.exit_code(),
             status => status.exit_code(),
@@ -47,24 +47,24 @@ impl Report {
     }
 
     /// Adds a field.
-    pub fn with(mut self, key: &str, value: impl Into<Value>) -> Report {
+    pub(crate) fn with(mut self, key: &str, value: impl Into<Value>) -> Report {
         self.fields.insert(key.to_owned(), value.into());
         self
     }
 
     /// Sets the words.
-    pub fn saying(mut self, summary: impl Into<String>) -> Report {
+    pub(crate) fn saying(mut self, summary: impl Into<String>) -> Report {
         self.summary = summary.into();
         self
     }
 
     /// Sets the words of a page: whole, or as a first screen with the warnings that matter most.
-    pub fn show(&mut self, screen: &Screen, page: &Page) {
+    pub(crate) fn show(&mut self, screen: &Screen, page: &Page) {
         self.summary = if screen.details { page.whole() } else { page.first(&self.warnings) };
     }
 
     /// Adds what was found in a file.
-    pub fn add_findings(&mut self, name: &str, text: &[u8], list: &[Diagnostic]) {
+    pub(crate) fn add_findings(&mut self, name: &str, text: &[u8], list: &[Diagnostic]) {
         for finding in list {
             let value = extrados::written::finding(name, text, finding);
             match finding.severity {
@@ -75,7 +75,7 @@ impl Report {
     }
 
     /// Adds what was found in a drawing: notes stand in a list of their own.
-    pub fn add_drawing(&mut self, name: &str, list: &[drawing::Finding]) {
+    pub(crate) fn add_drawing(&mut self, name: &str, list: &[drawing::Finding]) {
         let mut notes = Vec::new();
         for finding in list {
             let value = extrados::written::finding_in_drawing(name, finding);
@@ -91,7 +91,7 @@ impl Report {
     }
 
     /// Adds a warning of the analysis and shows it.
-    pub fn warn(&mut self, screen: &mut Screen, code: &str, message: &str) {
+    pub(crate) fn warn(&mut self, screen: &mut Screen, code: &str, message: &str) {
         self.warnings.push(json!({ "code": code, "message": message }));
         // What concerns files and folders is told as it happens.
         if screen.tells_each() || !screen.quiet && code.starts_with('F') {
@@ -100,12 +100,12 @@ impl Report {
     }
 
     /// Adds the warnings of an analysis and shows them.
-    pub fn warn_of(&mut self, screen: &mut Screen, warnings: &[outcome::warning::Warning]) {
+    pub(crate) fn warn_of(&mut self, screen: &mut Screen, warnings: &[outcome::warning::Warning]) {
         warnings.iter().for_each(|warning| self.warn(screen, warning.code(), &warning.message()));
     }
 
     /// Adds a warning with its place in a file of records and shows it.
-    pub fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &outcome::records::Finding) {
+    pub(crate) fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &outcome::records::Finding) {
         let (place, words) = (&finding.place, finding.words());
         let message = if file.is_empty() { words } else { format!("{file}: {words}") };
         self.warn(screen, finding.code, &message);
@@ -120,7 +120,7 @@ impl Report {
 
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,
     /// `wall_seconds` and `threads`.
-    pub fn object(&self, schema: &str, clock: Clock) -> Value {
+    pub(crate) fn object(&self, schema: &str, clock: Clock) -> Value {
         let mut object = Map::new();
         object.insert("schema".to_owned(), json!(schema));
         object.insert("status".to_owned(), json!(self.status.name()));

@@ -9,7 +9,7 @@ use crate::workbook;
 use assess::analysis::AnalysisError;
 use extrados::Refusal;
 use extrados::written::Written;
-pub use extrados::written::tables;
+pub(crate) use extrados::written::tables;
 use figures::RasterError;
 use serde_json::json;
 use std::fs;
@@ -17,12 +17,12 @@ use std::io;
 use std::path::Path;
 
 /// An analysis that cannot be set up.
-pub fn not_set_up(error: &AnalysisError) -> Failure {
+pub(crate) fn not_set_up(error: &AnalysisError) -> Failure {
     Refusal::not_set_up(error).into()
 }
 
 /// A figure that cannot be drawn is a result that cannot be written.
-pub fn not_drawn(folder: &Path, error: &RasterError) -> Failure {
+pub(crate) fn not_drawn(folder: &Path, error: &RasterError) -> Failure {
     Failure::not_written(folder, &io::Error::other(error.to_string()))
 }
 
@@ -39,7 +39,7 @@ fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
 }
 
 /// Moves the files into the folder, sealed with the object that scripts read. Says where an earlier answer of another run went.
-pub fn publish(
+pub(crate) fn publish(
     desk: &mut Desk,
     mut report: Report,
     folder: &Folder,
@@ -117,7 +117,7 @@ fn written(files: &[figures::File], details: bool) -> String {
 }
 
 /// Every file of an answer; each drawing as SVG and as PNG.
-pub fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Failure> {
+pub(crate) fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Failure> {
     let mut files = Vec::new();
     for (name, svg) in &written.drawings {
         files.extend(figures::both(name, svg).map_err(|error| not_drawn(folder.path(), &error))?);
@@ -127,7 +127,7 @@ pub fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Fa
 }
 
 /// The status of an analysis as a status of the command.
-pub fn status(status: outcome::collapse::Status) -> Status {
+pub(crate) fn status(status: outcome::collapse::Status) -> Status {
     Status::named(status.word()).unwrap_or(Status::NotConverged)
 }
 

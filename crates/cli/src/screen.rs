@@ -6,7 +6,7 @@ use std::io::{self, Write};
 
 /// What a command may say.
 #[derive(Debug)]
-pub struct Screen {
+pub(crate) struct Screen {
     /// One JSON object on stdout instead of words.
     pub json: bool,
     /// No progress, no warnings.
@@ -17,17 +17,17 @@ pub struct Screen {
 }
 
 impl Screen {
-    pub fn new(json: bool, quiet: bool) -> Screen {
+    pub(crate) fn new(json: bool, quiet: bool) -> Screen {
         Screen { json, quiet, details: true, failed: None }
     }
 
     /// Whether warnings are shown one by one as they come, and not on the first screen.
-    pub fn tells_each(&self) -> bool {
+    pub(crate) fn tells_each(&self) -> bool {
         !self.quiet && (self.details || self.json)
     }
 
     /// Writes a result to stdout.
-    pub fn result(&mut self, text: &str) {
+    pub(crate) fn result(&mut self, text: &str) {
         let text = visible(text);
         let mut stdout = io::stdout().lock();
         let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
@@ -39,18 +39,18 @@ impl Screen {
     }
 
     /// Writes a remark to stderr. Where even that fails there is nobody left to tell.
-    pub fn remark(&mut self, text: &str) {
+    pub(crate) fn remark(&mut self, text: &str) {
         let _ = io::stderr().lock().write_all(painted(text).as_bytes());
     }
 
     /// Whether a result could not be written, and why.
-    pub fn failed(&mut self) -> Option<io::Error> {
+    pub(crate) fn failed(&mut self) -> Option<io::Error> {
         self.failed.take()
     }
 }
 
 /// The text free of what acts, but for colours as `console` sets them.
-pub fn painted(text: &str) -> String {
+pub(crate) fn painted(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find(PAINT) {

@@ -16,14 +16,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Format of what a finished shard says of itself.
-pub const SCHEMA: &str = "extrados.shard/1";
+pub(crate) const SCHEMA: &str = "extrados.shard/1";
 
 /// What stays of a shard that is interrupted.
-pub const INTERRUPTED: &str = "interrupted; finished pieces are kept, and the same command takes them up\n";
+pub(crate) const INTERRUPTED: &str = "interrupted; finished pieces are kept, and the same command takes them up\n";
 
 /// How a command shares its work.
 #[derive(Debug, Clone, Default, clap::Args)]
-pub struct Sharing {
+pub(crate) struct Sharing {
     /// Make this part of the work alone, such as 2/8, into a folder of its own; `extrados merge` puts the parts together
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
@@ -34,14 +34,14 @@ pub struct Sharing {
 
 /// A finished piece of work: its file below the folder of results, and the hash of its bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Piece {
+pub(crate) struct Piece {
     file: String,
     hash: String,
 }
 
 /// What a shard made.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Portion {
+pub(crate) struct Portion {
     /// The words of its command line.
     pub words: Vec<String>,
     /// Which part of the work it is.
@@ -58,7 +58,7 @@ pub struct Portion {
 
 impl Portion {
     /// What the shard in a folder made.
-    pub fn read(folder: &Path) -> Option<Portion> {
+    pub(crate) fn read(folder: &Path) -> Option<Portion> {
         let value: Value = serde_json::from_slice(&read_at_most(&folder.join(SEAL), LONGEST).ok()?).ok()?;
         let word = |value: &Value| value.as_str().map(str::to_owned);
         let piece = |one: &Value| Some(Piece { file: word(&one["file"])?, hash: word(&one["hash"])? });
@@ -94,17 +94,17 @@ impl Portion {
     }
 
     /// Its command.
-    pub fn command(&self) -> &str {
+    pub(crate) fn command(&self) -> &str {
         self.words.get(1).map_or("", String::as_str)
     }
 
     /// Which part it is.
-    pub fn part(&self) -> Option<Shard> {
+    pub(crate) fn part(&self) -> Option<Shard> {
         self.shard.parse().ok()
     }
 
     /// Names of pieces that are missing, or are not as they were made.
-    pub fn damaged(&self, folder: &Path) -> Vec<String> {
+    pub(crate) fn damaged(&self, folder: &Path) -> Vec<String> {
         let sound = |piece: &&Piece| {
             folder::is_inside(&piece.file)
                 && folder::hash(&folder.join(&piece.file)).is_ok_and(|hash| hash == piece.hash)
@@ -114,7 +114,7 @@ impl Portion {
 }
 
 /// The folder of a shard where no other is named: that of the whole command with the number behind it.
-pub fn folder_of(whole: PathBuf, shard: Option<Shard>) -> PathBuf {
+pub(crate) fn folder_of(whole: PathBuf, shard: Option<Shard>) -> PathBuf {
     let Some(shard) = shard else { return whole };
     let mut name = whole.into_os_string();
     name.push(format!("-{}-of-{}", shard.number(), shard.of()));
@@ -122,12 +122,12 @@ pub fn folder_of(whole: PathBuf, shard: Option<Shard>) -> PathBuf {
 }
 
 /// The kind of run that a folder is for.
-pub fn kind(whole: &str, shard: Option<Shard>) -> String {
+pub(crate) fn kind(whole: &str, shard: Option<Shard>) -> String {
     shard.map_or_else(|| whole.to_owned(), |one| format!("{whole}-shard-{}-of-{}", one.number(), one.of()))
 }
 
 /// Seals a finished shard: its pieces are the files of these names.
-pub fn publish(
+pub(crate) fn publish(
     desk: &mut Desk,
     mut report: Report,
     folder: &Folder,
@@ -155,24 +155,24 @@ pub fn publish(
 
 /// Shards that belong together, and are all there.
 #[derive(Debug, Clone)]
-pub struct Merged {
+pub(crate) struct Merged {
     identity: String,
     shards: Vec<(PathBuf, Portion)>,
 }
 
 impl Merged {
     /// Of these folders; they are all of one work.
-    pub fn new(identity: String, shards: Vec<(PathBuf, Portion)>) -> Merged {
+    pub(crate) fn new(identity: String, shards: Vec<(PathBuf, Portion)>) -> Merged {
         Merged { identity, shards }
     }
 
     /// Files that the shards read, with their hashes.
-    pub fn inputs(&self) -> impl Iterator<Item = (&String, &String)> {
+    pub(crate) fn inputs(&self) -> impl Iterator<Item = (&String, &String)> {
         self.shards.iter().flat_map(|(_, portion)| &portion.inputs)
     }
 
     /// Copies every piece into the folder of the whole work, where that is still the work that the shards did.
-    pub fn bring(&self, identity: &str, folder: &Folder) -> Result<(), Failure> {
+    pub(crate) fn bring(&self, identity: &str, folder: &Folder) -> Result<(), Failure> {
         if identity != self.identity {
             let message =
                 "what the shards were made from has changed since: the bridge file, its ranges, or a file beside it";

@@ -14,7 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Whether evaluations of an earlier command are taken up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Resume {
+pub(crate) enum Resume {
     /// They must be those of the same model.
     Asked,
     /// Where they are those of the same model.
@@ -24,7 +24,7 @@ pub enum Resume {
 }
 
 /// A folder of results as a shelf.
-pub struct FolderShelf<'a> {
+pub(crate) struct FolderShelf<'a> {
     folder: &'a Folder,
     resume: Resume,
     log: Mutex<Opened>,
@@ -39,22 +39,22 @@ struct Opened {
 }
 
 impl<'a> FolderShelf<'a> {
-    pub fn new(folder: &'a Folder, resume: Resume) -> FolderShelf<'a> {
+    pub(crate) fn new(folder: &'a Folder, resume: Resume) -> FolderShelf<'a> {
         FolderShelf { folder, resume, log: Mutex::default() }
     }
 
     /// Where runs of a study are.
-    pub fn runs(&self) -> PathBuf {
+    pub(crate) fn runs(&self) -> PathBuf {
         self.folder.file("cache")
     }
 
     /// How many evaluations were taken up.
-    pub fn taken_up(&self) -> usize {
+    pub(crate) fn taken_up(&self) -> usize {
         self.log().taken_up
     }
 
     /// What kept the log from being opened or an evaluation from being kept.
-    pub fn trouble(&self) -> Option<Failure> {
+    pub(crate) fn trouble(&self) -> Option<Failure> {
         let log = self.log();
         log.failure.clone().or(log.file.as_ref().and_then(LogFile::trouble))
     }
@@ -69,7 +69,7 @@ impl<'a> FolderShelf<'a> {
 }
 
 /// The file of a piece of this name, below the folder of results.
-pub fn file(name: &str) -> String {
+pub(crate) fn file(name: &str) -> String {
     match name.strip_prefix("runs/") {
         Some(key) => format!("cache/{key}.json"),
         None => format!("{name}.json"),

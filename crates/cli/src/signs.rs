@@ -19,7 +19,7 @@ static SIGNS: Signs = Signs {
 
 /// What the run does just now.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Now {
+pub(crate) struct Now {
     /// Which part of the command, such as a stage of an assessment; empty where there is one only.
     pub task: String,
     /// What it last said.
@@ -33,7 +33,7 @@ pub struct Now {
 
 /// What stays of a run that is cut off.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Kept {
+pub(crate) struct Kept {
     /// Its key in the object: "checkpoint", "cache", "log".
     pub key: &'static str,
     /// Where it is.
@@ -44,7 +44,7 @@ pub struct Kept {
 
 /// Listens to Ctrl-C, to termination and to a terminal that closes: the first asks the run to stop, the second ends the command at
 /// once.
-pub fn listen() {
+pub(crate) fn listen() {
     let heard = ctrlc::set_handler(|| {
         if SIGNS.stop.swap(true, Ordering::SeqCst) {
             std::process::exit(i32::from(crate::status::Status::Cancelled.exit_code()));
@@ -55,21 +55,21 @@ pub fn listen() {
 }
 
 /// Whether the command was asked to stop.
-pub fn asked_to_stop() -> bool {
+pub(crate) fn asked_to_stop() -> bool {
     SIGNS.stop.load(Ordering::SeqCst)
 }
 
 /// Files are being moved into their place as long as this lives: the command ends after that and not in between.
-pub struct Busy(());
+pub(crate) struct Busy(());
 
 /// Says that files are being moved.
-pub fn busy() -> Busy {
+pub(crate) fn busy() -> Busy {
     SIGNS.busy.fetch_add(1, Ordering::SeqCst);
     Busy(())
 }
 
 /// Whether files are being moved.
-pub fn is_busy() -> bool {
+pub(crate) fn is_busy() -> bool {
     SIGNS.busy.load(Ordering::SeqCst) > 0
 }
 
@@ -84,12 +84,12 @@ fn lock() -> MutexGuard<'static, Now> {
 }
 
 /// What the run does just now.
-pub fn now() -> Now {
+pub(crate) fn now() -> Now {
     lock().clone()
 }
 
 /// Begins a part of the command.
-pub fn begin(task: &str) {
+pub(crate) fn begin(task: &str) {
     let mut now = lock();
     (now.task, now.words, now.fraction, now.begun) = (task.to_owned(), String::new(), None, Some(Instant::now()));
 }
@@ -98,7 +98,7 @@ pub fn begin(task: &str) {
 const FALL: f64 = 0.05;
 
 /// Tells what is being done.
-pub fn tell(words: &str, fraction: Option<f64>) {
+pub(crate) fn tell(words: &str, fraction: Option<f64>) {
     let mut now = lock();
     let fell = now.fraction.zip(fraction).is_some_and(|(old, new)| new < old - FALL);
     if fell || now.begun.is_none() {
@@ -109,6 +109,6 @@ pub fn tell(words: &str, fraction: Option<f64>) {
 }
 
 /// Tells what stays should the run be cut off.
-pub fn keeps(key: &'static str, place: &std::path::Path, words: impl Into<String>) {
+pub(crate) fn keeps(key: &'static str, place: &std::path::Path, words: impl Into<String>) {
     lock().kept = Some(Kept { key, place: place.display().to_string(), words: words.into() });
 }

@@ -6,10 +6,10 @@ use outcome::collapse::Status as AnalysisStatus;
 macro_rules! statuses { ($($Name:ident: $head:expr, $meaning:literal;)*) => {
     /// How a command ended.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Status { $($Name),* }
+    pub(crate) enum Status { $($Name),* }
 
     /// Every status, in the order of the manual.
-    pub const ALL: &[Status] = &[$(Status::$Name),*];
+    pub(crate) const ALL: &[Status] = &[$(Status::$Name),*];
 
     impl Status {
         fn row(self) -> (&'static str, u8, &'static str) {
@@ -72,21 +72,21 @@ statuses! {
 
 impl Status {
     /// The word that scripts read.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         self.row().0
     }
 
     /// The exit code of the command.
-    pub fn exit_code(self) -> u8 {
+    pub(crate) fn exit_code(self) -> u8 {
         self.row().1
     }
 
     /// What it means, and what to do.
-    pub fn meaning(self) -> &'static str {
+    pub(crate) fn meaning(self) -> &'static str {
         self.row().2
     }
 
-    pub fn named(name: &str) -> Option<Status> {
+    pub(crate) fn named(name: &str) -> Option<Status> {
         ALL.iter().copied().find(|status| status.name() == name)
     }
 }

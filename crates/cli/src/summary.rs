@@ -8,13 +8,13 @@ mod validation;
 mod vary;
 mod vehicles;
 
-pub use self::assess::assessment;
-pub use passage::passage;
-pub use records::records;
-pub use update::update;
-pub use validation::validation;
-pub use vary::vary;
-pub use vehicles::vehicles;
+pub(crate) use self::assess::assessment;
+pub(crate) use passage::passage;
+pub(crate) use records::records;
+pub(crate) use update::update;
+pub(crate) use validation::validation;
+pub(crate) use vary::vary;
+pub(crate) use vehicles::vehicles;
 
 use crate::page::Page;
 use ::outcome::calibration::{CalibrationReport, Measured, Spread};
@@ -31,7 +31,7 @@ use std::fmt::Write;
 const MOST_HINGES: usize = 10;
 
 /// What was found, what it rests on, where the rest is.
-pub fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
+pub(crate) fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
     let mut page = format!("{}: {}\n\n", found.bridge, title(found));
     match found.analysis() {
         Analysis::Load => loads(&mut page, found, details),
@@ -55,7 +55,7 @@ pub fn collapse(found: &Collapse, out: &str, details: bool) -> Page {
 }
 
 /// The governing position of a sweep, and a few of the others.
-pub fn sweep(sweep: &Sweep, out: &str) -> Page {
+pub(crate) fn sweep(sweep: &Sweep, out: &str) -> Page {
     let methods = if sweep.is_deformable() { "limit analysis and on deformable joints" } else { "limit analysis" };
     let mut page = format!("{} of the loads by {methods}\n\n", counted(sweep.points.len(), "position"));
     if !sweep.whole {
@@ -104,7 +104,7 @@ pub fn sweep(sweep: &Sweep, out: &str) -> Page {
 }
 
 /// Moduli of the fill, the stiffness that was found, and its check.
-pub fn calibration(found: &CalibrationReport, out: &str) -> String {
+pub(crate) fn calibration(found: &CalibrationReport, out: &str) -> String {
     let mut page = format!(
         "{}: {} of {:.2} m out of {}, {} particles\n\n",
         found.bridge,

@@ -3,7 +3,7 @@
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
 use crate::signs;
-pub use crate::signs::asked_to_stop;
+pub(crate) use crate::signs::asked_to_stop;
 use extrados::{Progress, Watch, Wish};
 use findings::visible::one_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const BAR: u64 = 1000;
 
 /// Looks on one run.
-pub struct Watcher {
+pub(crate) struct Watcher {
     bar: ProgressBar,
     checkpoint: Option<Checkpoint>,
     keep_every: Duration,
@@ -23,38 +23,38 @@ pub struct Watcher {
 
 impl Watcher {
     /// Draws progress unless it is unwanted, and keeps a checkpoint every so often.
-    pub fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
+    pub(crate) fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
         Watcher { bar: bar(quiet, BAR), checkpoint: Some(checkpoint), keep_every, kept: None, trouble: None }
     }
 
     /// Draws progress unless it is unwanted; for runs that keep no state.
-    pub fn without_checkpoint(quiet: bool) -> Watcher {
+    pub(crate) fn without_checkpoint(quiet: bool) -> Watcher {
         Watcher { bar: bar(quiet, BAR), checkpoint: None, keep_every: Duration::MAX, kept: None, trouble: None }
     }
 
     /// Whether a checkpoint of this run was kept.
-    pub fn has_kept(&self) -> bool {
+    pub(crate) fn has_kept(&self) -> bool {
         self.kept.is_some()
     }
 
     /// Ends the drawing; tells what kept a checkpoint from being written.
-    pub fn finish(self) -> Option<Failure> {
+    pub(crate) fn finish(self) -> Option<Failure> {
         self.bar.finish_and_clear();
         self.trouble
     }
 }
 
 /// Looks on work that keeps nothing.
-pub struct Spectator(ProgressBar);
+pub(crate) struct Spectator(ProgressBar);
 
 impl Spectator {
     /// Draws progress unless it is unwanted.
-    pub fn new(quiet: bool) -> Spectator {
+    pub(crate) fn new(quiet: bool) -> Spectator {
         Spectator(bar(quiet, BAR))
     }
 
     /// Ends the drawing.
-    pub fn finish(self) {
+    pub(crate) fn finish(self) {
         self.0.finish_and_clear();
     }
 }
@@ -70,7 +70,7 @@ impl Watch for Spectator {
 }
 
 /// Draws nothing, hears Ctrl-C.
-pub struct Silent;
+pub(crate) struct Silent;
 
 impl Watch for Silent {
     fn look(&mut self, _: &Progress) -> Wish {
@@ -99,12 +99,12 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
 }
 
 /// A bar that counts pieces of work.
-pub fn count(quiet: bool, pieces: u64) -> ProgressBar {
+pub(crate) fn count(quiet: bool, pieces: u64) -> ProgressBar {
     bar(quiet, pieces)
 }
 
 /// A piece of work is done that is as large as so many.
-pub fn counted_by(bar: &ProgressBar, pieces: u64, what: &str) {
+pub(crate) fn counted_by(bar: &ProgressBar, pieces: u64, what: &str) {
     bar.inc(pieces);
     let share = bar.position() as f64 / bar.length().unwrap_or(1).max(1) as f64;
     bar.set_message(one_line(what).into_owned());
@@ -112,7 +112,7 @@ pub fn counted_by(bar: &ProgressBar, pieces: u64, what: &str) {
 }
 
 /// A piece of work is done.
-pub fn counted(bar: &ProgressBar, what: &str) {
+pub(crate) fn counted(bar: &ProgressBar, what: &str) {
     bar.inc(1);
     let (done, all) = (bar.position(), bar.length().unwrap_or(1).max(1));
     signs::tell(&format!("{done} of {all} {what}"), Some(done as f64 / all as f64));

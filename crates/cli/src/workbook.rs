@@ -5,7 +5,7 @@ use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet,
 use serde_json::{Map, Value};
 
 /// Its name.
-pub const NAME: &str = "tables.xlsx";
+pub(crate) const NAME: &str = "tables.xlsx";
 
 /// Cells of a table beyond which it stays a CSV file alone: a spreadsheet would not open it with pleasure.
 const MOST_CELLS: usize = 1_000_000;
@@ -20,7 +20,7 @@ const LONGEST_NAME: usize = 31;
 ///
 /// # Errors
 /// The library refuses a sheet.
-pub fn workbook(
+pub(crate) fn workbook(
     fields: &Map<String, Value>,
     warnings: &[Value],
     tables: &[(&str, &[u8])],

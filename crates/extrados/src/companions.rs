@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use structure::packing_file;
 
 /// Reads what the bridge of a file takes from other files.
-pub fn take(read: &mut Read, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
+pub(crate) fn take(read: &mut Read, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
     let Some(bridge) = read.bridge.as_mut() else { return Ok(()) };
     if let Some(particles) = &mut bridge.particles {
         packing(particles, path, files)?;
@@ -24,7 +24,7 @@ pub fn take(read: &mut Read, path: &Path, files: &dyn Files) -> Result<(), Refus
 }
 
 /// Every file that is read beside a bridge file, and every record that is going to be.
-pub fn inputs(read: &Read, path: &Path, files: &dyn Files) -> Vec<PathBuf> {
+pub(crate) fn inputs(read: &Read, path: &Path, files: &dyn Files) -> Vec<PathBuf> {
     let Some(bridge) = &read.bridge else { return Vec::new() };
     let mut names: Vec<&str> = Vec::new();
     names.extend(bridge.particles.as_ref().and_then(|particles| particles.file.as_deref()));
@@ -46,7 +46,7 @@ const ALL_PHOTOGRAPHS: u64 = 64 << 20;
 
 /// Photographs of inspections. One that is missing, too large, or outside the folder of the bridge file does not keep a bridge from being
 /// assessed: the report says why it is not there. A report is passed on, and must not carry files that its reader has no right to.
-pub fn photographs(read: &Read, path: &Path, files: &dyn Files) -> Vec<Photograph> {
+pub(crate) fn photographs(read: &Read, path: &Path, files: &dyn Files) -> Vec<Photograph> {
     let inspections = read.document.iter().flat_map(|document| &document.inspections);
     let named =
         inspections.filter_map(|one| Some((one.photograph.as_ref()?, format!("{}: {}", one.part, one.finding))));
@@ -77,7 +77,7 @@ fn picture(bridge: &Path, name: &str, files: &dyn Files, room: &mut u64) -> Resu
 const MOST_RECORDS: usize = 1000;
 
 /// The tables of measurements that the file names: one, or all of a folder in the order of their names.
-pub fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec<RecordFile>, Refusal> {
+pub(crate) fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec<RecordFile>, Refusal> {
     let place = beside(path, place);
     let listed = files.list(&place).map_err(|error| Refusal::unreadable(&place, &error))?;
     let paths = match listed {
@@ -117,7 +117,7 @@ fn text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
 }
 
 /// The same of the file that a command is given. What is longer is cut: its first bytes tell what it is in the place of a bridge file.
-pub fn main_text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn main_text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
     let bytes = files.head(path, LONGEST_TEXT + 2).map_err(|error| Refusal::unreadable(path, &error))?;
     Ok(bridge::as_utf8(bytes))
 }

@@ -5,7 +5,7 @@ use assess::vehicles::{self, Unknown};
 use bridge::{Diagnostic, Read, Severity, TextRange};
 
 /// Adds a finding for every name that nothing bears; a file with one cannot be used.
-pub fn look_up(read: &mut Read, text: &[u8]) {
+pub(crate) fn look_up(read: &mut Read, text: &[u8]) {
     let Some(bridge) = &read.bridge else { return };
     let text = String::from_utf8_lossy(text);
     let mut wrong = Vec::new();

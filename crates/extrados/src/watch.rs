@@ -104,17 +104,17 @@ impl Together<'_> {
 
 impl<'a> Crowd<'a> {
     /// For so many runs.
-    pub fn new(watch: &'a mut dyn Watch, runs: usize) -> Crowd<'a> {
+    pub(crate) fn new(watch: &'a mut dyn Watch, runs: usize) -> Crowd<'a> {
         Crowd(Mutex::new(Together { watch, shares: 0.0, runs, stopped: false }))
     }
 
     /// Who looks on one of the runs.
-    pub fn member(&self) -> Member<'_, 'a> {
+    pub(crate) fn member(&self) -> Member<'_, 'a> {
         Member { crowd: self, share: 0.0 }
     }
 
     /// Whether the work is to end.
-    pub fn stopped(&self) -> bool {
+    pub(crate) fn stopped(&self) -> bool {
         self.tell(0.0) == Wish::Stop
     }
 
@@ -133,7 +133,7 @@ pub(crate) struct Member<'c, 'a> {
 
 impl Member<'_, '_> {
     /// The run is done.
-    pub fn finish(&mut self) {
+    pub(crate) fn finish(&mut self) {
         self.come_to(1.0);
     }
 

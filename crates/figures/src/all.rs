@@ -32,7 +32,7 @@ pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
 }
 
 /// Drawings as the files they are written to.
-pub fn written(drawings: Vec<(String, String)>) -> Result<Vec<File>, RasterError> {
+pub(crate) fn written(drawings: Vec<(String, String)>) -> Result<Vec<File>, RasterError> {
     let files: Result<Vec<[File; 2]>, _> = drawings.iter().map(|(name, svg)| both(name, svg)).collect();
     Ok(files?.into_iter().flatten().collect())
 }

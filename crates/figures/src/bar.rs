@@ -6,7 +6,7 @@ use crate::sheet::{Anchor, Area, HAIR, Pen, Sheet, Style};
 use crate::ticks::Ticks;
 
 /// A scale of colours with its values.
-pub struct Scale<'a> {
+pub(crate) struct Scale<'a> {
     /// What it measures with its unit, from where to where, and the values along it.
     pub axis: Axis<'a>,
     /// Colour of a share from 0 to 1.
@@ -17,19 +17,19 @@ pub struct Scale<'a> {
 
 impl<'a> Scale<'a> {
     /// From zero to `end`, or beyond it to a round number; cut where `largest` lies beyond that.
-    pub fn upto(name: &'a str, [end, largest]: [f64; 2], steps: usize, colour: fn(f64) -> String) -> Scale<'a> {
+    pub(crate) fn upto(name: &'a str, [end, largest]: [f64; 2], steps: usize, colour: fn(f64) -> String) -> Scale<'a> {
         let axis = Axis::round(name, Ticks::over(0.0, if end > 0.0 { end } else { 1.0 }, steps));
         let cut = largest > axis.range[1];
         Scale { axis, colour, cut }
     }
 
     /// The colour of a value.
-    pub fn of(&self, value: f64) -> String {
+    pub(crate) fn of(&self, value: f64) -> String {
         (self.colour)(self.axis.share(value))
     }
 
     /// Draws the bar under its title; returns the y below.
-    pub fn draw(&self, sheet: &mut Sheet, left: f64, right: f64, top: f64) -> f64 {
+    pub(crate) fn draw(&self, sheet: &mut Sheet, left: f64, right: f64, top: f64) -> f64 {
         const STEPS: usize = 96;
         let style = Style::small();
         let y = sheet.paragraph(left, top, right - left + 10.0, self.axis.name, style);
@@ -64,7 +64,7 @@ impl<'a> Scale<'a> {
 }
 
 /// The value below which a share of the finite values lies; zero without any.
-pub fn quantile(values: impl IntoIterator<Item = f64>, share: f64) -> f64 {
+pub(crate) fn quantile(values: impl IntoIterator<Item = f64>, share: f64) -> f64 {
     let mut values: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
     values.sort_by(f64::total_cmp);
     let at = (share * values.len().saturating_sub(1) as f64).round() as usize;

@@ -61,22 +61,22 @@ const BLUE_RED: [[u8; 3]; 9] = [
 ];
 
 /// The colour of a share from 0 (light) to 1 (dark), as `#rrggbb`; grey for what is not a number.
-pub fn dark_for_much(share: f64) -> String {
+pub(crate) fn dark_for_much(share: f64) -> String {
     mixed(&CIVIDIS, 1.0 - share)
 }
 
 /// The same from pale yellow to dark blue, for large fields.
-pub fn blue_for_much(share: f64) -> String {
+pub(crate) fn blue_for_much(share: f64) -> String {
     mixed(&YELLOW_BLUE, share)
 }
 
 /// The same in reds, for a second scale in one drawing.
-pub fn red_for_much(share: f64) -> String {
+pub(crate) fn red_for_much(share: f64) -> String {
     mixed(&ORANGE_RED, share)
 }
 
 /// From blue at -1 over white at 0 to red at 1.
-pub fn either_way(share: f64) -> String {
+pub(crate) fn either_way(share: f64) -> String {
     mixed(&BLUE_RED, 0.5 * (share + 1.0))
 }
 

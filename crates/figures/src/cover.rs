@@ -20,7 +20,7 @@ fn colour(name: &str) -> &'static str {
 }
 
 /// The layers, without outlines that could be taken for joints.
-pub fn bands(sheet: &mut Sheet, view: &View, picture: &Picture) {
+pub(crate) fn bands(sheet: &mut Sheet, view: &View, picture: &Picture) {
     if picture.bands.is_empty() {
         return;
     }
@@ -34,7 +34,7 @@ pub fn bands(sheet: &mut Sheet, view: &View, picture: &Picture) {
 }
 
 /// A row of layers with their colours and depths; returns the y below it.
-pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
+pub(crate) fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
     if picture.bands.is_empty() {
         return top;
     }

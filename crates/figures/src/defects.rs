@@ -9,7 +9,7 @@ const COLOUR: &str = "#b3261e";
 const RADIUS: f64 = 8.0;
 
 /// A line along each defect, and its number beside the middle of it.
-pub fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
+pub(crate) fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
     if picture.defects.is_empty() {
         return;
     }
@@ -32,7 +32,7 @@ pub fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
 }
 
 /// Numbers and what they stand for, a line each; returns the y below.
-pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
+pub(crate) fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
     if picture.defects.is_empty() {
         return top;
     }

@@ -11,7 +11,7 @@ const LINE: Pen = Pen::line(INK, HAIR).class("dimension");
 const EXTENSION: Pen = Pen::line("#777777", HAIR);
 
 /// Draws all dimensions; `lowest` is the extent of the drawing. Returns the y below the span dimensions.
-pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[DimensionLine], extent: Extent, room: Room) -> f64 {
+pub(crate) fn draw(sheet: &mut Sheet, view: &View, dimensions: &[DimensionLine], extent: Extent, room: Room) -> f64 {
     let foot = view.spot(extent.low)[1];
     // Spans and piers form one chain of dimensions below the drawing.
     let spans = || dimensions.iter().filter(|d| matches!(d.measure, Measure::Span | Measure::Width));
@@ -37,7 +37,7 @@ pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[DimensionLine], extent
 }
 
 /// A slanted stroke where a dimension ends, as on drawings of buildings.
-pub fn tick(sheet: &mut Sheet, at: Spot) {
+pub(crate) fn tick(sheet: &mut Sheet, at: Spot) {
     sheet.line([at[0] - 3.0, at[1] + 3.0], [at[0] + 3.0, at[1] - 3.0], Pen::line(INK, 1.4));
 }
 

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// More particles than this are not drawn: the files would be too large to be opened by what shows drawings.
-pub const MOST: usize = 200_000;
+pub(crate) const MOST: usize = 200_000;
 /// From so many particles on they are drawn as dots without outline, which keeps files small.
 const MANY: usize = 5_000;
 /// Radii of dots are rounded to this on the sheet, a fiftieth of a millimetre on paper.
@@ -23,10 +23,10 @@ const RIM: &str = "#6b5f4d";
 const LAYERS: [[&str; 2]; 4] =
     [["#e3c898", "#c9a469"], ["#b9c4b0", "#95a48b"], ["#8f98a3", "#6f7985"], ["#d3b0a8", "#b58b82"]];
 /// Width of the bands that show how the fill deforms [m].
-pub const BAND: f64 = 1.0;
+pub(crate) const BAND: f64 = 1.0;
 
 /// Whether there are particles, and not too many to be drawn.
-pub fn drawable(picture: &Picture) -> bool {
+pub(crate) fn drawable(picture: &Picture) -> bool {
     (1..=MOST).contains(&picture.particles.len())
 }
 
@@ -36,19 +36,19 @@ pub fn left_out(picture: &Picture) -> Option<Command> {
     (particles > MOST).then_some(Command::NotDrawn { particles, most: MOST })
 }
 
-pub fn layer_colour(layer: usize) -> &'static str {
+pub(crate) fn layer_colour(layer: usize) -> &'static str {
     LAYERS[layer % LAYERS.len()][0]
 }
 
 /// The colour of a particle in bands that were upright when the fill was packed.
-pub fn band_colour(picture: &Picture, particle: usize) -> &'static str {
+pub(crate) fn band_colour(picture: &Picture, particle: usize) -> &'static str {
     let disc = &picture.particles[particle];
     let band = (disc.centre[0] / BAND).floor().rem_euclid(2.0) as usize;
     LAYERS[disc.layer % LAYERS.len()][band.min(1)]
 }
 
 /// Draws every particle where it is in a state, or as packed, in a colour.
-pub fn draw<'c>(
+pub(crate) fn draw<'c>(
     sheet: &mut Sheet,
     view: &View,
     picture: &Picture,
@@ -91,12 +91,12 @@ fn dots<'c>(
 }
 
 /// Draws every particle as packed or where a state has it, coloured by layer.
-pub fn by_layer(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
+pub(crate) fn by_layer(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
     draw(sheet, view, picture, state, |k| layer_colour(picture.particles[k].layer).into());
 }
 
 /// Pale particles behind something.
-pub fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
+pub(crate) fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
     if picture.particles.len() > MANY && drawable(picture) {
         dots(sheet, view, picture, state, |_| "#efece4".into());
     } else if drawable(picture) {
@@ -109,12 +109,12 @@ pub fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Sn
 }
 
 /// Where a particle is in a state, or as packed.
-pub fn place(picture: &Picture, state: Option<&Snapshot>, particle: usize) -> Point {
+pub(crate) fn place(picture: &Picture, state: Option<&Snapshot>, particle: usize) -> Point {
     state.and_then(|s| s.particles.get(particle)).map_or(picture.particles[particle].centre, |now| now.centre)
 }
 
 /// Mean radius [m].
-pub fn mean_radius(picture: &Picture) -> f64 {
+pub(crate) fn mean_radius(picture: &Picture) -> f64 {
     picture.particles.iter().map(|d| d.radius).sum::<f64>() / picture.particles.len().max(1) as f64
 }
 
@@ -131,7 +131,7 @@ fn layers(picture: &Picture) -> Vec<(usize, String)> {
 }
 
 /// A row of layers with their colours; returns the y below it.
-pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture, banded: bool) -> f64 {
+pub(crate) fn key(sheet: &mut Sheet, top: f64, picture: &Picture, banded: bool) -> f64 {
     if !drawable(picture) {
         return top;
     }

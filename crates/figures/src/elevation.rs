@@ -7,11 +7,11 @@ use crate::{geometry::Turn, words};
 use outcome::picture::{LoadArrow, Motion, Picture, Point, Shape};
 
 /// Colour of lines.
-pub const INK: &str = "#1a1a1a";
+pub(crate) const INK: &str = "#1a1a1a";
 /// Colour of loads; dark enough to print.
-pub const LOAD: &str = "#a02020";
+pub(crate) const LOAD: &str = "#a02020";
 /// Outline of the bridge as built, behind something.
-pub const FAINT: &str = "#b0b0b0";
+pub(crate) const FAINT: &str = "#b0b0b0";
 
 /// Fill of a block by its role: all light, and told apart by their grey.
 fn fill(shape: &Shape) -> &'static str {
@@ -25,7 +25,7 @@ fn fill(shape: &Shape) -> &'static str {
 }
 
 /// Line width that suits blocks of this size on the sheet: thinner where there are many.
-pub fn outline_width(shapes: &[Shape], view: &View) -> f64 {
+pub(crate) fn outline_width(shapes: &[Shape], view: &View) -> f64 {
     let mut sizes: Vec<f64> = shapes
         .iter()
         .filter(|s| !s.held)
@@ -38,7 +38,7 @@ pub fn outline_width(shapes: &[Shape], view: &View) -> f64 {
 }
 
 /// The blocks, filled by role, at their exaggerated places; supports first so that moving blocks lie over them.
-pub fn blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
+pub(crate) fn blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
     let width = outline_width(shapes, view);
     sheet.open("blocks");
     for held in [true, false] {
@@ -54,7 +54,7 @@ pub fn blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(u
 }
 
 /// Outlines of the free blocks as built, faint.
-pub fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
+pub(crate) fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
     sheet.open("as-built");
     for shape in shapes.iter().filter(|s| !s.held) {
         sheet.polygon(&view.spots(&shape.outline), Pen::line(FAINT, HAIR).class("ghost"));
@@ -63,10 +63,10 @@ pub fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
 }
 
 /// Colour of the road surface.
-pub const SURFACE: &str = "#404040";
+pub(crate) const SURFACE: &str = "#404040";
 
 /// The road surface, [`FAINT`] behind something.
-pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture, colour: &str) {
+pub(crate) fn surface(sheet: &mut Sheet, view: &View, picture: &Picture, colour: &str) {
     if picture.surface.len() > 1 {
         let spots = view.spots(&picture.surface);
         sheet.polyline(&spots, Pen::line(colour, MEDIUM).class("surface"));
@@ -75,7 +75,7 @@ pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture, colour: &str) 
 }
 
 /// Labels avoid the blocks.
-pub fn avoid_blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
+pub(crate) fn avoid_blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
     for k in 0..shapes.len() {
         if let Some(area) = Area::around(&view.spots(&place(k))) {
             sheet.avoid(area);
@@ -92,7 +92,7 @@ fn foot(picture: &Picture, middle: Point) -> f64 {
 }
 
 /// Loads as they touch the surface or their loading block: a bar of their length under a row of arrows.
-pub fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
+pub(crate) fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
     sheet.open("surface-loads");
     for &(middle, length) in &picture.surface_loads {
         let spot = view.spot([middle[0], foot(picture, middle)]);
@@ -102,7 +102,7 @@ pub fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
 }
 
 /// A load on the sheet: a bar of twice `half` over a row of arrows that end at a level.
-pub fn load_bar(sheet: &mut Sheet, [x, y]: [f64; 2], half: f64) {
+pub(crate) fn load_bar(sheet: &mut Sheet, [x, y]: [f64; 2], half: f64) {
     let half = half.max(2.0);
     let gaps = ((2.0 * half / 9.0).round() as usize).clamp(0, 24);
     let (top, tip) = (y - ARROW, y - 1.5);
@@ -118,10 +118,10 @@ pub fn load_bar(sheet: &mut Sheet, [x, y]: [f64; 2], half: f64) {
 }
 
 /// Length of the longest load arrow on the sheet.
-pub const ARROW: f64 = 30.0;
+pub(crate) const ARROW: f64 = 30.0;
 
 /// Forces on the blocks, the longest [`ARROW`] long, moved along with the blocks that carry them.
-pub fn load_arrows(sheet: &mut Sheet, view: &View, picture: &Picture, motion: Option<(&[Motion], f64)>) {
+pub(crate) fn load_arrows(sheet: &mut Sheet, view: &View, picture: &Picture, motion: Option<(&[Motion], f64)>) {
     let size = |l: &LoadArrow| l.force[0].hypot(l.force[1]);
     let largest = picture.loads.iter().map(size).filter(|f| f.is_finite()).fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -147,7 +147,7 @@ pub fn load_arrows(sheet: &mut Sheet, view: &View, picture: &Picture, motion: Op
 }
 
 /// Where a point as built is drawn when the block under it moves.
-pub fn carried(shapes: &[Shape], motions: &[Motion], scale: f64, point: Point) -> Point {
+pub(crate) fn carried(shapes: &[Shape], motions: &[Motion], scale: f64, point: Point) -> Point {
     match block_at(shapes, point) {
         Some(k) if k < motions.len() => {
             exaggerated(point, centroid(&shapes[k].outline), motions[k], scale, Turn::Small)
@@ -157,7 +157,7 @@ pub fn carried(shapes: &[Shape], motions: &[Motion], scale: f64, point: Point) -
 }
 
 /// A bar of a round length at the left end of a line; returns the y below it.
-pub fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
+pub(crate) fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
     let length = crate::geometry::round_down(0.25 * (WIDTH - 2.0 * MARGIN) / view.scale());
     let (left, right, y) = (MARGIN, MARGIN + length * view.scale(), top + 6.0);
     sheet.open("scale-bar");
@@ -172,7 +172,7 @@ pub fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
 
 /// The room that a drawing takes on the sheet, the whole width and a height that follows from the extent, and the view of the extent in
 /// it.
-pub fn fit(extent: Extent, top: f64, tallest: f64) -> (Area, View) {
+pub(crate) fn fit(extent: Extent, top: f64, tallest: f64) -> (Area, View) {
     let [w, h] = extent.size().map(|d| d.max(1e-9));
     let wide = WIDTH - 2.0 * MARGIN;
     let area = Area { left: MARGIN, right: WIDTH - MARGIN, top, bottom: top + (wide * h / w).min(tallest) };
@@ -180,10 +180,10 @@ pub fn fit(extent: Extent, top: f64, tallest: f64) -> (Area, View) {
 }
 
 /// Tallest drawing on one sheet.
-pub const TALLEST: f64 = 470.0;
+pub(crate) const TALLEST: f64 = 470.0;
 
 /// Blocks, fill, surface and load points; none without blocks.
-pub fn extent(picture: &Picture) -> Option<Extent> {
+pub(crate) fn extent(picture: &Picture) -> Option<Extent> {
     let blocks = as_built(&picture.shapes)?;
     let loads = picture.surface_loads.iter().map(|l| l.0);
     let above = picture.surface.iter().chain(&picture.fill).copied().chain(loads);
@@ -194,10 +194,10 @@ pub fn extent(picture: &Picture) -> Option<Extent> {
 }
 
 /// What the arrows mean: their common size is arbitrary.
-pub const LOAD_WORDS: &str = "Arrows show how the variable load is shared among the blocks.";
+pub(crate) const LOAD_WORDS: &str = "Arrows show how the variable load is shared among the blocks.";
 
 /// The load at collapse: as the analysis gives it, or the first step that did not come to rest. A run that stalled has none.
-pub fn collapse_load(picture: &Picture) -> Option<f64> {
+pub(crate) fn collapse_load(picture: &Picture) -> Option<f64> {
     if picture.stalls {
         return None;
     }
@@ -205,14 +205,14 @@ pub fn collapse_load(picture: &Picture) -> Option<f64> {
 }
 
 /// A sheet with title and second line, and below them which case is drawn where it is one of many; and the y below.
-pub fn heading(name: &str, picture: &Picture, second: &str) -> (Sheet, f64) {
+pub(crate) fn heading(name: &str, picture: &Picture, second: &str) -> (Sheet, f64) {
     let (mut sheet, top) = Sheet::titled(name, &picture.title, second);
     let below = picture.case.as_ref().map_or(top, |case| sheet.caption(top, case));
     (sheet, below)
 }
 
 /// A small row of signs and what they mean, those that are there; returns the y below it.
-pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str, bool)]) -> f64 {
+pub(crate) fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str, bool)]) -> f64 {
     let mut there = entries.iter().filter(|entry| entry.2).map(|entry| (entry.0, entry.1)).peekable();
     if there.peek().is_none() {
         return top;
@@ -222,7 +222,7 @@ pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str, bool)]) -> f64 {
 
 /// The signs of a key, and of the drawing it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Sign {
+pub(crate) enum Sign {
     Hinge,
     /// A joint that slides.
     Sliding,
@@ -243,18 +243,18 @@ pub enum Sign {
 }
 
 /// Colour of principal stresses that pull.
-pub const TENSION: &str = "#b35900";
+pub(crate) const TENSION: &str = "#b35900";
 /// Colours of pressures on the backs: area and line.
-pub const PRESSURE: [&str; 2] = ["#bcd4ea", "#1f5fa8"];
+pub(crate) const PRESSURE: [&str; 2] = ["#bcd4ea", "#1f5fa8"];
 
 /// Colour of sliding joints.
-pub const SLIDING: &str = "#0b5394";
+pub(crate) const SLIDING: &str = "#0b5394";
 /// Colour of the line of thrust.
-pub const THRUST: &str = "#0b5394";
+pub(crate) const THRUST: &str = "#0b5394";
 
 impl Sign {
     /// Draws it at its middle.
-    pub fn draw(self, sheet: &mut Sheet, at: [f64; 2]) {
+    pub(crate) fn draw(self, sheet: &mut Sheet, at: [f64; 2]) {
         let [x, y] = at;
         match self {
             Sign::Hinge => sheet.circle(at, 4.2, Pen::shape("white", INK, 1.6)),

@@ -5,15 +5,15 @@ use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, WIDTH};
 
 /// Of bars that reach the line.
-pub const ENOUGH: &str = "#1f5fa8";
+pub(crate) const ENOUGH: &str = "#1f5fa8";
 /// Of bars that do not.
-pub const SHORT: &str = "#a02020";
+pub(crate) const SHORT: &str = "#a02020";
 const ROW: f64 = 20.0;
 /// Longest label; what is longer is cut.
 const LONGEST: usize = 44;
 
 /// A bar.
-pub struct Bar<'a> {
+pub(crate) struct Bar<'a> {
     /// What it is of.
     pub label: &'a str,
     /// Its factor.
@@ -23,7 +23,7 @@ pub struct Bar<'a> {
 }
 
 /// The bars from top to bottom as SVG, under title and second line, with words below; none without bars.
-pub fn factor_bars(name: &str, titles: [&str; 2], axis: &str, bars: &[Bar<'_>], words: &str) -> Option<String> {
+pub(crate) fn factor_bars(name: &str, titles: [&str; 2], axis: &str, bars: &[Bar<'_>], words: &str) -> Option<String> {
     if bars.is_empty() {
         return None;
     }

@@ -20,7 +20,7 @@ const GAP: f64 = 18.0;
 const SHARE: f64 = 0.06;
 
 /// How the states of a run are drawn, all alike.
-pub struct Frames {
+pub(crate) struct Frames {
     /// Snapshots that fit blocks and particles, in their order.
     pub usable: Vec<usize>,
     /// How many times larger displacements are drawn; particles are never exaggerated.
@@ -31,7 +31,7 @@ pub struct Frames {
 
 impl Frames {
     /// All states of a run that fit. None without any, and where nothing moves.
-    pub fn of(picture: &Picture) -> Option<Frames> {
+    pub(crate) fn of(picture: &Picture) -> Option<Frames> {
         let built = as_built(&picture.shapes)?;
         let fits = |k: &usize| crate::panels::fits(picture, *k);
         let usable: Vec<usize> = (0..picture.snapshots.len()).filter(fits).collect();
@@ -57,7 +57,7 @@ impl Frames {
     }
 
     /// Draws one state, or the bridge as built.
-    pub fn draw(&self, sheet: &mut Sheet, view: &View, picture: &Picture, panel: Option<usize>) {
+    pub(crate) fn draw(&self, sheet: &mut Sheet, view: &View, picture: &Picture, panel: Option<usize>) {
         let state = panel.map(|k| &picture.snapshots[k]);
         discs::draw(sheet, view, picture, state, |k| discs::band_colour(picture, k).into());
         draw::blocks(sheet, view, &picture.shapes, |k| match state {
@@ -67,7 +67,7 @@ impl Frames {
     }
 
     /// Whether displacements are exaggerated, in words.
-    pub fn how(&self) -> String {
+    pub(crate) fn how(&self) -> String {
         if self.scale > 1.0 { format!("exaggerated {}", words::times(self.scale)) } else { "at true scale".into() }
     }
 }
@@ -119,7 +119,7 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
 }
 
 /// What the bands in the fill are.
-pub const BANDS: &str =
+pub(crate) const BANDS: &str =
     "Each layer of the fill has upright bands one metre wide, as packed: they show how it has moved.";
 
 /// What the panels show: snapshots, or the bridge as built.

@@ -5,7 +5,7 @@ use outcome::picture::{Motion, Point, Shape};
 
 /// A rectangle in the bridge's own metres, y up.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent {
+pub(crate) struct Extent {
     /// Smallest x and y [m].
     pub low: Point,
     /// Largest x and y [m].
@@ -14,7 +14,7 @@ pub struct Extent {
 
 impl Extent {
     /// Around points; points that are not finite do not count.
-    pub fn of(points: impl IntoIterator<Item = Point>) -> Option<Extent> {
+    pub(crate) fn of(points: impl IntoIterator<Item = Point>) -> Option<Extent> {
         points.into_iter().filter(|p| p[0].is_finite() && p[1].is_finite()).fold(None, |extent, p| {
             let e = extent.unwrap_or(Extent { low: p, high: p });
             Some(Extent {
@@ -24,74 +24,74 @@ impl Extent {
         })
     }
     /// Width and height [m].
-    pub fn size(&self) -> Point {
+    pub(crate) fn size(&self) -> Point {
         [self.high[0] - self.low[0], self.high[1] - self.low[1]]
     }
     /// Around both.
-    pub fn with(&self, other: Extent) -> Extent {
+    pub(crate) fn with(&self, other: Extent) -> Extent {
         Extent {
             low: [self.low[0].min(other.low[0]), self.low[1].min(other.low[1])],
             high: [self.high[0].max(other.high[0]), self.high[1].max(other.high[1])],
         }
     }
     /// What both have in common.
-    pub fn within(&self, other: Extent) -> Extent {
+    pub(crate) fn within(&self, other: Extent) -> Extent {
         Extent {
             low: [self.low[0].max(other.low[0]), self.low[1].max(other.low[1])],
             high: [self.high[0].min(other.high[0]), self.high[1].min(other.high[1])],
         }
     }
     /// Larger on all sides [m].
-    pub fn grown(&self, by: f64) -> Extent {
+    pub(crate) fn grown(&self, by: f64) -> Extent {
         Extent { low: [self.low[0] - by, self.low[1] - by], high: [self.high[0] + by, self.high[1] + by] }
     }
 }
 
 /// The extent of the blocks as built; none without any.
-pub fn as_built(shapes: &[Shape]) -> Option<Extent> {
+pub(crate) fn as_built(shapes: &[Shape]) -> Option<Extent> {
     Extent::of(shapes.iter().flat_map(|s| s.outline.iter().copied()))
 }
 
 /// From metres to the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
+pub(crate) struct View {
     scale: f64,
     origin: Spot,
 }
 
 impl View {
     /// Shows `extent` as large as fits into `area`, in the middle of its width and at its top.
-    pub fn fit(extent: Extent, area: Area) -> View {
+    pub(crate) fn fit(extent: Extent, area: Area) -> View {
         let [w, h] = extent.size().map(|d| d.max(1e-9));
         let scale = ((area.right - area.left) / w).min((area.bottom - area.top) / h);
         let spare = (area.right - area.left) - scale * w;
         View { scale, origin: [area.left + 0.5 * spare - scale * extent.low[0], area.top + scale * extent.high[1]] }
     }
     /// With so many units of the sheet per metre, and the origin at a spot.
-    pub fn new(scale: f64, origin: Spot) -> View {
+    pub(crate) fn new(scale: f64, origin: Spot) -> View {
         View { scale, origin }
     }
     /// Units of the sheet per metre.
-    pub fn scale(&self) -> f64 {
+    pub(crate) fn scale(&self) -> f64 {
         self.scale
     }
     /// Where a point is drawn.
-    pub fn spot(&self, p: Point) -> Spot {
+    pub(crate) fn spot(&self, p: Point) -> Spot {
         [self.origin[0] + self.scale * p[0], self.origin[1] - self.scale * p[1]]
     }
     /// Where an extent is drawn.
-    pub fn area(&self, extent: Extent) -> Area {
+    pub(crate) fn area(&self, extent: Extent) -> Area {
         let ([left, bottom], [right, top]) = (self.spot(extent.low), self.spot(extent.high));
         Area { left, top, right, bottom }
     }
     /// Where points are drawn.
-    pub fn spots(&self, points: &[Point]) -> Vec<Spot> {
+    pub(crate) fn spots(&self, points: &[Point]) -> Vec<Spot> {
         points.iter().map(|&p| self.spot(p)).collect()
     }
 }
 
 /// Centre of mass of a polygon [m]; the mean of its corners where it has no area.
-pub fn centroid(outline: &[Point]) -> Point {
+pub(crate) fn centroid(outline: &[Point]) -> Point {
     let Some(&origin) = outline.first() else { return [0.0, 0.0] };
     let (mut area, mut sum) = (0.0, [0.0, 0.0]);
     for (k, p) in outline.iter().enumerate() {
@@ -110,7 +110,7 @@ pub fn centroid(outline: &[Point]) -> Point {
 
 /// How a motion is applied to the points of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Turn {
+pub(crate) enum Turn {
     /// Rotation as a finite angle: states of a run.
     Finite,
     /// Rotation as a velocity, which grows the block by a hair but keeps hinges closed: mechanisms.
@@ -118,7 +118,7 @@ pub enum Turn {
 }
 
 /// Displacement [m] of a point that belongs to a block with centroid `centre`.
-pub fn displacement(point: Point, centre: Point, motion: Motion, turn: Turn) -> Point {
+pub(crate) fn displacement(point: Point, centre: Point, motion: Motion, turn: Turn) -> Point {
     let r = [point[0] - centre[0], point[1] - centre[1]];
     let [tx, ty] = motion.translation;
     match turn {
@@ -132,26 +132,26 @@ pub fn displacement(point: Point, centre: Point, motion: Motion, turn: Turn) -> 
 }
 
 /// The point as built that has come to `point` [m].
-pub fn back(point: Point, centre: Point, motion: Motion) -> Point {
+pub(crate) fn back(point: Point, centre: Point, motion: Motion) -> Point {
     let r = [point[0] - centre[0] - motion.translation[0], point[1] - centre[1] - motion.translation[1]];
     let (s, c) = motion.rotation.sin_cos();
     [centre[0] + c * r[0] + s * r[1], centre[1] - s * r[0] + c * r[1]]
 }
 
 /// Corners of a moved block, its displacements drawn `scale` times as large [m].
-pub fn moved(shape: &Shape, motion: Motion, scale: f64, turn: Turn) -> Vec<Point> {
+pub(crate) fn moved(shape: &Shape, motion: Motion, scale: f64, turn: Turn) -> Vec<Point> {
     let centre = centroid(&shape.outline);
     shape.outline.iter().map(|&p| exaggerated(p, centre, motion, scale, turn)).collect()
 }
 
 /// A point of a moved block, its displacement drawn `scale` times as large [m].
-pub fn exaggerated(point: Point, centre: Point, motion: Motion, scale: f64, turn: Turn) -> Point {
+pub(crate) fn exaggerated(point: Point, centre: Point, motion: Motion, scale: f64, turn: Turn) -> Point {
     let u = displacement(point, centre, motion, turn);
     [point[0] + scale * u[0], point[1] + scale * u[1]]
 }
 
 /// Largest displacement of any corner [m].
-pub fn largest_displacement(shapes: &[Shape], motions: &[Motion], turn: Turn) -> f64 {
+pub(crate) fn largest_displacement(shapes: &[Shape], motions: &[Motion], turn: Turn) -> f64 {
     let of_block = |(shape, &motion): (&Shape, &Motion)| {
         let centre = centroid(&shape.outline);
         let size = |&p: &Point| {
@@ -164,7 +164,7 @@ pub fn largest_displacement(shapes: &[Shape], motions: &[Motion], turn: Turn) ->
 }
 
 /// The largest of 1, 2, 5, 10, 20, ... that is not above `x`; 0.1, 0.2, 0.5, ... below one.
-pub fn round_down(x: f64) -> f64 {
+pub(crate) fn round_down(x: f64) -> f64 {
     if !(x.is_finite() && x > 0.0) {
         return 1.0;
     }
@@ -175,7 +175,7 @@ pub fn round_down(x: f64) -> f64 {
 }
 
 /// Distance from a point to a polygon's area [m]; zero inside.
-pub fn distance(point: Point, outline: &[Point]) -> f64 {
+pub(crate) fn distance(point: Point, outline: &[Point]) -> f64 {
     let mut inside = true;
     let mut least = f64::INFINITY;
     for (k, p) in outline.iter().enumerate() {
@@ -189,7 +189,7 @@ pub fn distance(point: Point, outline: &[Point]) -> f64 {
 }
 
 /// The free block on which a point lies, or which is nearest to it.
-pub fn block_at(shapes: &[Shape], point: Point) -> Option<usize> {
+pub(crate) fn block_at(shapes: &[Shape], point: Point) -> Option<usize> {
     let mut best: Option<(f64, usize)> = None;
     for (k, shape) in shapes.iter().enumerate().filter(|(_, s)| !s.held) {
         let d = distance(point, &shape.outline);

@@ -11,7 +11,7 @@ fn cell(p: Point, size: f64) -> Cell {
 }
 
 /// Items by the square cells in which their points lie; points that are not finite are left out.
-pub fn cells(points: &[Point], size: f64) -> BTreeMap<Cell, Vec<usize>> {
+pub(crate) fn cells(points: &[Point], size: f64) -> BTreeMap<Cell, Vec<usize>> {
     let mut cells: BTreeMap<Cell, Vec<usize>> = BTreeMap::new();
     for (k, p) in points.iter().enumerate().filter(|(_, p)| p[0].is_finite() && p[1].is_finite()) {
         cells.entry(cell(*p, size)).or_default().push(k);
@@ -20,7 +20,7 @@ pub fn cells(points: &[Point], size: f64) -> BTreeMap<Cell, Vec<usize>> {
 }
 
 /// For each point the weighted mean of the values at all points within `radius` of it, itself included.
-pub fn means(points: &[Point], weights: &[f64], values: &[[f64; 3]], radius: f64) -> Vec<[f64; 3]> {
+pub(crate) fn means(points: &[Point], weights: &[f64], values: &[[f64; 3]], radius: f64) -> Vec<[f64; 3]> {
     let cells = cells(points, radius);
     let mean = |p: &Point| {
         let (mut sum, mut total) = ([0.0; 3], 0.0);

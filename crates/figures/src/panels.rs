@@ -10,7 +10,7 @@ use outcome::picture::{Picture, Snapshot};
 const TALLEST: f64 = 330.0;
 
 /// Draws one panel of the whole width below `top`, framed; its words stand below it. Returns the y below them.
-pub fn panel(
+pub(crate) fn panel(
     sheet: &mut Sheet,
     extent: Extent,
     top: f64,
@@ -32,12 +32,12 @@ pub fn panel(
 }
 
 /// The blocks where they are in a state; those whose role is "block" only where wanted.
-pub fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
+pub(crate) fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
     draw::blocks(sheet, view, &picture.shapes, |k| outline(picture, state, k));
 }
 
 /// The blocks where they are in a state, each free one of its colour, asked for in their order.
-pub fn coloured(
+pub(crate) fn coloured(
     sheet: &mut Sheet,
     view: &View,
     picture: &Picture,
@@ -56,14 +56,14 @@ pub fn coloured(
 }
 
 /// Outline of a block where it is in a state, or as built [m].
-pub fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize) -> Vec<outcome::picture::Point> {
+pub(crate) fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize) -> Vec<outcome::picture::Point> {
     use crate::geometry::{Turn, moved};
     let shape = &picture.shapes[block];
     state.and_then(|s| s.motions.get(block)).map_or(shape.outline.clone(), |&m| moved(shape, m, 1.0, Turn::Finite))
 }
 
 /// A state's load in words, and whether it is the last stable one.
-pub fn load(picture: &Picture, snapshot: usize) -> String {
+pub(crate) fn load(picture: &Picture, snapshot: usize) -> String {
     let load = picture.snapshots[snapshot].load;
     let size = if picture.moves_supports { words::metres(load) } else { words::force(load) };
     match picture.last_stable {
@@ -76,12 +76,12 @@ pub fn load(picture: &Picture, snapshot: usize) -> String {
 }
 
 /// The state that figures of particles show: the last stable one, or the last of all; none where it does not fit.
-pub fn shown(picture: &Picture) -> Option<usize> {
+pub(crate) fn shown(picture: &Picture) -> Option<usize> {
     picture.last_stable.or(picture.snapshots.len().checked_sub(1)).filter(|&k| fits(picture, k))
 }
 
 /// Whether a state has every block and every particle.
-pub fn fits(picture: &Picture, snapshot: usize) -> bool {
+pub(crate) fn fits(picture: &Picture, snapshot: usize) -> bool {
     picture
         .snapshots
         .get(snapshot)

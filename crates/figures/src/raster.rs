@@ -23,13 +23,13 @@ pub enum RasterError {
 const LARGEST: u32 = 20_000;
 
 /// Turns drawings into pixels.
-pub struct Rasteriser {
+pub(crate) struct Rasteriser {
     options: usvg::Options<'static>,
 }
 
 impl Rasteriser {
     /// With the embedded font.
-    pub fn new() -> Rasteriser {
+    pub(crate) fn new() -> Rasteriser {
         let mut fonts = usvg::fontdb::Database::new();
         for file in font::files() {
             fonts.load_font_source(usvg::fontdb::Source::Binary(Arc::new(file)));
@@ -42,7 +42,7 @@ impl Rasteriser {
     }
 
     /// A picture `width_px` pixels wide on white ground.
-    pub fn pixels(&self, svg: &str, width_px: u32) -> Result<tiny_skia::Pixmap, RasterError> {
+    pub(crate) fn pixels(&self, svg: &str, width_px: u32) -> Result<tiny_skia::Pixmap, RasterError> {
         let tree = usvg::Tree::from_str(svg, &self.options).map_err(|e| RasterError::Svg(e.to_string()))?;
         let size = tree.size();
         if width_px == 0 || width_px > LARGEST {

@@ -11,7 +11,7 @@ const NEAR: f64 = 0.05;
 const MANY: usize = 12;
 
 /// Marks the joints of a mechanism that slide at `points`.
-pub fn mark(sheet: &mut Sheet, shapes: &[Shape], motions: &[Motion], points: &[Point], view: &View, scale: f64) {
+pub(crate) fn mark(sheet: &mut Sheet, shapes: &[Shape], motions: &[Motion], points: &[Point], view: &View, scale: f64) {
     // Many arrows are drawn small, or they would hide the blocks.
     let size = if points.len() > MANY { 0.6 } else { 1.0 };
     sheet.open("sliding-joints");

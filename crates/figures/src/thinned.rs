@@ -6,7 +6,7 @@ use crate::sheet::{Area, Spot};
 const COLUMNS: f64 = 0.4;
 
 /// The least and the greatest value in each column, in their order, where there are many points.
-pub fn thinned(spots: &[Spot]) -> Vec<Spot> {
+pub(crate) fn thinned(spots: &[Spot]) -> Vec<Spot> {
     if spots.len() < 4000 {
         return spots.to_vec();
     }

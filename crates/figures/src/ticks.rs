@@ -2,7 +2,7 @@
 
 /// Ticks of an axis and how many decimals they need.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ticks {
+pub(crate) struct Ticks {
     /// Values, from the first at or below the range to the last at or above it.
     pub values: Vec<f64>,
     pub decimals: usize,
@@ -10,7 +10,7 @@ pub struct Ticks {
 
 impl Ticks {
     /// About `count` steps of 1, 2 or 5 times a power of ten that cover `low` to `high`.
-    pub fn over(low: f64, high: f64, count: usize) -> Ticks {
+    pub(crate) fn over(low: f64, high: f64, count: usize) -> Ticks {
         let (low, high) = if low.is_finite() && high.is_finite() { (low.min(high), low.max(high)) } else { (0.0, 1.0) };
         let span = high - low;
         // A range without width gets one around its value.
@@ -26,17 +26,17 @@ impl Ticks {
         Ticks { values: (first..=last).map(|k| k as f64 * step).collect(), decimals }
     }
     /// The same ticks, those outside a range left out.
-    pub fn inside(&self, low: f64, high: f64) -> Ticks {
+    pub(crate) fn inside(&self, low: f64, high: f64) -> Ticks {
         let slack = 1e-9 * (high - low).abs();
         let values = self.values.iter().copied().filter(|&v| v >= low - slack && v <= high + slack).collect();
         Ticks { values, decimals: self.decimals }
     }
     /// First and last value.
-    pub fn range(&self) -> [f64; 2] {
+    pub(crate) fn range(&self) -> [f64; 2] {
         [self.values[0], self.values[self.values.len() - 1]]
     }
     /// A value as it stands at the axis.
-    pub fn words(&self, value: f64) -> String {
+    pub(crate) fn words(&self, value: f64) -> String {
         let text = format!("{value:.*}", self.decimals);
         let zero = text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.');
         if zero { text.trim_start_matches('-').into() } else { text.replace('-', "−") }

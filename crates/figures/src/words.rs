@@ -12,7 +12,7 @@ pub fn four_digits(x: f64) -> String {
 }
 
 /// A length [m] to the millimetre, in millimetres below a tenth of a metre.
-pub fn metres(x: f64) -> String {
+pub(crate) fn metres(x: f64) -> String {
     if x.abs() < 0.0995 {
         return format!("{} mm", three_digits(1e3 * x));
     }
@@ -21,7 +21,7 @@ pub fn metres(x: f64) -> String {
 }
 
 /// A force per metre of width [N/m], written in kN/m unless it is very small.
-pub fn force(x: f64) -> String {
+pub(crate) fn force(x: f64) -> String {
     if x.abs() < 100.0 && x != 0.0 {
         format!("{} N/m", four_digits(x))
     } else {
@@ -30,7 +30,7 @@ pub fn force(x: f64) -> String {
 }
 
 /// A number with three significant digits.
-pub fn three_digits(x: f64) -> String {
+pub(crate) fn three_digits(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return four_digits(x);
     }
@@ -39,22 +39,22 @@ pub fn three_digits(x: f64) -> String {
 }
 
 /// A unit as print has it: exponents raised.
-pub fn raised(unit: &str) -> String {
+pub(crate) fn raised(unit: &str) -> String {
     unit.replace("^2", "²").replace("^3", "³")
 }
 
 /// A name with its unit in brackets, as axes have it.
-pub fn named(name: &str, unit: &str) -> String {
+pub(crate) fn named(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} [{}]", raised(unit)) }
 }
 
 /// A number with its unit.
-pub fn with_unit(number: String, unit: &str) -> String {
+pub(crate) fn with_unit(number: String, unit: &str) -> String {
     if unit.is_empty() { number } else { format!("{number} {}", raised(unit)) }
 }
 
 /// A factor by which something is drawn larger.
-pub fn times(x: f64) -> String {
+pub(crate) fn times(x: f64) -> String {
     format!("{} times", four_digits(x))
 }
 

@@ -18,13 +18,13 @@ pub(crate) struct Resultant {
 
 impl Resultant {
     /// Adds a force at an arm from the centre of mass.
-    pub fn add(&mut self, arm: Vec2, force: Vec2) {
+    pub(crate) fn add(&mut self, arm: Vec2, force: Vec2) {
         self.force += force;
         self.cross += arm.cross(force);
         self.dot += arm.dot(force);
     }
     /// This resultant plus `factor` times another.
-    pub fn plus(&self, other: &Resultant, factor: f64) -> Resultant {
+    pub(crate) fn plus(&self, other: &Resultant, factor: f64) -> Resultant {
         Resultant {
             force: self.force + other.force * factor,
             cross: self.cross + other.cross * factor,
@@ -32,7 +32,7 @@ impl Resultant {
         }
     }
     /// Work done since the block was built [J/m].
-    pub fn work(&self, built: Vec2, now: &Pose) -> f64 {
+    pub(crate) fn work(&self, built: Vec2, now: &Pose) -> f64 {
         let c = now.rotation.cos - 1.0;
         self.force.dot(now.position - built) + c * self.dot + now.rotation.sin * self.cross
     }

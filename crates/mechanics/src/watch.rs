@@ -143,24 +143,24 @@ pub(crate) struct Asking<'w> {
 
 impl<'w> Asking<'w> {
     /// Asks `watch` whenever [`Asking::stops`] is called.
-    pub fn new(watch: &'w mut dyn Watch) -> Asking<'w> {
+    pub(crate) fn new(watch: &'w mut dyn Watch) -> Asking<'w> {
         Asking { watch, progress: Progress { stage: String::new(), fraction: None, steps: 0 }, stopped: false }
     }
 
     /// Tells how far the work is; whether it is to end.
-    pub fn tell(&mut self, progress: Progress) -> bool {
+    pub(crate) fn tell(&mut self, progress: Progress) -> bool {
         self.progress = progress;
         self.stops()
     }
 
     /// Whether the work is to end.
-    pub fn stops(&mut self) -> bool {
+    pub(crate) fn stops(&mut self) -> bool {
         self.stopped = self.stopped || self.watch.look(&self.progress) == Wish::Stop;
         self.stopped
     }
 
     /// Whether the onlooker has stopped it.
-    pub fn stopped(&self) -> bool {
+    pub(crate) fn stopped(&self) -> bool {
         self.stopped
     }
 }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 type Seen<'py> = PyResult<Option<Bound<'py, PyAny>>>;
 
 /// A column; `None` where the result has none of this name and number.
-pub fn array<'py>(owner: &Bound<'py, PyAny>, found: &Found, name: &str, at: usize, within: usize) -> Seen<'py> {
+pub(crate) fn array<'py>(owner: &Bound<'py, PyAny>, found: &Found, name: &str, at: usize, within: usize) -> Seen<'py> {
     match found {
         Found::Collapse(found) => of_collapse(owner, found, name, at),
         Found::Passage(found) => of_passage(owner, found, name, at, within),
@@ -92,7 +92,7 @@ fn of_passage<'py>(owner: &Bound<'py, PyAny>, found: &Passage, name: &str, at: u
 }
 
 /// A column of a moment of a passage; `within` tells which joint.
-pub fn of_moment<'py>(owner: &Bound<'py, PyAny>, moment: &Moment, name: &str, within: usize) -> Seen<'py> {
+pub(crate) fn of_moment<'py>(owner: &Bound<'py, PyAny>, moment: &Moment, name: &str, within: usize) -> Seen<'py> {
     let row = || moment.rows.get(within).map(|row| &row.pairs);
     let seen = match name {
         "displacement" => Some(whole(owner, &moment.displacements)),
@@ -126,7 +126,7 @@ fn of_update<'py>(owner: &Bound<'py, PyAny>, found: &Update, name: &str, at: usi
 }
 
 /// How many there are of what has a number.
-pub fn count(found: &Found, name: &str) -> usize {
+pub(crate) fn count(found: &Found, name: &str) -> usize {
     match (found, name) {
         (Found::Collapse(found), "blocks") => found.picture.shapes.len(),
         (Found::Collapse(found), "snapshots") => found.picture.snapshots.len(),
@@ -143,7 +143,7 @@ pub fn count(found: &Found, name: &str) -> usize {
 }
 
 /// Names of what has a number.
-pub fn words(found: &Found, name: &str) -> Vec<String> {
+pub(crate) fn words(found: &Found, name: &str) -> Vec<String> {
     match (found, name) {
         (Found::Collapse(found), "block_names") => found.block_names.clone(),
         (Found::Collapse(found), "block_roles") => {

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 /// An exception of a kind, made from findings and from what is printed.
-pub fn exception(py: Python<'_>, kind: &str, findings: &[Value], text: &str) -> PyErr {
+pub(crate) fn exception(py: Python<'_>, kind: &str, findings: &[Value], text: &str) -> PyErr {
     let made = || -> PyResult<PyErr> {
         let listed = object::value(py, &Value::Array(findings.to_vec()))?;
         let class = py.import("extrados.errors")?.getattr("made")?;
@@ -16,13 +16,13 @@ pub fn exception(py: Python<'_>, kind: &str, findings: &[Value], text: &str) -> 
 }
 
 /// Refusals, with the kind that their first code tells.
-pub fn refused(py: Python<'_>, refusals: &[Refusal]) -> PyErr {
+pub(crate) fn refused(py: Python<'_>, refusals: &[Refusal]) -> PyErr {
     let kind = refusals.first().map_or("setup", |refusal| kind(refusal.code));
     of_kind(py, kind, refusals)
 }
 
 /// Refusals as an exception of this kind.
-pub fn of_kind(py: Python<'_>, kind: &str, refusals: &[Refusal]) -> PyErr {
+pub(crate) fn of_kind(py: Python<'_>, kind: &str, refusals: &[Refusal]) -> PyErr {
     let list: Vec<Value> = refusals
         .iter()
         .map(|one| json!({ "code": one.code, "severity": "error", "message": one.message, "help": one.help }))
@@ -32,7 +32,7 @@ pub fn of_kind(py: Python<'_>, kind: &str, refusals: &[Refusal]) -> PyErr {
 }
 
 /// An argument that cannot be used, by its name.
-pub fn argument(py: Python<'_>, message: String, help: &str) -> PyErr {
+pub(crate) fn argument(py: Python<'_>, message: String, help: &str) -> PyErr {
     of_kind(py, "argument", &[Refusal::new("F107", message, help)])
 }
 
@@ -48,7 +48,7 @@ fn kind(code: &str) -> &'static str {
 }
 
 /// Everything that was found in the file of a project.
-pub fn findings(project: &Project) -> Vec<Value> {
+pub(crate) fn findings(project: &Project) -> Vec<Value> {
     let all = project.findings().iter().map(|finding| {
         let place = bridge::text::position(project.text(), finding.range.start);
         json!({
@@ -68,7 +68,7 @@ pub fn findings(project: &Project) -> Vec<Value> {
 }
 
 /// A file that cannot be used: every finding with its line and caret.
-pub fn unusable(py: Python<'_>, project: &Project) -> PyErr {
+pub(crate) fn unusable(py: Python<'_>, project: &Project) -> PyErr {
     let all = findings(project);
     let text: Vec<&str> = all.iter().filter_map(|one| one["text"].as_str()).collect();
     exception(py, "bridge", &all, text.join("\n").trim_end())

@@ -1,10 +1,10 @@
 //! Bridge files that come with the package, with what they take from other files.
 
 /// Their names.
-pub const NAMES: [&str; 7] = ["tiny", "bridgemill", "semicircle", "packhorse", "vehicles", "passage", "update"];
+pub(crate) const NAMES: [&str; 7] = ["tiny", "bridgemill", "semicircle", "packhorse", "vehicles", "passage", "update"];
 
 /// A file of an example: its name and its bytes.
-pub type Companion = (&'static str, &'static [u8]);
+pub(crate) type Companion = (&'static str, &'static [u8]);
 
 macro_rules! file {
     ($path:literal) => {
@@ -13,10 +13,10 @@ macro_rules! file {
 }
 
 /// The text of a bridge file and the files beside it.
-pub type Example = (&'static str, Vec<Companion>);
+pub(crate) type Example = (&'static str, Vec<Companion>);
 
 /// The example of this name.
-pub fn named(name: &str) -> Option<Example> {
+pub(crate) fn named(name: &str) -> Option<Example> {
     let alone = |text| Some((text, Vec::new()));
     match name {
         "tiny" => alone(file!("tiny/bridge.toml")),

@@ -6,7 +6,7 @@ use pyo3::types::{PyDict, PyList};
 use serde_json::{Map, Value};
 
 /// Any JSON value.
-pub fn value<'py>(py: Python<'py>, of: &Value) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn value<'py>(py: Python<'py>, of: &Value) -> PyResult<Bound<'py, PyAny>> {
     match of {
         Value::Null => Ok(py.None().into_bound(py)),
         Value::Bool(flag) => flag.into_bound_py_any(py),
@@ -26,7 +26,7 @@ pub fn value<'py>(py: Python<'py>, of: &Value) -> PyResult<Bound<'py, PyAny>> {
 }
 
 /// An object as a dictionary, its keys in their order.
-pub fn object<'py>(py: Python<'py>, of: &Map<String, Value>) -> PyResult<Bound<'py, PyDict>> {
+pub(crate) fn object<'py>(py: Python<'py>, of: &Map<String, Value>) -> PyResult<Bound<'py, PyDict>> {
     let all = PyDict::new(py);
     of.iter().try_for_each(|(key, one)| all.set_item(key, value(py, one)?))?;
     Ok(all)

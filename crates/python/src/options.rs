@@ -9,13 +9,13 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 /// Arguments by name, each taken once; what nobody takes is refused.
-pub struct Options<'py> {
+pub(crate) struct Options<'py> {
     given: Bound<'py, PyDict>,
 }
 
 impl<'py> Options<'py> {
     /// A copy of the dictionary; entries of `None` are as if they were not there.
-    pub fn new(given: &Bound<'py, PyDict>) -> PyResult<Options<'py>> {
+    pub(crate) fn new(given: &Bound<'py, PyDict>) -> PyResult<Options<'py>> {
         let own = PyDict::new(given.py());
         for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
             own.set_item(key, value)?;
@@ -38,13 +38,13 @@ impl<'py> Options<'py> {
     }
 
     /// A text.
-    pub fn text(&self, name: &str, wanted: &str) -> PyResult<Option<String>> {
+    pub(crate) fn text(&self, name: &str, wanted: &str) -> PyResult<Option<String>> {
         let Some(value) = self.take(name)? else { return Ok(None) };
         value.extract::<String>().map(Some).map_err(|_| self.wrong(name, &value, wanted))
     }
 
     /// A word of a list.
-    pub fn word<T: Words>(&self, name: &str) -> PyResult<Option<T>> {
+    pub(crate) fn word<T: Words>(&self, name: &str) -> PyResult<Option<T>> {
         let Some(value) = self.take(name)? else { return Ok(None) };
         let word = value.extract::<String>().ok().and_then(|word| T::named(&word));
         word.map(Some).ok_or_else(|| {
@@ -65,12 +65,12 @@ impl<'py> Options<'py> {
     }
 
     /// A length [m].
-    pub fn length(&self, name: &str) -> PyResult<Option<f64>> {
+    pub(crate) fn length(&self, name: &str) -> PyResult<Option<f64>> {
         Ok(self.quantity(name, &[Dimension::Length], "0.25 m")?.map(|read| read.si()))
     }
 
     /// A speed [m/s].
-    pub fn speed(&self, name: &str) -> PyResult<Option<f64>> {
+    pub(crate) fn speed(&self, name: &str) -> PyResult<Option<f64>> {
         Ok(self.quantity(name, &[Dimension::Speed], "45 km/h")?.map(|read| read.si()))
     }
 
@@ -82,20 +82,20 @@ impl<'py> Options<'py> {
     }
 
     /// A count of at least one.
-    pub fn count(&self, name: &str) -> PyResult<Option<u64>> {
+    pub(crate) fn count(&self, name: &str) -> PyResult<Option<u64>> {
         let Some(value) = self.take(name)? else { return Ok(None) };
         let count = value.extract::<u64>().ok().filter(|count| *count > 0);
         count.map(Some).ok_or_else(|| self.wrong(name, &value, "write a whole number of at least 1"))
     }
 
     /// True or false.
-    pub fn flag(&self, name: &str) -> PyResult<bool> {
+    pub(crate) fn flag(&self, name: &str) -> PyResult<bool> {
         let Some(value) = self.take(name)? else { return Ok(false) };
         value.extract::<bool>().map_err(|_| self.wrong(name, &value, "write True or False"))
     }
 
     /// Texts of a list.
-    pub fn texts(&self, name: &str, wanted: &str) -> PyResult<Vec<String>> {
+    pub(crate) fn texts(&self, name: &str, wanted: &str) -> PyResult<Vec<String>> {
         let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
         value.extract::<Vec<String>>().map_err(|_| self.wrong(name, &value, wanted))
     }
@@ -118,7 +118,7 @@ impl<'py> Options<'py> {
     }
 
     /// What takes the place of the file's plan, for a bridge of this width [m].
-    pub fn choice(&self, width: f64) -> PyResult<Choice> {
+    pub(crate) fn choice(&self, width: f64) -> PyResult<Choice> {
         let resolution = self.quantity("resolution", &[Dimension::LineLoad, Dimension::Force], "1 kN/m")?;
         Ok(Choice {
             analysis: self.word("analysis")?,
@@ -142,7 +142,7 @@ impl<'py> Options<'py> {
     }
 
     /// Stages that an assessment leaves out.
-    pub fn stages(&self, name: &str) -> PyResult<Vec<StageName>> {
+    pub(crate) fn stages(&self, name: &str) -> PyResult<Vec<StageName>> {
         const ALL: [(&str, StageName); 7] = [
             ("update", StageName::Update),
             ("service", StageName::Service),
@@ -162,7 +162,7 @@ impl<'py> Options<'py> {
     }
 
     /// Refuses what is left.
-    pub fn end(&self) -> PyResult<()> {
+    pub(crate) fn end(&self) -> PyResult<()> {
         let left: Vec<String> = self.given.keys().iter().map(|key| key.to_string()).collect();
         if left.is_empty() {
             return Ok(());
@@ -173,13 +173,13 @@ impl<'py> Options<'py> {
 }
 
 /// Files that are given as bytes beside those of the disk.
-pub fn files(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(std::path::PathBuf, Vec<u8>)>> {
+pub(crate) fn files(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(std::path::PathBuf, Vec<u8>)>> {
     let Some(given) = given else { return Ok(Vec::new()) };
     let all = given.iter().map(|(path, bytes)| Ok((path.extract()?, bytes.extract::<Vec<u8>>()?)));
     all.collect()
 }
 
 /// A list of texts, as Python has it.
-pub fn list<'py>(py: Python<'py>, all: &[[String; 4]]) -> PyResult<Bound<'py, PyList>> {
+pub(crate) fn list<'py>(py: Python<'py>, all: &[[String; 4]]) -> PyResult<Bound<'py, PyList>> {
     PyList::new(py, all.iter().map(|[a, b, c, d]| (a, b, c, d)))
 }

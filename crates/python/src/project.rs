@@ -370,7 +370,7 @@ impl Project {
 }
 
 /// How a train crosses.
-pub fn passage_options(given: &Options<'_>) -> PyResult<RespondOptions> {
+pub(crate) fn passage_options(given: &Options<'_>) -> PyResult<RespondOptions> {
     Ok(RespondOptions { speed: given.speed("speed")?, analysis: given.word("analysis")?, path: given.word("path")? })
 }
 

@@ -57,7 +57,7 @@ struct Told {
 }
 
 /// Looks on for the waiting thread.
-pub struct Looker(Arc<Shared>);
+pub(crate) struct Looker(Arc<Shared>);
 
 impl Watch for Looker {
     fn begin(&mut self, part: &str) {
@@ -83,7 +83,7 @@ impl Watch for Looker {
 }
 
 /// Work that came to an end, or was made to.
-pub struct Finished<T> {
+pub(crate) struct Finished<T> {
     /// What it gave; nothing where it did not end in time.
     pub result: Option<T>,
     /// Why it was made to end.
@@ -93,7 +93,7 @@ pub struct Finished<T> {
 }
 
 /// Runs `work` and waits for it.
-pub fn run<T: Send + 'static>(
+pub(crate) fn run<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&mut Looker) -> T + Send + 'static,
@@ -153,7 +153,7 @@ fn tell(progress: Option<&Bound<'_, PyAny>>, shared: &Shared, heard: &mut u64) -
 }
 
 /// Runs something short that needs the interpreter, and names what breaks.
-pub fn guarded<T>(py: Python<'_>, work: impl FnOnce() -> T) -> PyResult<T> {
+pub(crate) fn guarded<T>(py: Python<'_>, work: impl FnOnce() -> T) -> PyResult<T> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| broken(py, &panicked(&*panic)))
 }
 
@@ -163,7 +163,7 @@ fn broken(py: Python<'_>, words: &str) -> PyErr {
 }
 
 /// Ends an interrupted call: with `extrados.Interrupted` where the user asked, with the callback's own exception otherwise.
-pub fn interruption(
+pub(crate) fn interruption(
     py: Python<'_>,
     cause: PyErr,
     result: Option<Bound<'_, PyAny>>,
@@ -259,7 +259,7 @@ fn in_pool<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 }
 
 /// How many threads analyses use.
-pub fn threads() -> usize {
+pub(crate) fn threads() -> usize {
     in_pool(rayon::current_num_threads)
 }
 
@@ -268,7 +268,7 @@ pub fn threads() -> usize {
 static LAST: Mutex<String> = Mutex::new(String::new());
 
 /// Panics are kept for the exception that names them, and print nothing.
-pub fn keep_panics() {
+pub(crate) fn keep_panics() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map_or(String::new(), |at| format!(" at {}:{}", at.file(), at.line()));
         *LAST.lock().unwrap_or_else(PoisonError::into_inner) = place;

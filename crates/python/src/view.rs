@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use std::mem::{align_of, size_of};
 
 /// A field of a row that a column can be made of: one number, or several that lie side by side.
-pub trait Cell: 'static {
+pub(crate) trait Cell: 'static {
     /// One number of it.
     type Number: Element + Copy;
     /// How many there are; none where the field is a number itself.
@@ -30,7 +30,7 @@ macro_rules! cells { ($($Number:ty),*) => { $(
 cells!(f64, u64, usize, bool);
 
 /// One field of all rows, as an array of one or two dimensions. `rows` must belong to `owner`, which never changes.
-pub fn column<'py, T, C: Cell>(
+pub(crate) fn column<'py, T, C: Cell>(
     owner: &Bound<'py, PyAny>,
     rows: &[T],
     field: fn(&T) -> &C,
@@ -66,6 +66,6 @@ pub fn column<'py, T, C: Cell>(
 }
 
 /// A list of numbers or of points, as an array.
-pub fn whole<'py, C: Cell>(owner: &Bound<'py, PyAny>, rows: &[C]) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn whole<'py, C: Cell>(owner: &Bound<'py, PyAny>, rows: &[C]) -> PyResult<Bound<'py, PyAny>> {
     column(owner, rows, |row| row)
 }

@@ -174,7 +174,7 @@ fn silent(run: &Recording, smooth: &[Option<Vec<f64>>], from: usize, to: usize) 
 
 impl Loaded {
     /// Level of a channel while nothing loads the span: at the quiet start, else at the quiet end, else zero as recorded.
-    pub fn level(&self, values: &[f64]) -> f64 {
+    pub(crate) fn level(&self, values: &[f64]) -> f64 {
         let quiet = if self.quiet > 0 { &values[..self.quiet] } else { &values[self.after.min(values.len())..] };
         median(&mut quiet.to_vec())
     }

@@ -1,7 +1,7 @@
 //! Numbers as people read them.
 
 /// Three significant digits, more where they stand before the point; a true minus sign.
-pub fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
@@ -21,17 +21,17 @@ pub fn digits(value: f64) -> String {
 }
 
 /// Likewise with its unit.
-pub fn with_unit(value: f64, unit: &str) -> String {
+pub(crate) fn with_unit(value: f64, unit: &str) -> String {
     if unit.is_empty() { digits(value) } else { format!("{} {unit}", digits(value)) }
 }
 
 /// A number that may be missing.
-pub fn maybe(value: Option<f64>) -> String {
+pub(crate) fn maybe(value: Option<f64>) -> String {
     value.map_or("–".to_owned(), digits)
 }
 
 /// A share in per cent.
-pub fn percent(share: f64) -> String {
+pub(crate) fn percent(share: f64) -> String {
     match 100.0 * share {
         p if p >= 1e5 => "far above 100 %".to_owned(),
         p if p < 0.05 => "0 %".to_owned(),

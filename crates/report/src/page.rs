@@ -119,7 +119,7 @@ impl fmt::Display for StageState {
 /// Every string of a report, by section.
 #[derive(Template)]
 #[template(path = "report.html")]
-pub struct Page<'a> {
+pub(crate) struct Page<'a> {
     pub style: &'static str,
     pub bridge: &'a str,
     pub status: &'static str,
@@ -169,7 +169,7 @@ pub struct Page<'a> {
 
 /// Drawings by the section that they stand in.
 #[derive(Default)]
-pub struct Figures<'a> {
+pub(crate) struct Figures<'a> {
     pub built: Vec<&'a Figure>,
     pub update: Vec<&'a Figure>,
     pub service: Vec<&'a Figure>,
@@ -203,7 +203,7 @@ pub fn html(material: &Material<'_>) -> String {
 }
 
 /// Every string of the page.
-pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
+pub(crate) fn page<'a>(material: &Material<'a>) -> Page<'a> {
     let a = material.assessment;
     let (warnings, assumptions) = rows::said(a);
     let update = a.facts.update.made();

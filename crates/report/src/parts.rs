@@ -10,7 +10,7 @@ use outcome::statics::{Reaction, Seat, Statics};
 
 /// A section: a title, words, and a table.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Part {
+pub(crate) struct Part {
     /// Name of its place on the page; none for a table that goes on with the section before it.
     pub id: Option<&'static str>,
     /// Its title.
@@ -33,7 +33,7 @@ impl Part {
     }
 
     /// Cells of a row with the heads of their columns, and whether they are numbers.
-    pub fn cells<'a>(&'a self, row: &'a [String]) -> Vec<(&'static str, bool, &'a str)> {
+    pub(crate) fn cells<'a>(&'a self, row: &'a [String]) -> Vec<(&'static str, bool, &'a str)> {
         let head = |k: usize| self.heads.get(k).copied().unwrap_or("");
         let cell =
             |(k, cell): (usize, &'a String)| (head(k), self.numbers.get(k).copied().unwrap_or(false), cell.as_str());
@@ -41,12 +41,12 @@ impl Part {
     }
 
     /// Where the bridge file says what stands in a row; empty where it does not.
-    pub fn path(&self, row: &usize) -> &str {
+    pub(crate) fn path(&self, row: &usize) -> &str {
         self.paths.get(*row).map_or("", String::as_str)
     }
 
     /// Heads with whether their columns are numbers.
-    pub fn columns(&self) -> Vec<(&'static str, bool)> {
+    pub(crate) fn columns(&self) -> Vec<(&'static str, bool)> {
         self.heads.iter().enumerate().map(|(k, head)| (*head, self.numbers.get(k).copied().unwrap_or(false))).collect()
     }
 }
@@ -59,7 +59,7 @@ fn row<const N: usize>(cells: [&str; N]) -> Vec<String> {
 const BLANK: &str = "";
 
 /// Identification and revisions.
-pub fn control(document: &ReportDocument, bridge: &str, appendix: &Appendix) -> Vec<Part> {
+pub(crate) fn control(document: &ReportDocument, bridge: &str, appendix: &Appendix) -> Vec<Part> {
     let text = |value: &Option<String>| value.clone().unwrap_or_default();
     let mut table = Part::new(Some("document"), "Document control");
     table.rows = vec![
@@ -98,7 +98,7 @@ const UNSURE: [&str; 8] =
     ["assum", "estimat", "typical", "unknown", "guess", "to be confirmed", "not measured", "as drawn"];
 
 /// What is to be confirmed on site: what the file asks, and every value whose remark says that it was not measured.
-pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -> Part {
+pub(crate) fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -> Part {
     let mut part = Part::new(Some("confirm"), "To be confirmed on site");
     part.heads = vec!["what", "as assessed", "why", "found on site", "initials, date"];
     let blank = || BLANK.to_owned();
@@ -136,7 +136,7 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
 const SITE: [&str; 1] = [outcome::warning::ACROSS_ASSUMED];
 
 /// What to do next, with the fact and the rule that each step follows from.
-pub fn next_steps(a: &Assessment) -> Part {
+pub(crate) fn next_steps(a: &Assessment) -> Part {
     let mut part = Part::new(Some("next"), "What to do next");
     if a.next.is_empty() {
         part.words.push("No rule asks for anything: no strength is short, nothing that can grow is in the file, no warning points further.".into());
@@ -153,7 +153,7 @@ pub fn next_steps(a: &Assessment) -> Part {
 }
 
 /// Findings of inspections; a photograph that was not read is named.
-pub fn inspections(list: &[Inspection], photographs: &[Photograph]) -> Option<Part> {
+pub(crate) fn inspections(list: &[Inspection], photographs: &[Photograph]) -> Option<Part> {
     if list.is_empty() {
         return None;
     }
@@ -181,7 +181,7 @@ fn kilonewtons(value: f64) -> String {
 }
 
 /// Dead-load totals, and reactions at rest.
-pub fn statics(statics: &Statics) -> Vec<Part> {
+pub(crate) fn statics(statics: &Statics) -> Vec<Part> {
     let mut weights = Part::new(Some("statics"), "Dead loads and reactions at rest");
     weights.words = outcome::note::words(&statics.assumptions);
     weights.heads = vec!["part", "per metre of width [kN/m]", "whole width [kN]"];
@@ -225,7 +225,7 @@ fn reaction(one: &Reaction, width: f64) -> Vec<String> {
 }
 
 /// Named cases side by side.
-pub fn cases(a: &Assessment) -> Option<Part> {
+pub(crate) fn cases(a: &Assessment) -> Option<Part> {
     let facts = a.facts.cases.made()?;
     let mut part = Part::new(Some("cases"), "Named cases");
     part.words.push(
@@ -246,7 +246,7 @@ pub fn cases(a: &Assessment) -> Option<Part> {
 }
 
 /// How the width that carries each vehicle was found, and what springings and feet of piers carry under the governing one.
-pub fn vehicles(a: &Assessment) -> Vec<Part> {
+pub(crate) fn vehicles(a: &Assessment) -> Vec<Part> {
     let Some(facts) = a.facts.vehicles.made() else { return Vec::new() };
     let mut widths = Part::new(Some("widths"), "Effective widths");
     widths.heads = vec!["vehicles", "stand", "width that carries an axle [m]", "found as"];
@@ -288,7 +288,7 @@ pub fn vehicles(a: &Assessment) -> Vec<Part> {
 
 /// Items for whoever checks this assessment, each with what it says and room for another number. A check of category III is made without
 /// these numbers: they follow on a sheet of their own.
-pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&Statics>) -> Vec<Part> {
+pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&Statics>) -> Vec<Part> {
     let mut part = Part::new(Some("check-sheet"), "Check sheet");
     let (category, who) = match document.check_category.as_deref().map(str::trim) {
         None => (

@@ -11,7 +11,7 @@ use outcome::note::{self, Note};
 use outcome::warning::Warning;
 
 /// A comparison.
-pub struct CheckRow {
+pub(crate) struct CheckRow {
     pub code: String,
     pub title: String,
     pub load: String,
@@ -31,7 +31,7 @@ pub struct CheckRow {
 }
 
 /// A check that was not made.
-pub struct OpenRow {
+pub(crate) struct OpenRow {
     pub code: String,
     pub title: String,
     pub why: String,
@@ -39,7 +39,7 @@ pub struct OpenRow {
 }
 
 /// Every comparison, worst of each check first within it as made.
-pub fn checks(checked: &[Checked]) -> Vec<CheckRow> {
+pub(crate) fn checks(checked: &[Checked]) -> Vec<CheckRow> {
     let worst = governing(checked);
     let mut rows = Vec::new();
     for (c, check) in checked.iter().enumerate() {
@@ -65,7 +65,7 @@ pub fn checks(checked: &[Checked]) -> Vec<CheckRow> {
 }
 
 /// Of each check the comparison that uses most of its limit.
-pub fn worst(checked: &[Checked]) -> Vec<CheckRow> {
+pub(crate) fn worst(checked: &[Checked]) -> Vec<CheckRow> {
     let one = |check: &Checked| {
         let list = check.outcome.as_ref().ok()?;
         let most = list.iter().reduce(|worst, next| if next.utilisation > worst.utilisation { next } else { worst })?;
@@ -88,7 +88,7 @@ pub fn worst(checked: &[Checked]) -> Vec<CheckRow> {
 }
 
 /// Every check without a comparison.
-pub fn open(checked: &[Checked]) -> Vec<OpenRow> {
+pub(crate) fn open(checked: &[Checked]) -> Vec<OpenRow> {
     let row = |check: &Checked| {
         let why = check.outcome.as_ref().err()?;
         Some(OpenRow { code: check.code.clone(), title: check.title.clone(), why: why.why.clone(), failed: why.failed })
@@ -97,7 +97,7 @@ pub fn open(checked: &[Checked]) -> Vec<OpenRow> {
 }
 
 /// A row of the table of responses: self-weight, live load with design augment, sum, with total augment, sum, allowable.
-pub struct ColumnRow {
+pub(crate) struct ColumnRow {
     pub what: String,
     pub cells: [String; 5],
     pub limit: String,
@@ -106,7 +106,7 @@ pub struct ColumnRow {
 }
 
 /// Rows with columns: those with the total augment, whose place they are taken at.
-pub fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
+pub(crate) fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
     let mut rows = Vec::new();
     for check in checked {
         for finding in check.outcome.iter().flatten() {
@@ -124,7 +124,7 @@ pub fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
 }
 
 /// A parameter before and after.
-pub struct ConditionRow {
+pub(crate) struct ConditionRow {
     pub parameter: String,
     pub before: String,
     pub after: String,
@@ -139,7 +139,7 @@ pub struct ConditionRow {
 }
 
 /// Rows of the table of condition.
-pub fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs: &[Input]) -> Vec<ConditionRow> {
+pub(crate) fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs: &[Input]) -> Vec<ConditionRow> {
     let row = |one: &Condition| {
         let facts = update.and_then(|facts| facts.parameters.iter().find(|facts| facts.name == one.parameter));
         let interval = facts.and_then(|facts| facts.interval_95);
@@ -173,7 +173,7 @@ pub fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs: &[Inp
 }
 
 /// A channel of the records.
-pub struct FitRow {
+pub(crate) struct FitRow {
     pub name: String,
     pub unit: String,
     pub measured: String,
@@ -186,7 +186,7 @@ pub struct FitRow {
 }
 
 /// Fit per channel.
-pub fn fit(update: &UpdateFacts, inputs: &[Input]) -> Vec<FitRow> {
+pub(crate) fn fit(update: &UpdateFacts, inputs: &[Input]) -> Vec<FitRow> {
     let row = |one: &outcome::facts::FitFacts| FitRow {
         name: one.name.clone(),
         unit: one.unit.clone(),
@@ -201,7 +201,7 @@ pub fn fit(update: &UpdateFacts, inputs: &[Input]) -> Vec<FitRow> {
 }
 
 /// A sensor under one load.
-pub struct ChannelRow {
+pub(crate) struct ChannelRow {
     pub load: String,
     pub name: String,
     pub unit: String,
@@ -211,7 +211,7 @@ pub struct ChannelRow {
 }
 
 /// The file's sensors under every load.
-pub fn channels(service: &ServiceFacts, inputs: &[Input]) -> Vec<ChannelRow> {
+pub(crate) fn channels(service: &ServiceFacts, inputs: &[Input]) -> Vec<ChannelRow> {
     let rows = service.loads.iter().flat_map(|load| {
         load.channels.iter().map(|channel| ChannelRow {
             load: load.name.clone(),
@@ -225,7 +225,7 @@ pub fn channels(service: &ServiceFacts, inputs: &[Input]) -> Vec<ChannelRow> {
 }
 
 /// A quantity that was changed.
-pub struct ChangeRow {
+pub(crate) struct ChangeRow {
     pub path: String,
     pub value: String,
     pub less: String,
@@ -234,7 +234,7 @@ pub struct ChangeRow {
 }
 
 /// What would change the verdict; the least telling quantities are left out.
-pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
+pub(crate) fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
     let row = |one: &ChangeFacts| {
         let crosses = |value: Option<f64>| value.is_some_and(|value| (value > 1.0) != (facts.utilisation > 1.0));
         ChangeRow {
@@ -249,7 +249,7 @@ pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
 }
 
 /// Warnings and assumptions, each once: which stages say it, and what.
-pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
+pub(crate) fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     let facts = &a.facts;
     let warning = |(stages, one): (String, &Warning)| [stages, one.code().to_owned(), one.message()];
     let warnings = facts.warnings_once().into_iter().map(warning).collect();
@@ -266,7 +266,7 @@ pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
 }
 
 /// A vehicle that was moved over the bridge.
-pub struct VehicleRow {
+pub(crate) struct VehicleRow {
     pub code: String,
     pub title: String,
     pub adequacy: String,
@@ -278,7 +278,7 @@ pub struct VehicleRow {
 }
 
 /// Vehicles, the least adequacy factor first.
-pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
+pub(crate) fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
     let mut list: Vec<&SweptFacts> = facts.vehicles.iter().collect();
     let size = |one: &SweptFacts| one.adequacy.or(one.adequacy_at_most).unwrap_or(f64::INFINITY);
     list.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.code.cmp(&b.code)));

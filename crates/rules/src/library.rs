@@ -19,7 +19,7 @@ macro_rules! files {
 }
 
 /// A file: its name without ending, and its text.
-pub type File = (&'static str, &'static str);
+pub(crate) type File = (&'static str, &'static str);
 
 /// The texts of all files: load models, then rules.
 pub const FILES: [&[File]; 2] = [

@@ -33,7 +33,7 @@ const fn range(code: &'static str, usual: [f64; 2], possible: [f64; 2], says: &'
 
 impl Range {
     /// Whether a value is possible at all.
-    pub fn allows(&self, value: f64) -> bool {
+    pub(crate) fn allows(&self, value: f64) -> bool {
         (self.possible[0]..=self.possible[1]).contains(&value)
     }
 

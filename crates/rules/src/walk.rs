@@ -14,7 +14,7 @@ const LONGEST: usize = 2000;
 const MOST_ENTRIES: usize = 1000;
 
 /// Everything in which a text differs from a shape, in the order of its lines; what is missing comes where its table begins.
-pub fn differences(file: &str, text: &str, shape: &'static Shape) -> Vec<Problem> {
+pub(crate) fn differences(file: &str, text: &str, shape: &'static Shape) -> Vec<Problem> {
     let (tree, broken) = DeTable::parse_recoverable(text);
     let mut walk = Walk { file, text, problems: Vec::new() };
     for error in &broken {
@@ -32,7 +32,7 @@ pub fn differences(file: &str, text: &str, shape: &'static Shape) -> Vec<Problem
 }
 
 /// The line of a key, as "vehicle[0].spacings_m", from 1; 0 where it is not found.
-pub fn line_of(text: &str, path: &str) -> usize {
+pub(crate) fn line_of(text: &str, path: &str) -> usize {
     let (tree, _) = DeTable::parse_recoverable(text);
     let mut table = tree.get_ref();
     let mut found = 0;

@@ -2,7 +2,7 @@
 //! place in the upper and its length in the lower half, and belongs to the host until it gives it back.
 
 // Exported names and memory that crosses the border of the module are unsafe by their nature.
-#![allow(unsafe_code)]
+#![allow(unsafe_code, unreachable_pub)]
 
 /// Memory for the host to write a file to.
 #[unsafe(no_mangle)]

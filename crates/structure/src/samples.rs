@@ -5,7 +5,7 @@ use bridge::ring::Profile;
 use bridge::*;
 
 /// The bridge of Rouxinol, Providência and Lemos: case 1 (no weight above the ring).
-pub fn bridgemill() -> Bridge {
+pub(crate) fn bridgemill() -> Bridge {
     let joint = Joint {
         normal_stiffness: Some(JointStiffness::Contact(4.84e9)),
         shear_stiffness: Some(JointStiffness::Contact(0.573e9)),
@@ -88,7 +88,7 @@ pub fn bridgemill() -> Bridge {
 }
 
 /// A bare semicircular ring of `span` and `thickness` [m] with sharp corners.
-pub fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
+pub(crate) fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
     let mut b = bridgemill();
     b.name = "semicircle".into();
     b.spans[0] = Span {
@@ -107,7 +107,7 @@ pub fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
 }
 
 /// The spans on piers of the given width, base width and height [m].
-pub fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, courses: usize) -> Bridge {
+pub(crate) fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, courses: usize) -> Bridge {
     let mut b = bridgemill();
     b.piers = vec![Pier::plain(width, base_width, height, courses); spans.len() - 1];
     b.spans = spans;
@@ -115,7 +115,7 @@ pub fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, courses
 }
 
 /// Case 2: the weight of the fill acts on the ring, loads disperse through the whole cover.
-pub fn case_two() -> Bridge {
+pub(crate) fn case_two() -> Bridge {
     let mut b = bridgemill();
     let layer = |name, thickness, weighs| Layer {
         name,
@@ -139,7 +139,7 @@ pub fn case_two() -> Bridge {
 }
 
 /// Two spans of 6 m on a pier, with fill and ballast over them.
-pub fn railway() -> Bridge {
+pub(crate) fn railway() -> Bridge {
     let ring = Ring { crown_thickness: 0.54, springing_thickness: 0.54, voussoirs: 19 };
     let span = Span {
         profile: Profile::Segmental,
@@ -163,7 +163,7 @@ pub fn railway() -> Bridge {
 }
 
 /// A passage at 45 km/h over common track; no vehicles yet.
-pub fn passage() -> bridge::passage::Passage {
+pub(crate) fn passage() -> bridge::passage::Passage {
     use bridge::passage::*;
     Passage {
         train: bridge::train::Train { name: String::new(), file: None, vehicles: vec![] },
@@ -198,7 +198,7 @@ pub fn passage() -> bridge::passage::Passage {
 }
 
 /// Fill that weighs and is no particles: thickness above the crown [m] and density [kg/m^3].
-pub fn fill(thickness: f64, density: f64) -> Layer {
+pub(crate) fn fill(thickness: f64, density: f64) -> Layer {
     Layer {
         name: LayerKind::Fill,
         thickness,
@@ -215,7 +215,7 @@ pub fn fill(thickness: f64, density: f64) -> Layer {
 }
 
 /// A wall of bricks on the ring, with its joints.
-pub fn spandrel_wall(b: &Bridge) -> SpandrelWall {
+pub(crate) fn spandrel_wall(b: &Bridge) -> SpandrelWall {
     SpandrelWall {
         brick_length: 0.6,
         brick_height: 0.3,
@@ -235,7 +235,7 @@ pub fn spandrel_wall(b: &Bridge) -> SpandrelWall {
 }
 
 /// Backing that weighs 2000 kg/m^3 and does nothing else, up to a height above the springings [m].
-pub fn backing(height: f64) -> Backing {
+pub(crate) fn backing(height: f64) -> Backing {
     Backing {
         height,
         density: 2000.0,
@@ -251,11 +251,11 @@ pub fn backing(height: f64) -> Backing {
 }
 
 /// Numbers between 0 and 1 that look random and are the same in every run (splitmix64).
-pub struct Dice(pub u64);
+pub(crate) struct Dice(pub u64);
 
 impl Dice {
     /// The next one.
-    pub fn roll(&mut self) -> f64 {
+    pub(crate) fn roll(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -264,11 +264,11 @@ impl Dice {
     }
 
     /// A number between two others.
-    pub fn between(&mut self, a: f64, b: f64) -> f64 {
+    pub(crate) fn between(&mut self, a: f64, b: f64) -> f64 {
         a + (b - a) * self.roll()
     }
 
-    pub fn choose<T: Clone>(&mut self, from: &[T]) -> T {
+    pub(crate) fn choose<T: Clone>(&mut self, from: &[T]) -> T {
         from[(self.roll() * from.len() as f64) as usize].clone()
     }
 }

@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 const LOAD: &str = "collapse_load_kn_per_m";
 
 /// The other run, which must have a collapse load, or channels or checks.
-pub fn checked(other: Result<Json, String>) -> Result<Json, String> {
+pub(crate) fn checked(other: Result<Json, String>) -> Result<Json, String> {
     let other = other.map_err(|reason| format!("against: {reason}"))?;
     let found = other.get(LOAD).and_then(Json::as_f64).is_some_and(|load| load > 0.0)
         || ROWS.iter().any(|(rows, _)| other.get(*rows).is_some());
@@ -19,7 +19,7 @@ const ROWS: [(&str, &str); 2] = [("channels", "peak"), ("checks", "value")];
 
 /// The result with `other_collapse_load_kn_per_m` and `collapse_load_over_other` beside it; in channels `peak_over_other`, in checks
 /// `value_over_other`.
-pub fn compared(mut result: Json, other: Option<&Json>) -> Json {
+pub(crate) fn compared(mut result: Json, other: Option<&Json>) -> Json {
     let load = |run: &Json| run.get(LOAD).and_then(Json::as_f64);
     let own = load(&result);
     if let (Json::Object(keys), Some(other)) = (&mut result, other.and_then(load)) {

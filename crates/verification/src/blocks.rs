@@ -15,7 +15,7 @@ use serde::Deserialize;
 /// A file of blocks.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Blocks {
+pub(crate) struct Blocks {
     /// Acceleration of gravity [m/s^2]: straight down, unless two numbers are given.
     gravity_m_per_s2: Gravity,
     joint: Joint,
@@ -229,7 +229,7 @@ impl Blocks {
     }
 
     /// Runs the analysis and names what came of it.
-    pub fn run(&self) -> Result<serde_json::Value, String> {
+    pub(crate) fn run(&self) -> Result<serde_json::Value, String> {
         let (model, loading) = self.model()?;
         match self.analysis.method.as_str() {
             "limit" => self.limit(&model, &loading),

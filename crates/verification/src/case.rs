@@ -34,7 +34,7 @@ pub enum Class {
 /// Whether it is expected to hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Standing {
+pub(crate) enum Standing {
     /// It holds; anything else is a failure.
     Holds,
     /// It does not hold yet; the reason is in `reason`.
@@ -87,7 +87,7 @@ pub struct Expect {
 }
 
 /// Changes to an input: dotted keys with their new value.
-pub type Changes = BTreeMap<String, toml::Value>;
+pub(crate) type Changes = BTreeMap<String, toml::Value>;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -241,7 +241,7 @@ impl Expect {
 
 /// Applies changes to a document. A key that is missing at its last place is added; `"remove"` under the key `-name`
 /// takes it away.
-pub fn change(document: &mut toml::Table, changes: &Changes) -> Result<(), String> {
+pub(crate) fn change(document: &mut toml::Table, changes: &Changes) -> Result<(), String> {
     for (key, value) in changes {
         let mut at = &mut *document;
         let parts: Vec<&str> = key.split('.').collect();

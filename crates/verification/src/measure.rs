@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 
 /// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, a block model where it
 /// has a `[model]`, bare blocks otherwise. A bridge with a `[calibration]` is calibrated, others are made to collapse.
-pub fn measure(document: &toml::Table) -> Result<Json, String> {
+pub(crate) fn measure(document: &toml::Table) -> Result<Json, String> {
     if document.contains_key("model") {
         return block_model(&toml::to_string(document).map_err(|e| e.to_string())?);
     }
@@ -91,7 +91,7 @@ fn derived(bridge: &bridge::Bridge, c: &outcome::collapse::Collapse) -> Vec<(Str
 }
 
 /// A quantity of a result: keys joined by points, and rows by their number, code or name; `length` counts rows.
-pub fn find<'a>(result: &'a Json, quantity: &str) -> Option<std::borrow::Cow<'a, Json>> {
+pub(crate) fn find<'a>(result: &'a Json, quantity: &str) -> Option<std::borrow::Cow<'a, Json>> {
     let mut at = result;
     for part in quantity.split('.') {
         at = match at {

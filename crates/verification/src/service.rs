@@ -18,7 +18,7 @@ use serde_json::Value as Json;
 use std::time::Instant;
 
 /// The result object of a bridge file. `twin` is the bridge whose passage is the record of an update.
-pub fn measure(document: &toml::Table, run: Analysis, twin: Option<&toml::Table>) -> Result<Json, String> {
+pub(crate) fn measure(document: &toml::Table, run: Analysis, twin: Option<&toml::Table>) -> Result<Json, String> {
     let file = File::read(document)?;
     match run {
         Analysis::Respond => responded(&file),

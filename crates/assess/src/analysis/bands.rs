@@ -10,7 +10,7 @@ use structure::discretise::{Discretised, cover};
 
 /// Layers that are weight alone, and backing that is: particles, slabs and blocks are drawn as what they are. Backing comes last,
 /// to lie over the fill.
-pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
+pub(super) fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
     let line = line(&d.extrados);
     let (Some(&first), Some(&last)) = (line.first(), line.last()) else { return Vec::new() };
     let tops = cover::tops(bridge, &d.extrados);

@@ -9,7 +9,7 @@ use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, Origin};
 
 /// Adds what concerns this analysis of a bridge.
-pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+pub(super) fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     let soil = c.limit().is_some_and(|l| l.continuum.is_some());
     let spreads = !soil && d.fill.is_none() && d.road.is_none() && bridge.dispersal.rule != DispersalRule::None;
     if spreads && !bridge.cover.layers.is_empty() {
@@ -37,7 +37,7 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
 }
 
 /// What a plane model leaves open of skew spans, worst first.
-pub fn skew(bridge: &Bridge) -> Option<Warning> {
+pub(super) fn skew(bridge: &Bridge) -> Option<Warning> {
     let skew = bridge.spans.iter().enumerate().filter(|(_, span)| span.skew > 1e-6);
     let spans: Vec<_> = skew.map(|(k, span)| (k, span.skew, span.span)).collect();
     (!spans.is_empty()).then(|| warning::Cover::Skew { spans }.into())
@@ -51,13 +51,13 @@ fn cracks(bridge: &Bridge) -> Option<Note> {
 }
 
 /// What a support that has moved before the loads came means for them.
-pub fn moved(bridge: &Bridge) -> Option<Note> {
+pub(super) fn moved(bridge: &Bridge) -> Option<Note> {
     let by = bridge.plan.support_movement?.before.filter(|_| bridge.plan.analysis == bridge::Analysis::Load)?;
     Some(note::Barrel::SupportMoved { by }.into())
 }
 
 /// What water in the pores of the fill does.
-pub fn water(bridge: &Bridge) -> Option<Note> {
+pub(super) fn water(bridge: &Bridge) -> Option<Note> {
     let water = bridge.cover.water?;
     Some(note::Fill::Water { level: water.level, saturated_density: water.saturated_density }.into())
 }

@@ -13,12 +13,12 @@ fn every(bridge: &Bridge) -> impl Iterator<Item = (usize, &Span, &Defect)> {
 }
 
 /// What blocks feel of each defect, for the assumptions of a result.
-pub fn told(bridge: &Bridge) -> Vec<Note> {
+pub(super) fn told(bridge: &Bridge) -> Vec<Note> {
     every(bridge).map(|(number, span, one)| felt(bridge, number, span, one)).collect()
 }
 
 /// What a finite element model of stones, joints and fill feels of them.
-pub fn told_of_elements(bridge: &Bridge) -> Vec<Note> {
+pub(super) fn told_of_elements(bridge: &Bridge) -> Vec<Note> {
     let note = |(number, span, one): (usize, &Span, &Defect)| match one.kind {
         DefectKind::ThinRing { .. } => felt(bridge, number, span, one),
         _ => DefectNote::LeftOut { span: named(bridge, number), defect: *one }.into(),
@@ -36,7 +36,7 @@ fn named(bridge: &Bridge, number: usize) -> Option<usize> {
 }
 
 /// The lines that drawings mark.
-pub fn marks(bridge: &Bridge) -> Vec<DefectMark> {
+pub(super) fn marks(bridge: &Bridge) -> Vec<DefectMark> {
     let mark = |(number, _, one): (usize, &Span, &Defect)| DefectMark {
         words: format!("{}, {}", words_of_defect(one), place_of_defect(named(bridge, number), one)),
         line: defect_line(bridge, number, one).into_iter().map(point).collect(),

@@ -34,14 +34,14 @@ pub(super) struct Bound {
 
 impl Bound {
     /// The bound where rigid blocks carry `here`, and `least` at their worst position; none where neither is known.
-    pub fn of(here: Option<f64>, least: Option<f64>) -> Option<Bound> {
+    pub(super) fn of(here: Option<f64>, least: Option<f64>) -> Option<Bound> {
         let here = here.map(|here| Bound { factor: BEYOND * here, rigid: true });
         let least = least.map(|least| Bound { factor: FAR * least, rigid: false });
         here.into_iter().chain(least).min_by(|a, b| a.factor.total_cmp(&b.factor))
     }
 
     /// Only what is smaller counts.
-    pub fn below(factor: f64) -> Bound {
+    pub(super) fn below(factor: f64) -> Bound {
         Bound { factor, rigid: false }
     }
 }
@@ -80,7 +80,7 @@ pub(super) struct InService<'a> {
 
 impl Deforming {
     /// The state under self-weight. Fill acts by its weight alone.
-    pub fn new(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<Deforming, AnalysisError> {
+    pub(super) fn new(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<Deforming, AnalysisError> {
         let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
         let onsets = service::sought(path::strength(d));
         let settings = Settings { onsets, ..Settings::new(contact_length(&bridge.plan, contact)) };
@@ -88,24 +88,24 @@ impl Deforming {
     }
 
     /// Whether the state under self-weight was found.
-    pub fn stands(&self) -> bool {
+    pub(super) fn stands(&self) -> bool {
         self.ground.stands()
     }
 
     /// Whether it was seen to fall.
-    pub fn falls(&self) -> bool {
+    pub(super) fn falls(&self) -> bool {
         self.ground.falls()
     }
 
     /// What follows loads, one after the other.
-    pub fn sweeper(&self) -> Sweeper<'_> {
+    pub(super) fn sweeper(&self) -> Sweeper<'_> {
         self.ground.sweeper()
     }
 
     /// Follows a load up to its peak. None where that is not below the bound (what rigid blocks carry is told), where the
     /// bridge does not stand, where nothing is loaded and where the work does not go on. A load that carries the bound is followed as far as
     /// it may bring a state about at less than is known.
-    pub fn follow(
+    pub(super) fn follow(
         &self,
         sweeper: &mut Sweeper<'_>,
         forces: &[PointForce],

@@ -6,7 +6,7 @@ use structure::discretise::cover::Surface;
 use structure::discretise::springings::springings;
 
 /// What an engineer measures first, on the bridge as built; `surface` is the road.
-pub fn dimensions(bridge: &Bridge, surface: &Surface) -> Vec<DimensionLine> {
+pub(super) fn dimensions(bridge: &Bridge, surface: &Surface) -> Vec<DimensionLine> {
     let mut found = Vec::new();
     let mut add = |measure, from, to| found.push(DimensionLine { measure, from, to });
     let (mut thickness_before, mut height_before) = (None, None);

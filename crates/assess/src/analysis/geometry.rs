@@ -7,13 +7,13 @@ use outcome::picture::{Hinge, HingeAt, Motion, Point};
 use structure::discretise::{Discretised, Origin};
 
 /// A vector as results show it.
-pub fn point(v: Vec2) -> Point {
+pub(super) fn point(v: Vec2) -> Point {
     [v.x, v.y]
 }
 
 /// Span, ring and number (0 at the left springing) of the joint between two blocks of a ring or a ring and its
 /// support.
-pub fn joint_in_ring(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, usize, usize)> {
+pub(super) fn joint_in_ring(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, usize, usize)> {
     let voussoir = |o: Origin| match o {
         Origin::Voussoir { span, ring, voussoir } => Some((span, ring, voussoir)),
         _ => None,
@@ -38,7 +38,7 @@ fn springing(d: &Discretised, voussoir: BlockId, support: BlockId, i: usize) -> 
 
 /// Pier, as its support is counted, and number (0 on the foundation) of the joint between two of its courses or the lowest and the
 /// foundation.
-pub fn joint_in_pier(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, usize)> {
+pub(super) fn joint_in_pier(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, usize)> {
     match (d.origins[a], d.origins[b]) {
         (Origin::Pier { support: s, course: i }, Origin::Pier { support: t, course: j }) => {
             (s == t && i.abs_diff(j) == 1).then(|| (s, i.max(j)))
@@ -53,7 +53,7 @@ pub fn joint_in_pier(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, 
 
 /// Whether two blocks are voussoirs of different rings of one span. Rings part and slide there; a joint that opens along
 /// the ring is no hinge of the mechanism.
-pub fn between_rings(d: &Discretised, a: BlockId, b: BlockId) -> bool {
+pub(super) fn between_rings(d: &Discretised, a: BlockId, b: BlockId) -> bool {
     matches!(
         (d.origins[a], d.origins[b]),
         (Origin::Voussoir { span: s, ring: r, .. }, Origin::Voussoir { span: t, ring: q, .. }) if s == t && r != q
@@ -61,7 +61,7 @@ pub fn between_rings(d: &Discretised, a: BlockId, b: BlockId) -> bool {
 }
 
 /// At which edge of its ring a hinge of the joint between two blocks lies.
-pub fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> HingeAt {
+pub(super) fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> HingeAt {
     if joint_in_ring(d, a, b).is_none() {
         return HingeAt::Other;
     }
@@ -72,7 +72,7 @@ pub fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> HingeAt {
 
 /// A mechanism read from the motions of the blocks.
 #[derive(Debug, Clone, Default)]
-pub struct Moving {
+pub(super) struct Moving {
     /// Hinges, sorted as the interfaces.
     pub hinges: Vec<Hinge>,
     /// Middles of the joints that slide.
@@ -87,7 +87,7 @@ const TURNING: f64 = 0.2;
 const SLIDING: f64 = 0.05;
 
 /// Hinges and sliding joints of motions scaled to a largest translation of 1 m.
-pub fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Moving {
+pub(super) fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Moving {
     let motion = |b: BlockId| motions[b.index()];
     let turn = |j: &Interface| motion(j.second).rotation - motion(j.first).rotation;
     let largest = joints.iter().map(|j| turn(j).abs()).fold(0.0, f64::max);
@@ -121,7 +121,7 @@ pub fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Movi
 }
 
 /// Motions scaled so that the largest translation is 1 m; nothing where nothing moves.
-pub fn scaled(motions: Vec<Motion>) -> Option<Vec<Motion>> {
+pub(super) fn scaled(motions: Vec<Motion>) -> Option<Vec<Motion>> {
     let size = |m: &Motion| m.translation[0].hypot(m.translation[1]);
     let largest = motions.iter().map(size).fold(0.0, f64::max);
     (largest > 1e-12).then(|| {
@@ -134,7 +134,7 @@ pub fn scaled(motions: Vec<Motion>) -> Option<Vec<Motion>> {
 
 /// Sorts points of joints into one polyline per span and ring, from left to right, and after them one per pier, from its foundation
 /// up.
-pub fn lines<T: Copy>(d: &Discretised, points: impl Iterator<Item = (BlockId, BlockId, T)>) -> Vec<Vec<T>> {
+pub(super) fn lines<T: Copy>(d: &Discretised, points: impl Iterator<Item = (BlockId, BlockId, T)>) -> Vec<Vec<T>> {
     let place = |a, b| {
         let in_ring = joint_in_ring(d, a, b).map(|(span, ring, joint)| ((false, span, ring), joint));
         in_ring.or_else(|| joint_in_pier(d, a, b).map(|(support, joint)| ((true, support, 0), joint)))

@@ -5,7 +5,7 @@ use bridge::{Bridge, LoadKind};
 use outcome::collapse::AskedAxles;
 
 /// Loads of axles, in the order of the file.
-pub fn asked(bridge: &Bridge) -> Vec<AskedAxles> {
+pub(super) fn asked(bridge: &Bridge) -> Vec<AskedAxles> {
     let axles = bridge.loads.iter().filter_map(|load| match &load.kind {
         LoadKind::Axles { axles, effective_width, .. } => Some(AskedAxles {
             name: load.name.clone(),

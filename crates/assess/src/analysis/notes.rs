@@ -14,7 +14,7 @@ mod continuum;
 pub(super) mod joints;
 mod shape;
 
-pub use continuum::continuum;
+pub(super) use continuum::continuum;
 
 /// Discrete elements usually lie up to this share below the limit load of the same blocks.
 const USUAL_GAP: f64 = 0.15;
@@ -22,7 +22,7 @@ const USUAL_GAP: f64 = 0.15;
 const BOUNDS: f64 = 1e-6;
 
 /// Notes on a limit analysis.
-pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+pub(super) fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     let Some(report) = c.limit() else { return };
     let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
@@ -65,7 +65,7 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
 }
 
 /// The range of loads with fill that presses: by weight alone, as described, and with all that could be there.
-pub fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Option<Warning> {
+pub(super) fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Option<Warning> {
     let fill = bridge.fill_pressure?;
     let told = match &with.by {
         By::Limit(report) => warning::Cover::Pressure {
@@ -85,7 +85,7 @@ pub fn pressure_range(bridge: &Bridge, bare: &Collapse, with: &Collapse) -> Opti
 }
 
 /// Notes on fill that presses against movement.
-pub fn pressed(bridge: &Bridge, c: &mut Collapse) {
+pub(super) fn pressed(bridge: &Bridge, c: &mut Collapse) {
     let Some(fill) = &bridge.fill_pressure else { return };
     let k = pressure::coefficients(fill);
     let mut told = vec![note::Fill::Presses {
@@ -130,7 +130,7 @@ fn backed(bridge: &Bridge, d: &Discretised) -> Option<Note> {
 }
 
 /// Notes on a discrete element run.
-pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+pub(super) fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) && d.fill.is_none() {
         c.assumptions.push(note::Fill::DoesNotPress.into());
@@ -166,7 +166,13 @@ fn above_strength(bridge: &Bridge, c: &Collapse) -> Option<Warning> {
 }
 
 /// Notes on a run by finite elements of these stones.
-pub fn finite(bridge: &Bridge, d: &Discretised, stones: FiniteStones, sliding: Option<Sliding>, c: &mut Collapse) {
+pub(super) fn finite(
+    bridge: &Bridge,
+    d: &Discretised,
+    stones: FiniteStones,
+    sliding: Option<Sliding>,
+    c: &mut Collapse,
+) {
     common(bridge, d, c);
     let in_a_joint = c.finite().map_or(0, |finite| finite.springs_per_joint);
     let own_strips = bridge.plan.contact == Some(JointContact::Distributed);
@@ -189,7 +195,7 @@ pub fn finite(bridge: &Bridge, d: &Discretised, stones: FiniteStones, sliding: O
 }
 
 /// Notes on the equilibrium path.
-pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
+pub(super) fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
     common(bridge, d, c);
     moved_against(bridge, c);
     let tension = strongest(bridge) > 0.0;
@@ -216,7 +222,7 @@ fn strongest(bridge: &Bridge) -> f64 {
 }
 
 /// Notes on fill that is particles.
-pub fn filled(bridge: &Bridge, c: &mut Collapse) {
+pub(super) fn filled(bridge: &Bridge, c: &mut Collapse) {
     c.assumptions.push(note::Fill::Particles.into());
     if let Some(p) = &c.packing {
         let (solid_fraction, coordination, mean_stress) = (p.solid_fraction, p.coordination, p.mean_stress);
@@ -232,7 +238,7 @@ fn wedged(largest: f64, cover: f64) -> Option<warning::Cover> {
 }
 
 /// What a run of discrete elements assumes, and what two contact points a joint mean for its loads where joints have them.
-pub fn discrete_elements(plan: &Plan, c: &mut Collapse) {
+pub(super) fn discrete_elements(plan: &Plan, c: &mut Collapse) {
     let distributed = plan.contact == Some(JointContact::Distributed);
     c.assumptions.push(note::Blocks::DiscreteElements { distributed }.into());
     c.assumptions.push(note::Blocks::LoadSteps.into());
@@ -242,7 +248,7 @@ pub fn discrete_elements(plan: &Plan, c: &mut Collapse) {
 }
 
 /// Says so where discrete elements carry loads on blocks that do not stand as rigid ones.
-pub fn apart(rigid: limit::Status, c: &mut Collapse) {
+pub(super) fn apart(rigid: limit::Status, c: &mut Collapse) {
     if rigid == limit::Status::NoEquilibrium && c.last_stable_load.is_some() {
         c.warnings.push(warning::Loads::MethodsApart.into());
         c.limit_load = Some(0.0);
@@ -250,7 +256,7 @@ pub fn apart(rigid: limit::Status, c: &mut Collapse) {
 }
 
 /// Says that contact points leave crushing out of collapse, and what limit analysis with crushing joints carries.
-pub fn crushed(c: &mut Collapse) {
+pub(super) fn crushed(c: &mut Collapse) {
     let told = warning::Joints::CrushingLeftOut { crushing_limit: c.crushing_limit_load, limit: c.limit_load };
     c.warnings.push(told.into());
     if let (Some(stable), Some(limit)) = (c.last_stable_load, c.crushing_limit_load)
@@ -261,14 +267,14 @@ pub fn crushed(c: &mut Collapse) {
 }
 
 /// Says what crushing takes off rings under particles: a share of their limit load under the same fill as weight.
-pub fn crushed_under_particles(bridge: &Bridge, share: Option<f64>, c: &mut Collapse) {
+pub(super) fn crushed_under_particles(bridge: &Bridge, share: Option<f64>, c: &mut Collapse) {
     if bridge.masonry.compressive_strength.is_some() {
         c.warnings.push(warning::Joints::CrushingUnderParticles { share }.into());
     }
 }
 
 /// Puts the non-associated load of a wall beside the associated one [N/m].
-pub fn corrected(c: &mut Collapse, load: Option<f64>) {
+pub(super) fn corrected(c: &mut Collapse, load: Option<f64>) {
     if let By::Limit(report) = &mut c.by {
         report.non_associated_load = load;
     }

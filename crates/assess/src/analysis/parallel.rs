@@ -1,6 +1,6 @@
 //! Pieces of work on all cores under one onlooker: progress out, a wish to stop in, and what is done is kept.
 
-pub use mechanics::watch::CancelToken;
+pub(crate) use mechanics::watch::CancelToken;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::mpsc::{RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::Duration;
@@ -9,7 +9,7 @@ use std::time::Duration;
 const LOOK: Duration = Duration::from_millis(20);
 
 /// What the onlooker is told of a stage.
-pub struct Stage<'a> {
+pub(crate) struct Stage<'a> {
     /// In a few words.
     pub name: &'a str,
     /// Steps that its pieces count in all.
@@ -20,7 +20,7 @@ pub struct Stage<'a> {
 
 /// Does `work` on every job; answers come in the order of the jobs. When the onlooker wishes to stop, jobs that are not
 /// begun are left out, and those at work hear it from their [`CancelToken`]. Tells whether all of it was done.
-pub fn each<J: Sync, T: Send>(
+pub(crate) fn each<J: Sync, T: Send>(
     jobs: &[J],
     stage: &Stage<'_>,
     watch: &mut dyn Watch,
@@ -60,7 +60,12 @@ pub fn each<J: Sync, T: Send>(
 
 /// Does one piece of work while the onlooker hears from time to time how many iterations it has taken. The work hears from its [`CancelToken`]
 /// when to stop; where it is the `whole` of an analysis, its share is told. It gets a thread of its own; where none can be started, as in WebAssembly, it is done here and in one go.
-pub fn alone<T: Send>(name: &str, whole: bool, watch: &mut dyn Watch, work: impl Fn(&CancelToken) -> T + Sync) -> T {
+pub(crate) fn alone<T: Send>(
+    name: &str,
+    whole: bool,
+    watch: &mut dyn Watch,
+    work: impl Fn(&CancelToken) -> T + Sync,
+) -> T {
     let token = CancelToken::default();
     let mut look = || {
         if token.is_cancelled() {
@@ -93,7 +98,7 @@ pub fn alone<T: Send>(name: &str, whole: bool, watch: &mut dyn Watch, work: impl
 
 /// Does `work` on every job, on all threads; `hear` gets on this one what the jobs tell, and nothing from time to time. Where
 /// no threads can be started, as in WebAssembly, the pool is this thread, and it does one job after the other.
-pub fn told<J: Sync, M: Send>(
+pub(crate) fn told<J: Sync, M: Send>(
     jobs: &[J],
     hear: &mut dyn FnMut(Option<M>),
     work: impl Fn(usize, &J, &Sender<M>) + Sync,
@@ -126,14 +131,14 @@ pub fn told<J: Sync, M: Send>(
 }
 
 /// An onlooker of one part of the work, whose share of the whole begins and ends where it is told.
-pub struct Portion<'w> {
+pub(crate) struct Portion<'w> {
     watch: &'w mut dyn Watch,
     shares: [f64; 2],
 }
 
 impl<'w> Portion<'w> {
     /// The part between two shares of the whole.
-    pub fn new(watch: &'w mut dyn Watch, shares: [f64; 2]) -> Portion<'w> {
+    pub(crate) fn new(watch: &'w mut dyn Watch, shares: [f64; 2]) -> Portion<'w> {
         Portion { watch, shares }
     }
 }

@@ -12,7 +12,7 @@ use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Shape};
 use structure::discretise::{Discretised, cover};
 
 /// Blocks, surface and loads of a bridge as built.
-pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
+pub(super) fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
     let shapes = d.model.blocks.pairs().map(|(id, block)| Shape {
         outline: block.outline.vertices().iter().map(|&v| point(v)).collect(),
         role: d.origins[id].role().to_string(),
@@ -57,7 +57,7 @@ fn particles(d: &Discretised) -> Vec<Disc> {
 
 /// Average stress of each block [Pa], tension positive (xx, yy, xy), from the forces on its surface: the divergence
 /// theorem. Its own weight acts in the centroid and does not count.
-pub fn stresses(d: &Discretised, contacts: &[ContactForce], loads: &[(PointForce, f64)]) -> Vec<[f64; 3]> {
+pub(super) fn stresses(d: &Discretised, contacts: &[ContactForce], loads: &[(PointForce, f64)]) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; d.model.blocks.len()];
     let mut add = |block: usize, at: Vec2, force: Vec2| {
         let arm = at - d.model.blocks.as_slice()[block].outline.centroid();

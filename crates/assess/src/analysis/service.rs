@@ -36,17 +36,17 @@ pub(super) struct Service {
 
 impl Service {
     /// Nothing is known, and only what is met below a load factor counts.
-    pub fn below(factor: f64) -> Service {
+    pub(super) fn below(factor: f64) -> Service {
         Service { factors: [factor; SOUGHT], positions: [None; SOUGHT] }
     }
 
     /// Factors below which each state is still sought, in the order of [`sought`].
-    pub fn factors(&self) -> &[f64; SOUGHT] {
+    pub(super) fn factors(&self) -> &[f64; SOUGHT] {
         &self.factors
     }
 
     /// Takes what a load at a position [m] came to.
-    pub fn take(&mut self, onsets: &[Option<f64>], position: f64) {
+    pub(super) fn take(&mut self, onsets: &[Option<f64>], position: f64) {
         for (k, factor) in onsets.iter().enumerate() {
             if let Some(factor) = factor.filter(|factor| *factor < self.factors[k]) {
                 (self.factors[k], self.positions[k]) = (factor, Some(position));
@@ -55,7 +55,7 @@ impl Service {
     }
 
     /// Takes what others found; of two that are alike the one that was there first stays.
-    pub fn merge(&mut self, other: &Service) {
+    pub(super) fn merge(&mut self, other: &Service) {
         for k in 0..SOUGHT {
             if other.positions[k].is_some() && other.factors[k] < self.factors[k] {
                 (self.factors[k], self.positions[k]) = (other.factors[k], other.positions[k]);
@@ -64,7 +64,7 @@ impl Service {
     }
 
     /// The states that were met, with the load factor and the position [m].
-    pub fn told(&self) -> impl Iterator<Item = (Criterion, f64, f64)> {
+    pub(super) fn told(&self) -> impl Iterator<Item = (Criterion, f64, f64)> {
         let each = CRITERIA.into_iter().zip(self.factors).zip(self.positions);
         each.filter_map(|((criterion, factor), position)| Some((criterion, factor, position?)))
     }

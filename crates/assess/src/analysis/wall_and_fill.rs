@@ -14,7 +14,7 @@ use outcome::warning;
 /// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
 /// held sideways and would hold a wall too, so the bricks of the walls are loaded themselves. A kept state starts with the number of
 /// the strip that was at work; on resuming the first strip is run again, to the same bits.
-pub fn both(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub(super) fn both(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let wall = bridge.spandrel_wall.as_ref().ok_or(structure::discretise::DiscretiseError::NoWall)?;
     let kept = match resume.map(kept::split::<u64>).transpose()? {
         None => [None, None],

@@ -33,7 +33,7 @@ fn with(bridge: &Bridge, load: usize, (shift, length): Part) -> Bridge {
 }
 
 /// The bridge with its strips as they were shortened.
-pub fn as_shortened(bridge: &Bridge, parts: &[ShortenedFacts]) -> Bridge {
+pub(super) fn as_shortened(bridge: &Bridge, parts: &[ShortenedFacts]) -> Bridge {
     let known = |part: &&ShortenedFacts| bridge.loads.get(part.load).is_some_and(|load| !load.whole_length);
     let one = |own: Bridge, part: &ShortenedFacts| with(&own, part.load, (part.shift_m, part.length_m));
     parts.iter().filter(known).fold(bridge.clone(), one)
@@ -60,7 +60,7 @@ fn least(bridge: &Bridge, span: f64, watch: &mut dyn Watch) -> Result<Option<f64
 }
 
 /// The parts of the bridge's strips that do most harm, where they do more than the whole strips.
-pub fn shortened(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Vec<ShortenedFacts>, AnalysisError> {
+pub(super) fn shortened(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Vec<ShortenedFacts>, AnalysisError> {
     let mut own = state::with(bridge, &[Change::FillAsWeight, Change::Method(Method::Limit)]);
     let span = own.spans.iter().map(|span| span.span).fold(f64::INFINITY, f64::min);
     let mut found = Vec::new();

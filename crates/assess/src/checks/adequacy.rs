@@ -6,7 +6,7 @@ use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
 
 /// The check.
-pub struct Adequacy;
+pub(super) struct Adequacy;
 
 impl Check for Adequacy {
     fn card(&self) -> CheckCard {

@@ -7,7 +7,7 @@ use outcome::facts::{SweptFacts, ThrustFacts};
 use outcome::statics::{Reaction, Seat, pressure};
 
 /// The check.
-pub struct Bearing;
+pub(super) struct Bearing;
 
 impl Check for Bearing {
     fn card(&self) -> CheckCard {

@@ -6,7 +6,7 @@ use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
 
 /// The check.
-pub struct NamedCases;
+pub(super) struct NamedCases;
 
 impl Check for NamedCases {
     fn card(&self) -> CheckCard {

@@ -7,7 +7,7 @@ use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::Watched;
 
 /// The check.
-pub struct CrownDeflection;
+pub(super) struct CrownDeflection;
 
 impl Check for CrownDeflection {
     fn card(&self) -> CheckCard {

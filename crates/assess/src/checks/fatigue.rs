@@ -7,10 +7,10 @@ use outcome::facts::SectionFacts;
 use outcome::facts::Watched;
 
 /// The check.
-pub struct StressRange;
+pub(super) struct StressRange;
 
 /// The lower bound of tests on brickwork in compression: root of range times maximum over the strength, after N cycles.
-pub fn bound(cycles: f64) -> f64 {
+pub(super) fn bound(cycles: f64) -> f64 {
     0.7 - 0.05 * cycles.log10()
 }
 

@@ -7,7 +7,7 @@ use outcome::given::{Doubt, Given, ModelFactor, Taken};
 use rules::Confidence;
 
 /// Reads it off the evidence; none of it changes the rung.
-pub fn given(a: &Evidence) -> Given {
+pub(super) fn given(a: &Evidence) -> Given {
     let limits = &a.asked.limits;
     let coverage = coverage::of(a);
     let named = match (&coverage, limits.adequacy_factor) {

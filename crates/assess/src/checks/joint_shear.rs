@@ -5,7 +5,7 @@ use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
-pub struct JointShear;
+pub(super) struct JointShear;
 
 impl Check for JointShear {
     fn card(&self) -> CheckCard {

@@ -6,7 +6,7 @@ use bridge::assess::{Mexe, MexeAxles};
 use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
-pub struct MexeAxle;
+pub(super) struct MexeAxle;
 
 impl Check for MexeAxle {
     fn card(&self) -> CheckCard {

@@ -6,7 +6,7 @@ use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
 
 /// The check.
-pub struct SupportMovement;
+pub(super) struct SupportMovement;
 
 impl Check for SupportMovement {
     fn card(&self) -> CheckCard {

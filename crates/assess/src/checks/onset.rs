@@ -6,7 +6,7 @@ use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Criterion;
 
 /// The check.
-pub struct Onset;
+pub(super) struct Onset;
 
 impl Check for Onset {
     fn card(&self) -> CheckCard {

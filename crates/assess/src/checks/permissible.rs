@@ -6,7 +6,7 @@ use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
 
 /// The check.
-pub struct PermissibleShare;
+pub(super) struct PermissibleShare;
 
 impl Check for PermissibleShare {
     fn card(&self) -> CheckCard {

@@ -6,11 +6,11 @@ use outcome::checked::{Columns, Comparison, NotMade, Unit};
 use outcome::facts::{Reading, RingSection, SectionFacts, ServiceFacts, Watched};
 
 /// At crowns.
-pub struct Crown;
+pub(super) struct Crown;
 /// At springings on abutments.
-pub struct Abutment;
+pub(super) struct Abutment;
 /// At springings on piers.
-pub struct Pier;
+pub(super) struct Pier;
 
 const TEXT: &str = "The stress along the ring on the faces of the voussoirs at this position, tension positive: the \
      strain of a voussoir times E / (1 - nu^2), under self-weight and under the train, whose effect is increased by \

@@ -5,7 +5,7 @@ use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
-pub struct ThrustZone;
+pub(super) struct ThrustZone;
 
 impl Check for ThrustZone {
     fn card(&self) -> CheckCard {

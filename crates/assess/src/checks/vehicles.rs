@@ -8,7 +8,7 @@ use outcome::facts::{SafetyFacts, SweptFacts, VehicleFacts};
 use rules::Confidence;
 
 /// The check.
-pub struct Vehicles;
+pub(super) struct Vehicles;
 
 impl Check for Vehicles {
     fn card(&self) -> CheckCard {

@@ -9,7 +9,7 @@ use outcome::vehicles::VehicleSweep;
 use structure::discretise::bridge_length;
 
 /// Makes it: vehicles where the file has [sweep], its loads otherwise.
-pub fn run(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
+pub(super) fn run(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
     let Some(plan) = &bridge.sweep else { return loads(bridge, watch) };
     // A second opinion on one position is for one bridge.
     let plan = bridge::SweepPlan { discrete_elements: false, ..plan.clone() };

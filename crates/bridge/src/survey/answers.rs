@@ -19,7 +19,7 @@ pub struct Unusable {
 
 /// A value as the file has it.
 #[derive(Debug, Clone, Default)]
-pub struct Answer {
+pub(super) struct Answer {
     /// The answer that it was taken from: `span`, `rise_2`.
     pub key: String,
     /// With its unit.
@@ -31,18 +31,18 @@ pub struct Answer {
 }
 
 /// What the sheet says, and what of it is no value.
-pub struct Answers<'a> {
+pub(super) struct Answers<'a> {
     said: &'a dyn Fn(&str) -> Option<String>,
     wrong: Vec<Unusable>,
 }
 
 impl<'a> Answers<'a> {
-    pub fn new(said: &'a dyn Fn(&str) -> Option<String>) -> Self {
+    pub(super) fn new(said: &'a dyn Fn(&str) -> Option<String>) -> Self {
         Answers { said, wrong: Vec::new() }
     }
 
     /// Every answer that was none.
-    pub fn wrong(self) -> Vec<Unusable> {
+    pub(super) fn wrong(self) -> Vec<Unusable> {
         self.wrong
     }
 
@@ -56,7 +56,7 @@ impl<'a> Answers<'a> {
     }
 
     /// The answer to a question.
-    pub fn of(&mut self, question: &Question) -> Answer {
+    pub(super) fn of(&mut self, question: &Question) -> Answer {
         match self.said(question.key) {
             Some(text) => self.value(question, question.key, &text),
             None if question.assumed.is_empty() => {
@@ -71,7 +71,7 @@ impl<'a> Answers<'a> {
     }
 
     /// The same of the k-th span or pier, which is as the first where the sheet does not say otherwise.
-    pub fn of_each(&mut self, question: &Question, first: &Answer, k: usize) -> Answer {
+    pub(super) fn of_each(&mut self, question: &Question, first: &Answer, k: usize) -> Answer {
         let key = format!("{}_{k}", question.key);
         match self.said(&key).filter(|_| k > 1) {
             Some(text) => self.value(question, &key, &text),
@@ -84,7 +84,7 @@ impl<'a> Answers<'a> {
     }
 
     /// A number of things, from 1.
-    pub fn count(&mut self, question: &Question, most: usize) -> usize {
+    pub(super) fn count(&mut self, question: &Question, most: usize) -> usize {
         let text = self.said(question.key).unwrap_or_else(|| question.assumed.to_owned());
         match text.parse() {
             Ok(count) if (1..=most).contains(&count) => count,
@@ -100,7 +100,7 @@ impl<'a> Answers<'a> {
     }
 
     /// The rule that the bridge is judged by, and codes of vehicles.
-    pub fn judged(&mut self) -> Option<(String, Vec<String>)> {
+    pub(super) fn judged(&mut self) -> Option<(String, Vec<String>)> {
         let code = |text: &str| text.chars().filter(|c| c.is_alphanumeric() || ".-_".contains(*c)).collect::<String>();
         let vehicles = self.said("vehicles").unwrap_or_default();
         let vehicles: Vec<String> = vehicles.split(',').map(code).filter(|code| !code.is_empty()).collect();

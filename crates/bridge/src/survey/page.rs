@@ -4,7 +4,7 @@ use super::Answer;
 use std::fmt::Write;
 
 /// What a sheet says, and what is assumed where it does not.
-pub struct Sheet {
+pub(super) struct Sheet {
     /// Clear span, rise and thickness of the ring of each span.
     pub spans: Vec<[Answer; 3]>,
     /// Width and height of each pier.
@@ -30,10 +30,10 @@ fn line(page: &mut String, key: &str, value: &Answer) {
 }
 
 /// The answers that were written, each with the number of its line, from 0.
-pub type Lines = Vec<(usize, Answer)>;
+pub(super) type Lines = Vec<(usize, Answer)>;
 
 /// The text of the file, and where its answers stand.
-pub fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
+pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
     let mut lines = Lines::new();
     let mut line = |page: &mut String, key: &str, value: &Answer| {
         lines.push((page.lines().count(), value.clone()));
@@ -92,7 +92,7 @@ pub fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
 }
 
 /// Length of a segmental arc [m].
-pub fn arc(span: f64, rise: f64) -> f64 {
+pub(super) fn arc(span: f64, rise: f64) -> f64 {
     if !(span > 0.0 && rise > 0.0) {
         return span.abs();
     }

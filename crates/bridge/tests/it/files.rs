@@ -3,53 +3,53 @@
 use bridge::{Diagnostic, Severity};
 
 /// Bridgemill, case 1 of Rouxinol, Providência and Lemos.
-pub const CASE_1: &str = include_str!("files/case-1.toml");
+pub(crate) const CASE_1: &str = include_str!("files/case-1.toml");
 /// Three spans of two rings, with everything that a plan may say.
-pub const VIADUCT: &str = include_str!("files/viaduct.toml");
+pub(crate) const VIADUCT: &str = include_str!("files/viaduct.toml");
 /// One span of every other profile.
-pub const SHAPES: &str = include_str!("files/shapes.toml");
+pub(crate) const SHAPES: &str = include_str!("files/shapes.toml");
 /// As little as there can be.
-pub const TINY: &str = include_str!("files/tiny.toml");
+pub(crate) const TINY: &str = include_str!("files/tiny.toml");
 
 /// Spandrel walls, with everything that they may say.
-pub const WALLS: &str = include_str!("files/walls.toml");
+pub(crate) const WALLS: &str = include_str!("files/walls.toml");
 
 /// Fill as particles of stated diameters.
-pub const PARTICLES: &str = include_str!("files/particles.toml");
+pub(crate) const PARTICLES: &str = include_str!("files/particles.toml");
 /// A stated number of particles below slabs, above backing.
-pub const LAYERS: &str = include_str!("files/layers.toml");
+pub(crate) const LAYERS: &str = include_str!("files/layers.toml");
 /// Fill as particles of given diameters, and all that its calibration may say.
-pub const CALIBRATION: &str = include_str!("files/calibration.toml");
+pub(crate) const CALIBRATION: &str = include_str!("files/calibration.toml");
 /// A train of its own crosses, and all that its passage may say.
-pub const PASSAGE: &str = include_str!("files/passage.toml");
+pub(crate) const PASSAGE: &str = include_str!("files/passage.toml");
 /// A train of the library, with as little as will do.
-pub const TRAIN: &str = include_str!("files/train.toml");
+pub(crate) const TRAIN: &str = include_str!("files/train.toml");
 /// A train from a file.
-pub const TRAIN_FILE: &str = include_str!("files/train-file.toml");
+pub(crate) const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 
 /// Everything that an assessment may say.
-pub const ASSESS: &str = include_str!("files/assess.toml");
+pub(crate) const ASSESS: &str = include_str!("files/assess.toml");
 
 /// Fill and backing as a continuum, and all that it may say.
-pub const CONTINUUM: &str = include_str!("files/continuum.toml");
+pub(crate) const CONTINUUM: &str = include_str!("files/continuum.toml");
 
 /// A road that is not level.
-pub const CASES: &str = include_str!("files/cases.toml");
+pub(crate) const CASES: &str = include_str!("files/cases.toml");
 /// Springings on a gradient, and everything that piers, abutments and hollow spandrels may say.
-pub const GRADIENT: &str = include_str!("files/gradient.toml");
-pub const ROAD: &str = include_str!("files/road.toml");
+pub(crate) const GRADIENT: &str = include_str!("files/gradient.toml");
+pub(crate) const ROAD: &str = include_str!("files/road.toml");
 
 /// Two rings with every kind of defect.
-pub const DEFECTS: &str = include_str!("files/defects.toml");
+pub(crate) const DEFECTS: &str = include_str!("files/defects.toml");
 
 /// A ring with a past: an open joint, dropped stones, a support that has moved, water in its fill, a canted track on a curve.
-pub const CONDITION: &str = include_str!("files/condition.toml");
+pub(crate) const CONDITION: &str = include_str!("files/condition.toml");
 
 /// Everything that only the finite element model reads.
-pub const SERVICE: &str = include_str!("files/service.toml");
+pub(crate) const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 19] = [
+pub(crate) const GOOD: [&str; 19] = [
     CASE_1,
     GRADIENT,
     CASES,
@@ -72,7 +72,7 @@ pub const GOOD: [&str; 19] = [
 ];
 
 /// A finding as plain text, for assertions and for reading.
-pub fn show(text: &str, finding: &Diagnostic) -> String {
+pub(crate) fn show(text: &str, finding: &Diagnostic) -> String {
     let place = finding.range.position(text.as_bytes());
     let line = text.lines().nth(place.line - 1).unwrap_or("");
     let marked =
@@ -91,6 +91,6 @@ pub fn show(text: &str, finding: &Diagnostic) -> String {
 }
 
 /// All findings of a file as plain text.
-pub fn show_all(text: &str) -> String {
+pub(crate) fn show_all(text: &str) -> String {
     bridge::read(text.as_bytes()).diagnostics.iter().map(|finding| show(text, finding) + "\n").collect()
 }

@@ -97,7 +97,7 @@ const PIECES: &[&str] = &[
 ];
 
 /// The file of this number: a good file with a few accidents, or noise.
-pub fn accident(number: u64) -> Vec<u8> {
+pub(crate) fn accident(number: u64) -> Vec<u8> {
     let mut dice = Dice(number);
     if dice.below(16) == 0 {
         return (0..dice.below(400)).map(|_| dice.next() as u8).collect();

@@ -41,14 +41,14 @@ impl Quadratic {
     }
 
     /// Its value.
-    pub fn at(&self, x: &[f64]) -> f64 {
+    pub(super) fn at(&self, x: &[f64]) -> f64 {
         let row = |(row, x_i): (&Vec<f64>, &f64)| x_i * row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
         let square: f64 = self.matrix.iter().zip(x).map(row).sum();
         0.5 * square - self.vector.iter().zip(x).map(|(h, x)| h * x).sum::<f64>() + self.constant
     }
 
     /// What it falls by along each axis.
-    pub fn fall(&self, x: &[f64]) -> Vec<f64> {
+    pub(super) fn fall(&self, x: &[f64]) -> Vec<f64> {
         let row = |(row, h): (&Vec<f64>, &f64)| h - row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
         self.matrix.iter().zip(&self.vector).map(row).collect()
     }
@@ -93,7 +93,7 @@ pub(super) struct GainLine {
 
 impl GainLine {
     /// What the records leave of it.
-    pub fn at(&self, x: &[f64]) -> Gain {
+    pub(super) fn at(&self, x: &[f64]) -> Gain {
         Sums { along: self.along.at(x), response: self.response, ..Sums::default() }.gain(self.deviation)
     }
 }
@@ -105,7 +105,7 @@ pub(super) struct Likelihoods {
 }
 
 impl Likelihoods {
-    pub fn new(model: &Linearised, problem: &Problem) -> Self {
+    pub(super) fn new(model: &Linearised, problem: &Problem) -> Self {
         let n = model.parameters.len();
         let mut prior = Quadratic::zero(n);
         for (k, parameter) in model.parameters.iter().enumerate() {
@@ -121,7 +121,7 @@ impl Likelihoods {
 
     /// Minus the logarithm of the density for one size of the model's error, but for a constant, with a common gain of this standard
     /// deviation; and that gain.
-    pub fn with_gains(&self, own: f64, common: f64) -> (Quadratic, GainLine) {
+    pub(super) fn with_gains(&self, own: f64, common: f64) -> (Quadratic, GainLine) {
         let mut sum = self.prior.clone();
         let (mut along, mut response) = (Line::zero(sum.vector.len()), 0.0);
         for channel in &self.channels {

@@ -15,14 +15,14 @@ const LONGEST: usize = 5_000;
 
 /// Where a walker was, and the common gain there.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
+pub(super) struct Kept {
     pub place: Vec<f64>,
     pub gain: Gain,
 }
 
 /// Walkers on their way.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ensemble {
+pub(super) struct Ensemble {
     /// Where they are.
     pub walkers: Vec<Draw>,
     /// Where each was, after every so many steps.
@@ -37,12 +37,12 @@ pub struct Ensemble {
 
 impl Ensemble {
     /// Walkers at their beginnings; an even number of them.
-    pub fn new(walkers: Vec<Draw>) -> Self {
+    pub(super) fn new(walkers: Vec<Draw>) -> Self {
         Self { chains: vec![Vec::new(); walkers.len()], walkers, steps: 0, every: 1, accepted: (0, 0) }
     }
 
     /// All walkers make so many steps.
-    pub fn walk(&mut self, target: &mut Target, rng: &mut ChaCha8Rng, steps: usize) -> Result<(), Stopped> {
+    pub(super) fn walk(&mut self, target: &mut Target, rng: &mut ChaCha8Rng, steps: usize) -> Result<(), Stopped> {
         for _ in 0..steps {
             for half in 0..2 {
                 self.move_half(target, rng, half)?;

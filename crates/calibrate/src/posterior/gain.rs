@@ -25,7 +25,7 @@ pub(crate) struct Sums {
 
 impl Sums {
     /// Adds those of an independent channel.
-    pub fn add(&mut self, other: Self) {
+    pub(crate) fn add(&mut self, other: Self) {
         self.differences += other.differences;
         self.along += other.along;
         self.response += other.response;
@@ -33,7 +33,7 @@ impl Sums {
     }
 
     /// Those with a gain of this standard deviation in the covariance.
-    pub fn with_gain(self, deviation: f64) -> Self {
+    pub(crate) fn with_gain(self, deviation: f64) -> Self {
         let gain2 = deviation * deviation;
         let answered = 1.0 + gain2 * self.response;
         Self {
@@ -45,12 +45,12 @@ impl Sums {
     }
 
     /// Logarithm of the normal density of the differences.
-    pub fn log_density(self) -> f64 {
+    pub(crate) fn log_density(self) -> f64 {
         -0.5 * (self.differences + self.determinant)
     }
 
     /// A gain of this standard deviation as the differences (model less record) leave it.
-    pub fn gain(self, deviation: f64) -> Gain {
+    pub(crate) fn gain(self, deviation: f64) -> Gain {
         let variance = deviation * deviation / (1.0 + deviation * deviation * self.response);
         Gain { mean: 1.0 - variance * self.along, variance }
     }

@@ -13,7 +13,7 @@ use crate::watch::Stopped;
 
 /// A point with the logarithms of its densities.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Draw {
+pub(super) struct Draw {
     /// Shares of the ranges, and the number sought for the model's error where it is.
     pub place: Vec<f64>,
     /// Prior, but for a constant.
@@ -25,7 +25,7 @@ pub struct Draw {
 }
 
 /// The density.
-pub struct Target<'e, 'a> {
+pub(super) struct Target<'e, 'a> {
     pub evaluator: &'e mut Evaluator<'a>,
     basis: &'e Basis,
     likelihood: Likelihood,
@@ -33,18 +33,18 @@ pub struct Target<'e, 'a> {
 }
 
 impl<'e, 'a> Target<'e, 'a> {
-    pub fn new(evaluator: &'e mut Evaluator<'a>, basis: &'e Basis, likelihood: Likelihood) -> Self {
+    pub(super) fn new(evaluator: &'e mut Evaluator<'a>, basis: &'e Basis, likelihood: Likelihood) -> Self {
         let cumulated = evaluator.problem.parameters().iter().map(|p| p.prior.cumulated(p)).collect();
         Self { evaluator, basis, likelihood, cumulated }
     }
 
     /// Count of numbers sought.
-    pub fn axes(&self) -> usize {
+    pub(super) fn axes(&self) -> usize {
         self.cumulated.len() + self.likelihood.extra()
     }
 
     /// Places drawn from the prior.
-    pub fn prior_places(&self, rng: &mut ChaCha8Rng, count: usize) -> Vec<Vec<f64>> {
+    pub(super) fn prior_places(&self, rng: &mut ChaCha8Rng, count: usize) -> Vec<Vec<f64>> {
         let half_normal = |rng: &mut ChaCha8Rng| loop {
             let (sought, height) = (even(rng), even(rng));
             if height.ln() <= self.likelihood.log_prior(Some(&sought)) {
@@ -68,12 +68,12 @@ impl<'e, 'a> Target<'e, 'a> {
     }
 
     /// The model's error at a place, as a share of the peaks.
-    pub fn scale(&self, place: &[f64]) -> f64 {
+    pub(super) fn scale(&self, place: &[f64]) -> f64 {
         self.likelihood.scale(place.get(self.evaluator.problem.parameters().len()))
     }
 
     /// Densities at many places; the model is only asked inside the ranges.
-    pub fn draws(&mut self, places: Vec<Vec<f64>>) -> Result<Vec<Draw>, Stopped> {
+    pub(super) fn draws(&mut self, places: Vec<Vec<f64>>) -> Result<Vec<Draw>, Stopped> {
         let parameters = self.evaluator.problem.parameters();
         let priors: Vec<f64> = places.iter().map(|place| self.prior(place)).collect();
         let inside: Vec<usize> = (0..places.len()).filter(|k| priors[*k] > f64::NEG_INFINITY).collect();

@@ -10,7 +10,7 @@ use crate::watch::Stopped;
 
 /// What the particles ended as.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tempered {
+pub(super) struct Tempered {
     /// Particles of the posterior, all of the same weight.
     pub particles: Vec<Draw>,
     /// Logarithm of the evidence; minus infinity where no particle had a likelihood.
@@ -23,7 +23,12 @@ pub struct Tempered {
 const STAGES: usize = 200;
 
 /// Brings `count` particles from the prior to the posterior, each moved `moves` times at each power.
-pub fn temper(target: &mut Target, rng: &mut ChaCha8Rng, count: usize, moves: usize) -> Result<Tempered, Stopped> {
+pub(super) fn temper(
+    target: &mut Target,
+    rng: &mut ChaCha8Rng,
+    count: usize,
+    moves: usize,
+) -> Result<Tempered, Stopped> {
     let first = target.prior_places(rng, count);
     let mut particles = target.draws(first)?;
     let (mut power, mut log_evidence, mut stages, mut stride) = (0.0, 0.0, 0, 1.0);
@@ -144,7 +149,7 @@ fn covariance_root(particles: &[Draw], weights: &[f64]) -> Vec<Vec<f64>> {
 }
 
 /// Different particles, spread over all of them, as the beginning of chains.
-pub fn beginnings(rng: &mut ChaCha8Rng, particles: &[Draw], count: usize) -> Vec<Draw> {
+pub(super) fn beginnings(rng: &mut ChaCha8Rng, particles: &[Draw], count: usize) -> Vec<Draw> {
     let first = place(rng, particles.len());
     let order = |k: usize| (first + k * particles.len() / count.max(1)) % particles.len();
     (0..count).map(|k| particles[order(k)].clone()).collect()

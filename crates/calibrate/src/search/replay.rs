@@ -20,13 +20,13 @@ use crate::watch::Stopped;
 
 /// The solver asked for something that is not known yet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Missing;
+pub(super) struct Missing;
 
 /// What costs were found, by the bits of the shares; kept over repeated runs.
-pub type Costs = RefCell<BTreeMap<Vec<u64>, f64>>;
+pub(super) type Costs = RefCell<BTreeMap<Vec<u64>, f64>>;
 
 /// The answers known so far, as solvers ask for them.
-pub struct Known<'e, 'a> {
+pub(super) struct Known<'e, 'a> {
     evaluator: &'e Evaluator<'a>,
     basis: &'e Basis,
     step: f64,
@@ -36,14 +36,14 @@ pub struct Known<'e, 'a> {
 }
 
 impl<'e, 'a> Known<'e, 'a> {
-    pub fn new(evaluator: &'e Evaluator<'a>, basis: &'e Basis, step: f64) -> Self {
+    pub(super) fn new(evaluator: &'e Evaluator<'a>, basis: &'e Basis, step: f64) -> Self {
         let count = residual_count(evaluator.problem, &basis.held, |channel| evaluator.length(channel));
         let (missing, used) = (RefCell::default(), RefCell::default());
         Self { evaluator, basis, step, count, missing, used }
     }
 
     /// Whether anything was asked for in vain.
-    pub fn lacks(&self) -> bool {
+    pub(super) fn lacks(&self) -> bool {
         !self.missing.borrow().is_empty()
     }
 
@@ -63,7 +63,7 @@ impl<'e, 'a> Known<'e, 'a> {
     }
 
     /// Residuals; all infinite where the model failed, which solvers reject.
-    pub fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, Missing> {
+    pub(super) fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, Missing> {
         let read = |evaluation: &Evaluation| match evaluation {
             Ok(response) => residuals(self.evaluator.problem, &self.basis.held, response),
             Err(_) => vec![f64::INFINITY; self.count],
@@ -72,7 +72,7 @@ impl<'e, 'a> Known<'e, 'a> {
     }
 
     /// Columns of derivatives with respect to the shares.
-    pub fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, Missing> {
+    pub(super) fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, Missing> {
         if !self.evaluator.has_sensitivities(&self.basis.samples) {
             return by_differences(shares, self.step, |shares| self.residuals(shares));
         }
@@ -85,7 +85,12 @@ impl<'e, 'a> Known<'e, 'a> {
 }
 
 /// Evaluates what was missing; says whether that was anything. At most `most` points are taken.
-pub fn supply(evaluator: &mut Evaluator, basis: &Basis, missing: Vec<Vec<f64>>, most: usize) -> Result<bool, Stopped> {
+pub(super) fn supply(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    missing: Vec<Vec<f64>>,
+    most: usize,
+) -> Result<bool, Stopped> {
     let request = basis.request(evaluator.has_sensitivities(&basis.samples));
     let lot = &missing[..missing.len().min(most)];
     evaluator.respond(lot, &request)?;
@@ -93,24 +98,24 @@ pub fn supply(evaluator: &mut Evaluator, basis: &Basis, missing: Vec<Vec<f64>>, 
 }
 
 /// Takes the missing points out.
-pub fn missing(known: &Known) -> Vec<Vec<f64>> {
+pub(super) fn missing(known: &Known) -> Vec<Vec<f64>> {
     known.missing.take()
 }
 
 /// Counts what was used as evaluations of the present search, whether or not the log knew it before.
-pub fn count(evaluator: &mut Evaluator, basis: &Basis, used: BTreeSet<Vec<u64>>) -> Result<(), Stopped> {
+pub(super) fn count(evaluator: &mut Evaluator, basis: &Basis, used: BTreeSet<Vec<u64>>) -> Result<(), Stopped> {
     let request = basis.request(evaluator.has_sensitivities(&basis.samples));
     let points: Vec<Vec<f64>> = used.into_iter().map(|bits| bits.into_iter().map(f64::from_bits).collect()).collect();
     evaluator.respond(&points, &request).map(|_| ())
 }
 
 /// Takes out what was used.
-pub fn used(known: &Known) -> BTreeSet<Vec<u64>> {
+pub(super) fn used(known: &Known) -> BTreeSet<Vec<u64>> {
     known.used.take()
 }
 
 /// Runs `solve` for each of `runs` until all have ended, whatever they miss supplied in common batches.
-pub fn replay<T>(
+pub(super) fn replay<T>(
     evaluator: &mut Evaluator,
     basis: &Basis,
     step: f64,
@@ -137,7 +142,7 @@ pub fn replay<T>(
 }
 
 /// The problem in the words of the library of solvers: shares between zero and one.
-pub struct Sought<'k, 'e, 'a> {
+pub(super) struct Sought<'k, 'e, 'a> {
     known: &'k Known<'e, 'a>,
     zero: Vec<f64>,
     one: Vec<f64>,
@@ -147,14 +152,14 @@ pub struct Sought<'k, 'e, 'a> {
 
 impl<'k, 'e, 'a> Sought<'k, 'e, 'a> {
     /// Breaks off at the first point that is not known.
-    pub fn new(known: &'k Known<'e, 'a>) -> Self {
+    pub(super) fn new(known: &'k Known<'e, 'a>) -> Self {
         let n = known.evaluator.problem.parameters().len();
         Self { known, zero: vec![0.0; n], one: vec![1.0; n], costs: None }
     }
 
     /// Goes on, with an infinite cost, until so many points are missing: for solvers that draw a whole population before
     /// they look at any cost.
-    pub fn drawing(known: &'k Known<'e, 'a>, costs: &'k Costs, population: usize) -> Self {
+    pub(super) fn drawing(known: &'k Known<'e, 'a>, costs: &'k Costs, population: usize) -> Self {
         Self { costs: Some((costs, population)), ..Self::new(known) }
     }
 }
@@ -226,6 +231,6 @@ impl Jacobian for Sought<'_, '_, '_> {
 }
 
 /// A run that a solver broke off. Refused bounds, the other error of the library, cannot occur: they are zero and one.
-pub fn broken_off(_: basin::ConstraintSolveError<Missing>) -> Missing {
+pub(super) fn broken_off(_: basin::ConstraintSolveError<Missing>) -> Missing {
     Missing
 }

@@ -7,7 +7,7 @@ use calibrate::{
 };
 
 /// A model made of a function from parameters to one history a channel.
-pub struct Function<F> {
+pub(crate) struct Function<F> {
     pub channels: usize,
     pub length: usize,
     pub values: F,
@@ -32,27 +32,27 @@ impl<F: Fn(&[f64]) -> Vec<Vec<f64>> + Sync> Forward for Function<F> {
 }
 
 /// Peaks compared with equal weights, in units of their uncertainty: plain least squares.
-pub fn plain() -> Misfit {
+pub(crate) fn plain() -> Misfit {
     Misfit { weights: Weights::Equal, scaling: Scaling::Uncertainty, ..Misfit::default() }
 }
 
-pub fn value(name: &str, measured: f64, uncertainty: f64) -> Channel {
+pub(crate) fn value(name: &str, measured: f64, uncertainty: f64) -> Channel {
     Channel { uncertainty: Some(uncertainty), ..Channel::peak(name, "", measured) }
 }
 
 /// Poses least squares: residuals are the function's values less `measured`, over one.
-pub fn least_squares(parameters: Vec<Parameter>, measured: &[f64]) -> Problem {
+pub(crate) fn least_squares(parameters: Vec<Parameter>, measured: &[f64]) -> Problem {
     let channels = measured.iter().enumerate().map(|(k, v)| value(&format!("r{k}"), *v, 1.0)).collect();
     Problem::new(parameters, channels, plain()).expect("a sound problem")
 }
 
 /// Does something with an evaluator of a fresh log and the basis of the start model.
-pub fn with<T>(problem: &Problem, forward: &dyn Forward, act: impl FnOnce(&mut Evaluator, &Basis) -> T) -> T {
+pub(crate) fn with<T>(problem: &Problem, forward: &dyn Forward, act: impl FnOnce(&mut Evaluator, &Basis) -> T) -> T {
     with_map(problem, forward, &Serial, act)
 }
 
 /// The same by another map.
-pub fn with_map<T>(
+pub(crate) fn with_map<T>(
     problem: &Problem,
     forward: &dyn Forward,
     map: &dyn Map,
@@ -65,7 +65,7 @@ pub fn with_map<T>(
 }
 
 /// Places in a history.
-pub const LENGTH: usize = 60;
+pub(crate) const LENGTH: usize = 60;
 /// What five channels take from each of five flexibilities: every parameter leads in one channel, as in a bridge, and acts
 /// in all.
 const SHARES: [[f64; 5]; 5] = [
@@ -78,7 +78,7 @@ const SHARES: [[f64; 5]; 5] = [
 const SIGNS: [f64; 5] = [-0.3, 0.24, 22.0, -25.0, -23.0];
 
 /// Five channels as a train passes: bells whose middle moves with the stiffness that leads.
-pub fn five(x: &[f64]) -> Vec<Vec<f64>> {
+pub(crate) fn five(x: &[f64]) -> Vec<Vec<f64>> {
     let channel = |c: usize| {
         let size: f64 = (0..5).map(|k| SHARES[c][k] / x[k]).sum();
         let middle = 20.0 + 4.0 * c as f64 + 3.0 * (x[c] - 1.0);
@@ -92,20 +92,20 @@ pub fn five(x: &[f64]) -> Vec<Vec<f64>> {
 }
 
 /// From parameters to one history a channel.
-pub type Histories = fn(&[f64]) -> Vec<Vec<f64>>;
+pub(crate) type Histories = fn(&[f64]) -> Vec<Vec<f64>>;
 
 /// The model of five channels.
-pub fn five_model() -> Function<Histories> {
+pub(crate) fn five_model() -> Function<Histories> {
     Function { channels: 5, length: LENGTH, values: five }
 }
 
 /// Ranges from half to three halves, starts at their middle.
-pub fn five_parameters() -> Vec<Parameter> {
+pub(crate) fn five_parameters() -> Vec<Parameter> {
     ["fill", "abutment", "haunch", "voussoir", "mortar"].map(|name| Parameter::new(name, "", 1.0, 0.5, 1.5)).to_vec()
 }
 
 /// The problem of five channels measured at a truth.
-pub fn five_problem(truth: &[f64], misfit: Misfit) -> Problem {
+pub(crate) fn five_problem(truth: &[f64], misfit: Misfit) -> Problem {
     let names = ["crown", "pier", "crown strain", "pier strain", "abutment strain"];
     let channels = names.iter().zip(five(truth)).map(|(name, history)| Channel::history(name, "", history)).collect();
     Problem::new(five_parameters(), channels, misfit).expect("sound")

@@ -20,7 +20,7 @@ use extrados::{AssessOptions, Assessed, Means};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     desk.screen.details = arguments.details;
     if arguments.file.is_dir() {
         return fleet::run(desk, arguments);
@@ -69,7 +69,7 @@ fn pictures_left_out(done: &Assessed) -> Vec<[String; 2]> {
 const KEPT: &str = "finished stages are kept, and the same command takes them up";
 
 /// The answer for scripts.
-pub fn answer(done: &Assessed, source: &Source) -> Report {
+pub(super) fn answer(done: &Assessed, source: &Source) -> Report {
     let mut report =
         source.report(Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined));
     report.finished = done.assessment.verdict.finished;
@@ -84,7 +84,7 @@ pub fn answer(done: &Assessed, source: &Source) -> Report {
 }
 
 /// Report and tables.
-pub fn files(done: &Assessed) -> Vec<figures::File> {
+pub(super) fn files(done: &Assessed) -> Vec<figures::File> {
     extrados::written::assessed(done).files
 }
 

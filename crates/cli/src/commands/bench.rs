@@ -25,7 +25,7 @@ use mechanics::{dem, limit, path};
 use structure::discretise::discretise;
 
 /// Measures.
-pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     match arguments.name {
         BenchName::Disks => disks::run(desk, arguments),
         BenchName::Arch => bridgemill(arguments, arch),

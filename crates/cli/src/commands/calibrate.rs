@@ -14,7 +14,7 @@ use outcome::calibration::{CalibrationReport, Verdict};
 use outcome::published;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));

@@ -14,7 +14,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Reads the file, makes every case, writes them side by side.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
     let choice = arguments.choice.of(bridge.width)?;

@@ -16,7 +16,7 @@ use structure::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
 use structure::discretise::springings::{are_level, springings};
 
 /// Reads the file and draws the bridge.
-pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     if bridge::is_block_file(&super::read_text(&arguments.file)?) {
         return model::check(desk, arguments);
     }

@@ -18,7 +18,7 @@ use outcome::vehicles::VehicleSweep;
 use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     desk.screen.details = arguments.details;
     if bridge::is_block_file(&super::read_text(&arguments.file)?) {
         return model::collapse(desk, arguments);

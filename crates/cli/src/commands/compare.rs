@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 const SHOWN: usize = 20;
 
 /// Reads both files, makes both analyses, writes what differs.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let files = [&arguments.before, &arguments.after];
     for file in files {
         if bridge::is_block_file(&read_text(file)?) {

@@ -27,7 +27,7 @@ enum Content {
 }
 
 /// Reads FROM and writes TO.
-pub fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
     let (from, to) = (ending(&arguments.from), ending(&arguments.to));
     if matches!((from.as_str(), to.as_str()), ("csv" | "txt" | "xy", "toml" | "svg" | "png" | "csv")) {
         return section::run(desk, arguments, &to);

@@ -21,7 +21,7 @@ impl Entry {
 }
 
 /// Prints one card, or the list of all.
-pub fn run(arguments: &Explain) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Explain) -> Result<Report, Failure> {
     match &arguments.code {
         Some(code) => one(code),
         None => Ok(list()),

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Lists the library, one material, or those of one table.
-pub fn run(arguments: &Materials) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Materials) -> Result<Report, Failure> {
     let asked = arguments.name.as_deref().map(|name| name.trim_matches(['[', ']']));
     let mut listed = materials();
     listed.retain(|one| {

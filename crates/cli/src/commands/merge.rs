@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Checks that the shards are all there and belong together, then lets their command find every piece finished.
-pub fn run(desk: &mut Desk, arguments: &Merge) -> Result<Answer, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Answer, Failure> {
     let shards = match gathered(&arguments.dirs) {
         Ok(shards) => shards,
         Err(refusals) => return Ok(refused(desk, Report::new(Status::UnusableInput), refusals).into()),

@@ -41,7 +41,7 @@ use std::ffi::OsString;
 use std::path::Path;
 
 /// What every command is given.
-pub struct Desk {
+pub(crate) struct Desk {
     pub screen: Screen,
     pub clock: Clock,
     pub schema: String,
@@ -64,7 +64,7 @@ impl From<Report> for Answer {
 }
 
 /// Runs the command line and gives the exit code.
-pub fn run(words: Vec<OsString>) -> u8 {
+pub(crate) fn run(words: Vec<OsString>) -> u8 {
     let clock = Clock::start();
     let parsed = Arguments::command().try_get_matches_from(&words);
     let parsed = parsed.and_then(|said| Ok((Arguments::from_arg_matches(&said)?, said)));

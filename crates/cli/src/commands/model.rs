@@ -20,11 +20,11 @@ use std::path::{Path, PathBuf};
 use structure::blocks::Scene;
 
 /// A block model file that was read, and shown what was found in it.
-pub struct Model(pub Blocks);
+pub(super) struct Model(pub Blocks);
 
 impl Model {
     /// Reads a file and its drawing, and shows what was found in them.
-    pub fn open(desk: &mut Desk, path: &Path) -> Result<Model, Failure> {
+    pub(super) fn open(desk: &mut Desk, path: &Path) -> Result<Model, Failure> {
         let blocks = Blocks::read(path, &Disk)?;
         if blocks.scene().is_none() || !desk.screen.quiet {
             let paint = Paint::for_stderr();
@@ -43,7 +43,7 @@ impl Model {
     }
 
     /// An answer with what was found.
-    pub fn report(&self, status: Status) -> Report {
+    pub(super) fn report(&self, status: Status) -> Report {
         let mut report = Report::new(status);
         if let Some((place, findings)) = self.0.drawing() {
             report.add_drawing(&place.display().to_string(), findings);
@@ -54,7 +54,7 @@ impl Model {
 }
 
 /// Reads the model and draws it.
-pub fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
+pub(super) fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     let model = Model::open(desk, &arguments.file)?;
     let (Some(scene), Some(picture)) = (model.0.scene(), model.0.as_built()) else {
         return Ok(model.report(Status::UnusableInput));
@@ -131,7 +131,7 @@ fn summary(scene: &Scene, out: &str) -> String {
 }
 
 /// Reads the model, makes the analysis, writes its results.
-pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure> {
+pub(super) fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure> {
     let model = Model::open(desk, &arguments.file)?;
     let Some(scene) = model.0.scene() else { return Ok(model.report(Status::UnusableInput)) };
     let arch = "this analysis needs an arch: a block model has no ring";

@@ -12,7 +12,7 @@ use std::io;
 use std::path::Path;
 
 /// Writes the example's files into a new or empty folder.
-pub fn run(arguments: &New) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &New) -> Result<Report, Failure> {
     let example = examples::named(&arguments.from).ok_or_else(|| unknown(&arguments.from))?;
     write(example, &arguments.dir)?;
     let names: Vec<&str> = example.files.iter().map(|file| file.name).collect();

@@ -17,7 +17,7 @@ use outcome::passage::{Passage, PassageStatus};
 use serde_json::json;
 
 /// Reads the file, lets the train cross, writes the records.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));

@@ -3,7 +3,7 @@
 use super::Answer;
 use crate::args::Schema;
 
-pub fn run(arguments: &Schema) -> Answer {
+pub(super) fn run(arguments: &Schema) -> Answer {
     let schema = match (arguments.blocks, arguments.vehicles, arguments.rule) {
         (true, ..) => bridge::schema::schema_of_blocks(),
         (_, true, _) => ::outcome::published::schema_of_vehicles(),

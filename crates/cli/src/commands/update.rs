@@ -17,7 +17,7 @@ use outcome::update::{Update, UpdateStatus};
 use serde_json::json;
 
 /// Reads file and records, searches, writes what was found. Every evaluation is kept as soon as it is done.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));

@@ -29,7 +29,7 @@ const METHODS: [Predictor; 5] =
     [Predictor::Weight, Predictor::Pressure, Predictor::Continuum, Predictor::Path, Predictor::Movement];
 
 /// Reads all tests, predicts them, writes table, figure and statistics.
-pub fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failure> {
     let methods: Vec<Predictor> = match arguments.methods.as_slice() {
         [] => METHODS.to_vec(),
         named => Predictor::ALL.iter().copied().filter(|one| named.contains(one)).collect(),

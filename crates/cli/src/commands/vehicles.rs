@@ -12,7 +12,7 @@ use std::fmt::Write;
 const GRAVITY: f64 = 9.81;
 
 /// Lists the library, or what bears one name.
-pub fn run(arguments: &Vehicles) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Vehicles) -> Result<Report, Failure> {
     let library = library(GRAVITY).map_err(|unknown| Failure::input("F126", unknown.to_string(), "report this"))?;
     let asked = arguments.name.as_deref();
     let is = |code: &str| asked.is_none_or(|name| code.eq_ignore_ascii_case(name));

@@ -26,7 +26,7 @@ const KINDS: [(Kind, &str, &str); 5] = [
 ];
 
 /// Runs the cases below a folder.
-pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
     if let Some(path) = &arguments.manual {
         free(path)?;
     }

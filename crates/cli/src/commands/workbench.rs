@@ -24,7 +24,7 @@ pub fn run(_: &mut Desk, _: &Workbench) -> Result<Report, Failure> {
 
 /// Serves the page until somebody stops it.
 #[cfg(feature = "workbench")]
-pub fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Failure> {
     if FILES.is_empty() {
         let message = "this program was built with the feature `workbench`, but before there was a page";
         return Err(Failure::input("F140", message, BUILD));

@@ -9,17 +9,17 @@ use std::io;
 use std::path::Path;
 
 /// Complete results on their way into their place.
-pub const READY: &str = ".extrados-ready";
+pub(super) const READY: &str = ".extrados-ready";
 /// How names begin, or go on, of what is not complete.
-pub const PARTIAL: &str = ".extrados-partial-";
+pub(super) const PARTIAL: &str = ".extrados-partial-";
 
 /// Holds the folder as long as it lives.
 #[derive(Debug)]
-pub struct Claim(Option<File>);
+pub(super) struct Claim(Option<File>);
 
 impl Claim {
     /// Claims a folder for this run; none where another run holds it. Systems that cannot lock folders let everybody in.
-    pub fn of(folder: &Path) -> Option<Claim> {
+    pub(super) fn of(folder: &Path) -> Option<Claim> {
         let Ok(file) = File::open(folder) else { return Some(Claim(None)) };
         match file.try_lock() {
             Ok(()) => Some(Claim(Some(file))),
@@ -29,7 +29,7 @@ impl Claim {
     }
 
     /// Ends what a killed run left here: complete results go to their place, incomplete ones are taken away.
-    pub fn tidy(&self, folder: &Path) -> io::Result<()> {
+    pub(super) fn tidy(&self, folder: &Path) -> io::Result<()> {
         // Without a lock what looks left over may be another run's.
         if self.0.is_none() {
             return Ok(());
@@ -80,7 +80,7 @@ fn finish(folder: &Path) -> io::Result<()> {
 
 /// Moves the files of complete results, those that are still there, from a folder of their own into their place, the seal last. Files of
 /// the answer before them that are no part of this one are taken away. The list tells both; it is settled at the end.
-pub fn into_place(from: &Path, target: &Path, files: &[String]) -> io::Result<()> {
+pub(super) fn into_place(from: &Path, target: &Path, files: &[String]) -> io::Result<()> {
     let mut list = List::read(target);
     let all: Vec<String> = files.iter().cloned().chain([SEAL.to_owned()]).collect();
     remove(&target.join(SEAL))?;

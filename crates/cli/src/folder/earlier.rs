@@ -7,10 +7,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Name of the folder for earlier answers.
-pub const NAME: &str = "earlier";
+pub(super) const NAME: &str = "earlier";
 
 /// Moves the answer that a list describes into `earlier/KIND` and takes its files off the list. Gives the new place.
-pub fn keep(folder: &Path, list: &mut List) -> io::Result<Option<PathBuf>> {
+pub(super) fn keep(folder: &Path, list: &mut List) -> io::Result<Option<PathBuf>> {
     let there: Vec<String> = list.last.iter().filter(|name| folder.join(name).is_file()).cloned().collect();
     if there.is_empty() {
         list.last.clear();

@@ -11,12 +11,12 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 
 /// What the name of the list ends in; the name of the folder stands before it.
-pub const NAME: &str = ".extrados-files.json";
+pub(super) const NAME: &str = ".extrados-files.json";
 const SCHEMA: &str = "extrados.files/1";
 
 /// What the command made in a folder.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct List {
+pub(super) struct List {
     /// Which run made the result that stands there, such as "collapse-load-dem"; empty where none does.
     pub kind: String,
     /// The file that it was made from.
@@ -30,7 +30,7 @@ pub struct List {
 impl List {
     /// The list of a folder. Where there is none, files that a result names count as made: results of earlier versions have no
     /// list.
-    pub fn read(folder: &Path) -> List {
+    pub(super) fn read(folder: &Path) -> List {
         let value = |path: PathBuf| serde_json::from_slice::<Value>(&read_at_most(&path, LONGEST).ok()?).ok();
         let listed = places(folder).into_iter().filter_map(value).find(|value| value["schema"] == SCHEMA);
         if let Some(value) = listed {
@@ -55,7 +55,7 @@ impl List {
     }
 
     /// Writes it, whole or not at all.
-    pub fn write(&self, folder: &Path) -> io::Result<()> {
+    pub(super) fn write(&self, folder: &Path) -> io::Result<()> {
         let made: Map<String, Value> = self.made.iter().map(|(name, hashes)| (name.clone(), json!(hashes))).collect();
         let about = "Files that extrados made here, and may replace as long as they are as it made them.";
         let value = json!({
@@ -73,7 +73,7 @@ impl List {
     }
 
     /// Whether the file of this name is as the command made it.
-    pub fn holds(&self, folder: &Path, name: &str) -> bool {
+    pub(super) fn holds(&self, folder: &Path, name: &str) -> bool {
         let Some(hashes) = self.made.get(name) else { return false };
         let path = folder.join(name);
         let plain = fs::symlink_metadata(&path).is_ok_and(|data| data.is_file());
@@ -81,12 +81,12 @@ impl List {
     }
 
     /// Whether a file of this name was made, whatever became of it.
-    pub fn knows(&self, name: &str) -> bool {
+    pub(super) fn knows(&self, name: &str) -> bool {
         self.made.contains_key(name)
     }
 
     /// A file may have this content too.
-    pub fn expect(&mut self, name: &str, hash: String) {
+    pub(super) fn expect(&mut self, name: &str, hash: String) {
         let known = self.made.entry(name.to_owned()).or_default();
         if !known.contains(&hash) {
             known.push(hash);
@@ -94,17 +94,17 @@ impl List {
     }
 
     /// A file has this content and no other.
-    pub fn settle(&mut self, name: &str, hash: String) {
+    pub(super) fn settle(&mut self, name: &str, hash: String) {
         self.made.insert(name.to_owned(), vec![hash]);
     }
 
     /// A file is gone.
-    pub fn forget(&mut self, name: &str) {
+    pub(super) fn forget(&mut self, name: &str) {
         self.made.remove(name);
     }
 
     /// The list of these files alone.
-    pub fn only(&self, names: &[String]) -> List {
+    pub(super) fn only(&self, names: &[String]) -> List {
         let made = self.made.iter().filter(|(name, _)| names.contains(name));
         let made = made.map(|(name, hashes)| (name.clone(), hashes.clone())).collect();
         List { last: names.to_vec(), made, ..self.clone() }
@@ -112,7 +112,7 @@ impl List {
 }
 
 /// Where the list of a folder may stand: beside it, and inside.
-pub fn places(folder: &Path) -> Vec<PathBuf> {
+pub(super) fn places(folder: &Path) -> Vec<PathBuf> {
     let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let beside = whole.parent().zip(whole.file_name());
     let beside = beside.map(|(parent, name)| parent.join(format!(".{}{NAME}", name.to_string_lossy())));
@@ -120,7 +120,7 @@ pub fn places(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The hash of a file's content, in hexadecimal digits.
-pub fn hash(path: &Path) -> io::Result<String> {
+pub(crate) fn hash(path: &Path) -> io::Result<String> {
     // What is no plain file is refused before it is opened.
     head(path, 0)?;
     let mut hasher = blake3::Hasher::new();
@@ -129,11 +129,11 @@ pub fn hash(path: &Path) -> io::Result<String> {
 }
 
 /// A plain name below the folder.
-pub fn is_inside(name: &str) -> bool {
+pub(crate) fn is_inside(name: &str) -> bool {
     !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }
 
 /// Texts of a list.
-pub fn strings(value: &Value) -> Vec<String> {
+pub(super) fn strings(value: &Value) -> Vec<String> {
     value.as_array().into_iter().flatten().filter_map(|one| one.as_str().map(str::to_owned)).collect()
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// A run that wants a folder.
 #[derive(Debug, Clone)]
-pub struct Purpose {
+pub(crate) struct Purpose {
     /// Which run, such as "collapse-load-dem": its own earlier answer is replaced, that of another run is kept.
     pub kind: String,
     /// The file that it reads, canonical.
@@ -22,7 +22,7 @@ pub struct Purpose {
 const ENDINGS: [&str; 10] = ["json", "csv", "xlsx", "svg", "png", "dxf", "vtu", "pvd", "html", "pdf"];
 
 /// Folders below the folder of results whose files are all results.
-pub const BELOW: [&str; 5] = ["paraview", "wall", "wall/paraview", "before", "after"];
+pub(super) const BELOW: [&str; 5] = ["paraview", "wall", "wall/paraview", "before", "after"];
 
 /// What a collapse and a sweep share beside their figures.
 const SHARED: &[&str] = &["result", "animation"];
@@ -43,7 +43,7 @@ const CHECK: &[&str] = &["bridge", "mesh"];
 
 impl Purpose {
     /// A run of this kind on a file, which reads these files too. The kind begins with the command.
-    pub fn new(kind: &str, file: &Path, inputs: &[PathBuf]) -> Purpose {
+    pub(crate) fn new(kind: &str, file: &Path, inputs: &[PathBuf]) -> Purpose {
         let stems = match kind.split('-').next().unwrap_or_default() {
             "collapse" => [SHARED, COLLAPSE],
             "sweep" => [SHARED, SWEEP],
@@ -71,7 +71,7 @@ impl Purpose {
 
     /// Whether the run may write a file of this name. Letters are compared as file systems that do not tell small from capital
     /// ones compare them.
-    pub fn may_write(&self, name: &str) -> bool {
+    pub(crate) fn may_write(&self, name: &str) -> bool {
         let name = name.to_lowercase();
         let Some((stem, ending)) = name.rsplit_once('.') else { return false };
         let fits = |known: &str| known.strip_suffix('*').map_or(stem == known, |start| stem.starts_with(start));
@@ -83,12 +83,12 @@ impl Purpose {
     }
 
     /// Whether a file is one that the run reads.
-    pub fn reads(&self, path: &Path) -> bool {
+    pub(crate) fn reads(&self, path: &Path) -> bool {
         path.canonicalize().is_ok_and(|path| self.inputs.contains(&path))
     }
 
     /// The file that it reads, as text.
-    pub fn of(&self) -> String {
+    pub(crate) fn of(&self) -> String {
         self.of.display().to_string()
     }
 }

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// The verdict in a few lines, or with every comparison, the condition and what is missing; `report` names the reports that are written.
-pub fn assessment(a: &Assessment, report: &str, folder: &Path, details: bool) -> Page {
+pub(crate) fn assessment(a: &Assessment, report: &str, folder: &Path, details: bool) -> Page {
     let body = if details { everything(a) } else { digest(a) };
     let place = format!("{report}, checks.csv and result.json are in {}", folder.display());
     Page { body, assumptions: Vec::new(), place }

@@ -5,7 +5,7 @@ use outcome::passage::{Passage, PassageStatus};
 use std::fmt::Write;
 
 /// Peaks of the channels, what they took, what they rest on.
-pub fn passage(found: &Passage, out: &str) -> String {
+pub(crate) fn passage(found: &Passage, out: &str) -> String {
     let mut page = format!(
         "{}: {} at {:.1} km/h, {}, {} displacements\n\n",
         found.bridge,

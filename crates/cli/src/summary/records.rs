@@ -6,7 +6,7 @@ use outcome::update::Update;
 use std::fmt::Write;
 
 /// The verdict on the records alone.
-pub fn records(found: &Update, out: &str) -> String {
+pub(crate) fn records(found: &Update, out: &str) -> String {
     let used = &found.records;
     let mut page = format!("{}: records of the passage of {}\n\n", found.bridge, found.train);
     for run in &used.runs {

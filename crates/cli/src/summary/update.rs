@@ -5,7 +5,7 @@ use outcome::update::{UncertaintyFrom, Update, UpdateStatus};
 use std::fmt::Write;
 
 /// Parameters, channels, searches beside one another, what the records tell, what was found in them.
-pub fn update(found: &Update, out: &str) -> String {
+pub(crate) fn update(found: &Update, out: &str) -> String {
     let mut page = format!("{}: updated by the passage of {}\n\n", found.bridge, found.train);
     if found.status == UpdateStatus::NotConverged {
         let _ = writeln!(page, "  NOT CONVERGED: {}\n", found.reason.as_deref().unwrap_or("a search found no end"));

@@ -5,7 +5,7 @@ use findings::words::counted;
 use std::fmt::Write;
 
 /// The table of all predictions, what each method comes to, and which tests it predicts too high.
-pub fn validation(found: &Validation, out: &str) -> String {
+pub(crate) fn validation(found: &Validation, out: &str) -> String {
     let mut page =
         format!("{} loaded to collapse; loads in kN on the whole width\n\n", counted(found.tests.len(), "bridge"));
     let name = found.tests.iter().map(|test| test.name.len()).chain([6]).max().unwrap_or(6);

@@ -8,7 +8,7 @@ use std::fmt::Write;
 const MOST_SHOWN: usize = 8;
 
 /// What was found, what matters most, where the rest is.
-pub fn vary(study: &Study, out: &str) -> String {
+pub(crate) fn vary(study: &Study, out: &str) -> String {
     let (name, unit) = figures::name_and_unit(&study.outcome);
     let mut page = format!("{}: {name} by {}, {}\n\n", study.bridge, study.method.name(), design(study));
     let own = study.baseline().map(|row| (row, study.number(row)));

@@ -8,7 +8,7 @@ use outcome::vehicles::{Case, VehicleSweep};
 use std::fmt::Write;
 
 /// Every vehicle with its adequacy factor, worst first, and the governing case.
-pub fn vehicles(found: &VehicleSweep, out: &str) -> Page {
+pub(crate) fn vehicles(found: &VehicleSweep, out: &str) -> Page {
     let mut page =
         format!("{}: {} by rule \"{}\"\n\n", found.bridge, counted(found.vehicles.len(), "vehicle"), found.rule.code);
     let mut order: Vec<usize> = (0..found.vehicles.len()).collect();

@@ -26,7 +26,7 @@ const ALWAYS: [(HeaderName, &str); 5] = [
 ];
 
 /// The answer to a request at a server on this port.
-pub fn answer<B>(request: &Request<B>, port: u16, files: &'static [File]) -> Response<&'static [u8]> {
+pub(crate) fn answer<B>(request: &Request<B>, port: u16, files: &'static [File]) -> Response<&'static [u8]> {
     if !is_ours(request, port) {
         return refusal(StatusCode::MISDIRECTED_REQUEST, b"this server answers for 127.0.0.1 and localhost alone\n");
     }

@@ -7,7 +7,7 @@ use tokio::task::AbortHandle;
 
 /// The connections that are open.
 #[derive(Default)]
-pub struct Guests {
+pub(super) struct Guests {
     list: Vec<Guest>,
     /// Connections and requests are counted together: a larger number is later.
     count: Arc<AtomicU64>,
@@ -21,26 +21,26 @@ struct Guest {
 
 /// When a connection last asked for something; never, at first.
 #[derive(Clone)]
-pub struct Use {
+pub(super) struct Use {
     last: Arc<AtomicU64>,
     count: Arc<AtomicU64>,
 }
 
 impl Use {
     /// A request came.
-    pub fn asked(&self) {
+    pub(super) fn asked(&self) {
         self.last.store(self.count.fetch_add(1, Ordering::Relaxed) + 1, Ordering::Relaxed);
     }
 }
 
 impl Guests {
     /// What a new connection tells of itself.
-    pub fn announced(&self) -> Use {
+    pub(super) fn announced(&self) -> Use {
         Use { last: Arc::default(), count: Arc::clone(&self.count) }
     }
 
     /// Makes room among `most` places, by ending the connection that asked for nothing, or asked longest ago.
-    pub fn make_room(&mut self, most: usize) {
+    pub(super) fn make_room(&mut self, most: usize) {
         self.list.retain(|guest| !guest.handle.is_finished());
         while self.list.len() >= most {
             let idle = |guest: &Guest| (guest.use_of.last.load(Ordering::Relaxed), guest.came);
@@ -50,7 +50,7 @@ impl Guests {
     }
 
     /// A connection has a place from now on.
-    pub fn seat(&mut self, use_of: Use, handle: AbortHandle) {
+    pub(super) fn seat(&mut self, use_of: Use, handle: AbortHandle) {
         let came = self.count.fetch_add(1, Ordering::Relaxed) + 1;
         self.list.push(Guest { came, use_of, handle });
     }

@@ -1,12 +1,12 @@
 //! The workbench behind a server of this machine alone: its files are in the program, nothing else is ever read or written.
 
-pub mod answer;
+pub(crate) mod answer;
 mod guests;
-pub mod server;
+pub(crate) mod server;
 
 /// A file of the page.
 #[derive(Debug, Clone, Copy)]
-pub struct File {
+pub(crate) struct File {
     /// Its name below the page's address.
     pub name: &'static str,
     /// What it contains.
@@ -16,4 +16,4 @@ pub struct File {
 }
 
 /// All files; none where the front end was not built before the program.
-pub const FILES: &[File] = include!(concat!(env!("OUT_DIR"), "/workbench_files.rs"));
+pub(crate) const FILES: &[File] = include!(concat!(env!("OUT_DIR"), "/workbench_files.rs"));

@@ -27,7 +27,7 @@ const LARGEST_HEAD: usize = 16 << 10;
 const TICK: Duration = Duration::from_millis(100);
 
 /// A server that listens.
-pub struct Server {
+pub(crate) struct Server {
     listener: TcpListener,
     port: u16,
     files: &'static [File],
@@ -38,7 +38,7 @@ impl Server {
     ///
     /// # Errors
     /// A port that is taken, or not allowed.
-    pub fn bind(port: u16, files: &'static [File]) -> io::Result<Server> {
+    pub(crate) fn bind(port: u16, files: &'static [File]) -> io::Result<Server> {
         let listener = TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port)))?;
         listener.set_nonblocking(true)?;
         let port = listener.local_addr()?.port();
@@ -46,7 +46,7 @@ impl Server {
     }
 
     /// Where the page is.
-    pub fn address(&self) -> String {
+    pub(crate) fn address(&self) -> String {
         format!("http://127.0.0.1:{}/", self.port)
     }
 
@@ -54,7 +54,7 @@ impl Server {
     ///
     /// # Errors
     /// A system that gives no runtime; requests make none.
-    pub fn run(self, ends: impl Fn() -> bool) -> io::Result<()> {
+    pub(crate) fn run(self, ends: impl Fn() -> bool) -> io::Result<()> {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build()?;
         runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(self.listener)?;

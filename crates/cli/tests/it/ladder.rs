@@ -4,7 +4,7 @@ use crate::stage::{Ending, Stage};
 use serde_json::Value;
 
 /// A road bridge of 5 m, everything that CS 454 asks for.
-pub const BASE: &str = r#"[bridge]
+pub(crate) const BASE: &str = r#"[bridge]
 name = "Base"
 width = "6.0 m"
 [[span]]

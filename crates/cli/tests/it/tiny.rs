@@ -1,7 +1,7 @@
 //! A bridge of some hundred elements, for tests that need all of it in a moment.
 
 /// One span under one wagon of ten tonnes: an evaluation takes hundredths of a second.
-pub const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" } # a bridge of a test
+pub(crate) const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" } # a bridge of a test
 span = { profile = "segmental", span = "4 m", rise = "1 m", thickness = "0.5 m", voussoirs = 9 }
 abutment = { top_width = "1 m", height = "1 m" }
 joint = { friction_angle = "35 deg", cohesion = "0 kPa" }

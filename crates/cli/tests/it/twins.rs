@@ -15,7 +15,7 @@ const MODULI: [(&str, &str, [f64; 2], u32); 5] = [
 ];
 
 /// Share of a range, evenly spread over the twins: the digits of a number in a base, mirrored at the point (Halton 1960).
-pub fn share(number: u32, base: u32) -> f64 {
+pub(crate) fn share(number: u32, base: u32) -> f64 {
     let (mut rest, mut digit, mut share) = (number, 1.0 / f64::from(base), 0.0);
     while rest > 0 {
         share += digit * f64::from(rest % base);
@@ -26,7 +26,7 @@ pub fn share(number: u32, base: u32) -> f64 {
 }
 
 /// The bridge with another modulus in one of its sections.
-pub fn with_modulus(text: &str, section: &str, value: &str) -> String {
+pub(crate) fn with_modulus(text: &str, section: &str, value: &str) -> String {
     let begin = text.find(&format!("\n[{section}]\n")).expect("the example has the section");
     let key = "elastic_modulus = \"";
     let from = begin + text[begin..].find(key).expect("the section has a modulus") + key.len();

@@ -7,7 +7,7 @@ use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 /// Two moduli sought, the file's own values being the start.
-pub const SOUGHT: &str = r#"
+pub(crate) const SOUGHT: &str = r#"
 [records]
 place = "records.csv"
 zero = false
@@ -30,7 +30,7 @@ points = 5
 "#;
 
 /// A stage with a bridge and the records of its twin, whose stone has 13 GPa and whose fill 170 MPa.
-pub fn twin(name: &str) -> Stage {
+pub(crate) fn twin(name: &str) -> Stage {
     let stage = Stage::new(name);
     let truth = BRIDGE.replace("\"10 GPa\"", "\"13 GPa\"").replace("\"100 MPa\"", "\"170 MPa\"");
     stage.write("truth.toml", truth);

@@ -6,7 +6,7 @@ use std::process::Output;
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum End {
+pub(crate) enum End {
     /// With an answer (exit codes 0 and 1).
     Answered,
     /// The input was refused (2).
@@ -35,7 +35,7 @@ const ALL: [(End, &str); 7] = [
 
 impl End {
     /// By the exit code of a command that nobody interrupted.
-    pub fn of(output: &Output) -> End {
+    pub(crate) fn of(output: &Output) -> End {
         match output.status.code() {
             Some(0 | 1) => End::Answered,
             Some(2) => End::Refused,
@@ -48,23 +48,23 @@ impl End {
 
 /// Counts, and a note of each case that should not be.
 #[derive(Debug, Default)]
-pub struct Tally {
+pub(crate) struct Tally {
     rows: BTreeMap<[String; 2], BTreeMap<End, usize>>,
     faults: Vec<String>,
 }
 
 impl Tally {
-    pub fn count(&mut self, kind: &str, command: &str, end: End) {
+    pub(crate) fn count(&mut self, kind: &str, command: &str, end: End) {
         *self.rows.entry([kind.to_owned(), command.to_owned()]).or_default().entry(end).or_insert(0) += 1;
     }
 
     /// Counts a case that should not be, and keeps what is known of it.
-    pub fn fault(&mut self, kind: &str, command: &str, end: End, what: String) {
+    pub(crate) fn fault(&mut self, kind: &str, command: &str, end: End, what: String) {
         self.count(kind, command, end);
         self.faults.push(format!("{kind}, {command}: {what}"));
     }
 
-    pub fn merge(&mut self, other: Tally) {
+    pub(crate) fn merge(&mut self, other: Tally) {
         for (key, ends) in other.rows {
             let row = self.rows.entry(key).or_default();
             ends.into_iter().for_each(|(end, count)| *row.entry(end).or_insert(0) += count);
@@ -72,12 +72,12 @@ impl Tally {
         self.faults.extend(other.faults);
     }
 
-    pub fn cases(&self) -> usize {
+    pub(crate) fn cases(&self) -> usize {
         self.rows.values().flat_map(BTreeMap::values).sum()
     }
 
     /// The table for docs/verification/robustness.md; columns in which nothing was counted are left out, but for the last two.
-    pub fn table(&self) -> String {
+    pub(crate) fn table(&self) -> String {
         let of = |row: &BTreeMap<End, usize>, end: &End| row.get(end).copied().unwrap_or(0);
         let shown: Vec<&(End, &str)> = ALL
             .iter()
@@ -104,7 +104,7 @@ impl Tally {
     }
 
     /// Shows the table, and fails where anything broke or was lost.
-    pub fn settle(&self, title: &str) {
+    pub(crate) fn settle(&self, title: &str) {
         println!("\n### {title}\n\n{}", self.table());
         assert!(self.cases() > 0, "{title}: nothing was tried");
         assert!(self.faults.is_empty(), "{title}:\n{}", self.faults.join("\n"));

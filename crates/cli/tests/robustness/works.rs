@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 /// Two moduli sought, the file's own values being the start.
-pub const SOUGHT: &str = r#"
+pub(crate) const SOUGHT: &str = r#"
 [records]
 place = "records.csv"
 zero = false
@@ -29,7 +29,7 @@ starts = 2
 points = 5
 "#;
 /// A vehicle of one's own.
-pub const LORRY: &str = "code = \"lorry\"\ntitle = \"Lorry\"\nways = \"road\"\n\
+pub(crate) const LORRY: &str = "code = \"lorry\"\ntitle = \"Lorry\"\nways = \"road\"\n\
     source = { text = \"a plate\", date = \"2026\", confidence = \"assumed\" }\n\n[[vehicle]]\ncode = \"our-lorry\"\n\
     title = \"Lorry\"\naxle_loads_kn = [80.0, 110.0]\nspacings_m = [4.0]\naxles_may_be_dropped = true\n\
     wheel_track_m = 1.8\ncontact_length_m = 0.30\n\n[[under]]\nrule = \"cs-454\"\n\
@@ -39,7 +39,7 @@ pub const LORRY: &str = "code = \"lorry\"\ntitle = \"Lorry\"\nways = \"road\"\n\
 
 /// A command that writes into a folder.
 #[derive(Debug, Clone, Copy)]
-pub struct Work {
+pub(crate) struct Work {
     /// Its name in tables.
     pub name: &'static str,
     /// Its words, without the folder.
@@ -53,7 +53,7 @@ const fn work(name: &'static str, words: &'static [&'static str], resume: Option
 }
 
 /// Works of seconds and less.
-pub const WORKS: [Work; 13] = [
+pub(crate) const WORKS: [Work; 13] = [
     work("check", &["check", "tiny.toml"], None),
     work("collapse, limit", &["collapse", "tiny.toml", "--method", "limit"], None),
     work("collapse, path", &["collapse", "two/bridge.toml", "--method", "path"], Some("--resume")),
@@ -81,20 +81,20 @@ pub const WORKS: [Work; 13] = [
 ];
 
 /// Works of many seconds.
-pub const LONG: [Work; 2] = [
+pub(crate) const LONG: [Work; 2] = [
     work("collapse, particles", &["collapse", "fill.toml", "--keep-every", "0.1"], Some("--resume")),
     work("calibrate-fill", &["calibrate-fill", "grains.toml", "--seeds", "1"], None),
 ];
 
 /// Those of some works that `EXTRADOS_WORKS` names, separated by commas; without it all.
-pub fn asked_for(works: impl Iterator<Item = Work>) -> Vec<Work> {
+pub(crate) fn asked_for(works: impl Iterator<Item = Work>) -> Vec<Work> {
     let asked = std::env::var("EXTRADOS_WORKS").ok();
     let names = |work: &Work| asked.as_ref().is_none_or(|names| names.split(',').any(|name| name.trim() == work.name));
     works.filter(names).collect()
 }
 
 /// A stage with everything that the works read.
-pub fn prepared(name: &str) -> Stage {
+pub(crate) fn prepared(name: &str) -> Stage {
     let stage = Stage::new(name);
     for (folder, example) in [("two", "two-span"), ("mill", "bridgemill"), ("drawing", "drawing")] {
         assert_eq!(stage.run(&["new", folder, "--from", example]).code, Some(0));
@@ -133,14 +133,14 @@ pub fn prepared(name: &str) -> Stage {
 
 impl Work {
     /// The command line that writes into a folder.
-    pub fn line<'a>(&'a self, out: &'a str, again: bool) -> Vec<&'a str> {
+    pub(crate) fn line<'a>(&'a self, out: &'a str, again: bool) -> Vec<&'a str> {
         let resumed = self.resume.filter(|_| again);
         self.words.iter().copied().chain(["--out", out, "--json", "--quiet"]).chain(resumed).collect()
     }
 }
 
 /// The answer of a run that nobody disturbed.
-pub struct Whole {
+pub(crate) struct Whole {
     pub code: Option<i32>,
     numbers: Value,
     tables: Vec<(String, Vec<u8>)>,
@@ -148,7 +148,7 @@ pub struct Whole {
 
 impl Whole {
     /// Runs a work without disturbance.
-    pub fn of(stage: &Stage, work: &Work) -> Whole {
+    pub(crate) fn of(stage: &Stage, work: &Work) -> Whole {
         let _ = fs::remove_dir_all(stage.folder.join("whole"));
         let ending = stage.run(&work.line("whole", false));
         assert!(matches!(ending.code, Some(0 | 1 | 3)), "{}: {} {}", work.name, ending.stdout, ending.stderr);
@@ -157,7 +157,7 @@ impl Whole {
     }
 
     /// In what another run of the same differs; nothing where it does not.
-    pub fn differs(&self, ending: &Ending, folder: &Path) -> Option<String> {
+    pub(crate) fn differs(&self, ending: &Ending, folder: &Path) -> Option<String> {
         if ending.code != self.code {
             return Some(format!("exit code {:?} for {:?}: {}", ending.code, self.code, ending.stderr));
         }
@@ -225,7 +225,7 @@ fn tables(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 /// Whether a folder holds a whole answer: its seal, and every file that the seal names; in its place, or complete on the way there.
-pub fn is_sealed(folder: &Path) -> Result<bool, String> {
+pub(crate) fn is_sealed(folder: &Path) -> Result<bool, String> {
     let ready = folder.join(".extrados-ready");
     for (place, other) in [(folder, None), (ready.as_path(), Some(folder))] {
         let Ok(bytes) = fs::read(place.join("result.json")) else { continue };
@@ -241,7 +241,7 @@ pub fn is_sealed(folder: &Path) -> Result<bool, String> {
 }
 
 /// Files that are there for a while only, and outlived their run.
-pub fn left_over(folder: &Path) -> Vec<String> {
+pub(crate) fn left_over(folder: &Path) -> Vec<String> {
     let own = format!("..{}.", folder.file_name().unwrap_or_default().to_string_lossy());
     let names = |place: &Path| {
         let entries = fs::read_dir(place).into_iter().flatten().flatten();

@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 /// A finished stage.
-pub struct Finished<T> {
+pub(super) struct Finished<T> {
     pub facts: T,
     /// Its drawings.
     pub figures: Vec<Figure>,
@@ -16,7 +16,7 @@ pub struct Finished<T> {
 }
 
 /// A stage that was finished from the same input. A piece that is damaged or of another input is none.
-pub fn get<T: DeserializeOwned>(means: &Means<'_>, stage: &str, key: &str) -> Option<Finished<T>> {
+pub(super) fn get<T: DeserializeOwned>(means: &Means<'_>, stage: &str, key: &str) -> Option<Finished<T>> {
     let value: Value = serde_json::from_slice(&means.shelf.find(&name(stage))?).ok()?;
     if value["key"].as_str() != Some(key) {
         return None;
@@ -33,7 +33,7 @@ pub fn get<T: DeserializeOwned>(means: &Means<'_>, stage: &str, key: &str) -> Op
 }
 
 /// Keeps a finished stage. One that cannot be kept is computed again: that is no failure.
-pub fn put<T: Serialize>(means: &Means<'_>, stage: &str, key: &str, finished: &Finished<T>) {
+pub(super) fn put<T: Serialize>(means: &Means<'_>, stage: &str, key: &str, finished: &Finished<T>) {
     let figures: Vec<Value> = finished
         .figures
         .iter()

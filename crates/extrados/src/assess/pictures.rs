@@ -19,7 +19,7 @@ fn figure(stage: &str, name: &str, caption: impl Into<String>, svg: Option<Strin
 }
 
 /// The bridge as its file describes it: elevation, plan, cross-section.
-pub fn built(picture: &Picture, ground: &GroundPlan) -> Vec<Figure> {
+pub(super) fn built(picture: &Picture, ground: &GroundPlan) -> Vec<Figure> {
     let svg = figures::bridge_as_drawn(picture);
     let all = [
         figure("built", "bridge", "The bridge as its file describes it.", Some(svg)),
@@ -30,7 +30,7 @@ pub fn built(picture: &Picture, ground: &GroundPlan) -> Vec<Figure> {
 }
 
 /// Mechanism, line of thrust, envelope.
-pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
+pub(super) fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     let Some(Collapse { picture, .. }) = found.facts.collapse.as_deref() else { return Vec::new() };
     let points = found.sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
@@ -49,7 +49,7 @@ pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
 }
 
 /// Adequacy of every vehicle, that of the governing one over its position, and its mechanism.
-pub fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure> {
+pub(super) fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure> {
     let caption = |name: &str| match name {
         "adequacy" => "Adequacy factor of every vehicle, worst first; 1 is just enough.",
         _ => "Adequacy factor of the governing vehicle over the position of its first axle.",
@@ -71,7 +71,7 @@ pub fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure> {
 }
 
 /// Factors of named cases, and the mechanism of the least.
-pub fn cases(bridge: &str, found: &Cases) -> Vec<Figure> {
+pub(super) fn cases(bridge: &str, found: &Cases) -> Vec<Figure> {
     let factors: Vec<(String, f64)> =
         found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
     let bars = figures::case_factors(bridge, &factors);
@@ -85,7 +85,7 @@ pub fn cases(bridge: &str, found: &Cases) -> Vec<Figure> {
 }
 
 /// The mechanism of a support that moves.
-pub fn movement(picture: &Picture) -> Vec<Figure> {
+pub(super) fn movement(picture: &Picture) -> Vec<Figure> {
     let svg = figures::mechanism(picture).or_else(|| figures::thrust_line(picture));
     figure("movement", "mechanism", "The bridge when its support has moved as far as it stands.", svg)
         .into_iter()
@@ -93,7 +93,7 @@ pub fn movement(picture: &Picture) -> Vec<Figure> {
 }
 
 /// Records of the sensors under every load, and the ring of the last one where its first sensor peaks.
-pub fn service(passages: &[Passage], names: &[String]) -> Vec<Figure> {
+pub(super) fn service(passages: &[Passage], names: &[String]) -> Vec<Figure> {
     let mut list = Vec::new();
     for (k, (passage, name)) in passages.iter().zip(names).enumerate() {
         let caption = format!("Records of the sensors under {name}, at rest, self-weight taken off.");
@@ -116,7 +116,7 @@ pub fn service(passages: &[Passage], names: &[String]) -> Vec<Figure> {
 }
 
 /// Histories, residuals, sensitivity curves and surfaces, what the records leave open.
-pub fn update(found: &Update) -> Vec<Figure> {
+pub(super) fn update(found: &Update) -> Vec<Figure> {
     let drawings = figures::update_drawings(found).into_iter().take(MOST_OF_UPDATE);
     let caption = |name: &str| {
         let kind = UPDATE_FIGURES.iter().find(|(kind, _)| name.starts_with(kind));

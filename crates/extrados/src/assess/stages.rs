@@ -32,7 +32,7 @@ use serde::de::DeserializeOwned;
 use std::fmt::Debug;
 
 /// What the stages of one bridge are made from.
-pub struct Stages<'a> {
+pub(super) struct Stages<'a> {
     /// The file.
     pub project: &'a Project,
     /// Stages to leave out.
@@ -58,7 +58,7 @@ enum Ran<T> {
 }
 
 /// Why there is no assessment.
-pub enum Halt {
+pub(super) enum Halt {
     /// Somebody asked to stop.
     Stopped,
     /// The file cannot be used.
@@ -73,7 +73,7 @@ impl From<Refusal> for Halt {
 
 impl Stages<'_> {
     /// Every stage in its order.
-    pub fn run(&mut self) -> Result<Assessment, Halt> {
+    pub(super) fn run(&mut self) -> Result<Assessment, Halt> {
         let own = self.project.bridge()?.clone();
         let asked = self.project.meaning().assess.clone().unwrap_or_default();
         let (update, bridge, document) = self.updated(&own)?;

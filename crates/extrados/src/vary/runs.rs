@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 const MOST_REFUSALS: usize = 50;
 
 /// What every run starts from.
-pub struct Source<'a> {
+pub(super) struct Source<'a> {
     /// The file, with what other files gave it.
     pub project: &'a Project,
     /// The bridge as its file has it.
@@ -29,7 +29,7 @@ pub struct Source<'a> {
 }
 
 /// Every run, with the bridge that it computes. Runs that mean the same bridge share a job.
-pub struct Runs {
+pub(super) struct Runs {
     /// The runs, the file's own bridge first.
     pub list: Vec<Variation>,
     /// For each run, its job.
@@ -41,7 +41,7 @@ pub struct Runs {
 }
 
 /// A bridge to analyse.
-pub struct Job {
+pub(super) struct Job {
     /// The bridge with its plan.
     pub bridge: Bridge,
     /// What the answer is kept by.
@@ -51,7 +51,7 @@ pub struct Job {
 impl Source<'_> {
     /// Whether every value of every quantity gives a bridge by itself, and whether each quantity says something that the
     /// choice does not overrule.
-    pub fn check(&self, varied: &[Varied]) -> Result<(), Vec<Refusal>> {
+    pub(super) fn check(&self, varied: &[Varied]) -> Result<(), Vec<Refusal>> {
         let mut refusals = Vec::new();
         let own = self.chosen(self.own.clone());
         for quantity in varied {
@@ -77,7 +77,7 @@ impl Source<'_> {
     }
 
     /// Every run and its bridge, or what is wrong with values that only go together badly.
-    pub fn runs(&self, varied: &[Varied], analysis: &Analysis, means: &Means<'_>) -> Result<Runs, Vec<Refusal>> {
+    pub(super) fn runs(&self, varied: &[Varied], analysis: &Analysis, means: &Means<'_>) -> Result<Runs, Vec<Refusal>> {
         let counts: Vec<usize> = varied.iter().map(|one| one.values.len()).collect();
         let list = runs(self.design, &counts);
         let mut refusals = Vec::new();
@@ -106,7 +106,7 @@ impl Source<'_> {
     }
 
     /// The bridge as its file has it, alone.
-    pub fn alone(&self, analysis: &Analysis, means: &Means<'_>) -> Runs {
+    pub(super) fn alone(&self, analysis: &Analysis, means: &Means<'_>) -> Runs {
         let bridge = self.chosen(self.own.clone());
         let key = key(analysis, means, &bridge);
         let list = runs(Design::OneAtATime, &[]);
@@ -136,7 +136,7 @@ impl Source<'_> {
     }
 
     /// With what was chosen in place of the file's plan.
-    pub fn chosen(&self, mut bridge: Bridge) -> Bridge {
+    pub(super) fn chosen(&self, mut bridge: Bridge) -> Bridge {
         self.choice.apply(&mut bridge.plan);
         bridge
     }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use std::io;
 
 /// What every run is made with.
-pub struct Work<'a> {
+pub(super) struct Work<'a> {
     pub analysis: &'a Analysis,
     /// The shelf and the clock.
     pub means: &'a Means<'a>,
@@ -20,7 +20,7 @@ pub struct Work<'a> {
 
 /// A finished run.
 #[derive(Debug, Clone)]
-pub struct Finished {
+pub(super) struct Finished {
     /// What it gave.
     pub outcome: Outcome,
     /// How long it took when it was computed [s].
@@ -30,7 +30,7 @@ pub struct Finished {
 }
 
 /// What came of the runs.
-pub struct Found {
+pub(super) struct Found {
     /// For each run, what it gave; nothing where the work was stopped.
     pub rows: Option<Vec<Finished>>,
     /// Runs that are finished.
@@ -43,7 +43,7 @@ pub struct Found {
 
 impl Work<'_> {
     /// All jobs, in any order; their answers in the order of the runs.
-    pub fn all(&self, runs: &Runs, watch: &mut dyn Watch) -> Result<Found, Refusal> {
+    pub(super) fn all(&self, runs: &Runs, watch: &mut dyn Watch) -> Result<Found, Refusal> {
         let (made, trouble) = self.some(&runs.jobs.iter().collect::<Vec<_>>(), watch);
         let finished = runs.job_of.iter().filter(|job| made[**job].is_some()).count();
         let all: Option<Vec<Finished>> = made.into_iter().collect();
@@ -56,7 +56,7 @@ impl Work<'_> {
     }
 
     /// These jobs: what each gave, nothing where the work was stopped; and what kept a finished one from being kept.
-    pub fn some(&self, jobs: &[&Job], watch: &mut dyn Watch) -> (Vec<Option<Finished>>, Option<io::Error>) {
+    pub(super) fn some(&self, jobs: &[&Job], watch: &mut dyn Watch) -> (Vec<Option<Finished>>, Option<io::Error>) {
         let crowd = Crowd::new(watch, jobs.len());
         let made: Vec<Option<(Finished, io::Result<()>)>> =
             jobs.par_iter().with_max_len(1).map(|job| self.one(job, &crowd)).collect();

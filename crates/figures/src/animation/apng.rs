@@ -4,7 +4,7 @@ use super::palette::Palette;
 use crate::raster::RasterError;
 
 /// One picture of the series.
-pub struct Frame {
+pub(super) struct Frame {
     /// Width [pixels].
     pub width: u32,
     /// Height [pixels].
@@ -16,7 +16,7 @@ pub struct Frame {
 }
 
 /// The frames as one file that plays again and again. Frames of another size than the first are left out.
-pub fn pack(frames: &[Frame]) -> Result<Vec<u8>, RasterError> {
+pub(super) fn pack(frames: &[Frame]) -> Result<Vec<u8>, RasterError> {
     let failed = |e: png::EncodingError| RasterError::Pack(e.to_string());
     let Some(first) = frames.first() else { return Err(RasterError::Size(0, 0)) };
     let alike = || frames.iter().filter(|f| (f.width, f.height) == (first.width, first.height));

@@ -7,11 +7,11 @@ use crate::ticks::Ticks;
 use outcome::picture::{Picture, Step};
 
 /// Height that it takes.
-pub const HEIGHT: f64 = 152.0;
+pub(super) const HEIGHT: f64 = 152.0;
 
 /// Load over the vertical displacement of the watched point: the whole path pale, what is behind it dark, and where
 /// this snapshot stands. Nothing without two steps at rest.
-pub fn draw(sheet: &mut Sheet, picture: &Picture, snapshot: usize, corner: Spot) {
+pub(super) fn draw(sheet: &mut Sheet, picture: &Picture, snapshot: usize, corner: Spot) {
     let finite = |s: &&Step| s.at_rest && s.load.is_finite() && s.displacement[1].is_finite();
     let steps: Vec<&Step> = picture.path.iter().filter(finite).collect();
     if steps.len() < 2 {

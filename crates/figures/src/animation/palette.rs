@@ -8,7 +8,7 @@ fn bin(pixel: &[u8]) -> usize {
 }
 
 /// Colours, and which of them stands for each bin.
-pub struct Palette {
+pub(super) struct Palette {
     /// Red, green, blue of each colour; number 0 is the one that shows what was there before.
     pub colours: Vec<[u8; 3]>,
     of_bin: Vec<u8>,
@@ -17,7 +17,7 @@ pub struct Palette {
 impl Palette {
     /// The most frequent colours of all pixels (red, green, blue, alpha), each the mean of its bin; every other colour
     /// is shown by the nearest one.
-    pub fn of<'a>(frames: impl Iterator<Item = &'a [u8]>) -> Palette {
+    pub(super) fn of<'a>(frames: impl Iterator<Item = &'a [u8]>) -> Palette {
         let mut sums = vec![[0u64; 4]; BINS];
         for pixel in frames.flat_map(|f| f.chunks_exact(4)) {
             let sum = &mut sums[bin(pixel)];
@@ -40,7 +40,7 @@ impl Palette {
     }
 
     /// The number of every pixel's colour.
-    pub fn numbers(&self, rgba: &[u8]) -> Vec<u8> {
+    pub(super) fn numbers(&self, rgba: &[u8]) -> Vec<u8> {
         rgba.chunks_exact(4).map(|pixel| self.of_bin[bin(pixel)]).collect()
     }
 }

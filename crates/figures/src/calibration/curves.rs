@@ -7,7 +7,7 @@ use crate::ticks::Ticks;
 use outcome::calibration::{CalibrationReport, Measured};
 
 /// Mean curves of the table's multiples with a band of one standard deviation of the strain to either side.
-pub fn stress_strain(report: &CalibrationReport) -> Option<String> {
+pub(super) fn stress_strain(report: &CalibrationReport) -> Option<String> {
     let rows: Vec<&Measured> = report.table.iter().filter(|m| m.curve.len() > 1).collect();
     let points = || rows.iter().flat_map(|m| m.curve.iter());
     let strain = points().map(|(p, deviation)| p.strain + deviation).fold(0.0_f64, f64::max);

@@ -10,7 +10,7 @@ use outcome::calibration::{At, CalibrationReport, Measured, Spread};
 
 /// Mean moduli with bars of two standard errors to either side, moduli from elsewhere, the wanted modulus and what was
 /// found for it.
-pub fn moduli(report: &CalibrationReport) -> Option<String> {
+pub(super) fn moduli(report: &CalibrationReport) -> Option<String> {
     let mut rows: Vec<&Measured> = report.table.iter().chain(report.found_beside_the_table()).collect();
     rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
     type Kind = (&'static str, fn(&Measured) -> Option<Spread>);

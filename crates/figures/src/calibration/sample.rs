@@ -13,7 +13,7 @@ const WALL: &str = "#c9c9c9";
 
 /// Three panels: the square with the particles that the cut went through, the press under its block alone, and after the
 /// last load step.
-pub fn sample(report: &CalibrationReport) -> Option<String> {
+pub(super) fn sample(report: &CalibrationReport) -> Option<String> {
     let drawn = report.drawn.as_ref()?;
     let (seed, square) = drawn.name;
     let second =

@@ -7,7 +7,7 @@ use crate::ticks::Ticks;
 use crate::words::four_digits;
 
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis<'a> {
+pub(crate) struct Axis<'a> {
     /// What it measures, with its unit.
     pub name: &'a str,
     /// First and last value.
@@ -20,16 +20,16 @@ pub struct Axis<'a> {
 
 impl<'a> Axis<'a> {
     /// From the first to the last tick.
-    pub fn round(name: &'a str, ticks: Ticks) -> Axis<'a> {
+    pub(crate) fn round(name: &'a str, ticks: Ticks) -> Axis<'a> {
         Axis { name, range: ticks.range(), ticks, logarithmic: false }
     }
     /// From `low` to `high` without a word.
-    pub const fn blank(low: f64, high: f64) -> Axis<'a> {
+    pub(crate) const fn blank(low: f64, high: f64) -> Axis<'a> {
         Axis { name: "", range: [low, high], ticks: Ticks { values: Vec::new(), decimals: 0 }, logarithmic: false }
     }
     /// Exactly from `low` to `high`, both above zero, by their logarithms; ticks at 1, 2 and 5, or at powers of ten alone where
     /// there are many.
-    pub fn logarithmic(name: &'a str, low: f64, high: f64) -> Axis<'a> {
+    pub(crate) fn logarithmic(name: &'a str, low: f64, high: f64) -> Axis<'a> {
         if !(low > 0.0 && high > low && high.is_finite()) {
             return Axis::exact(name, low, high, 5);
         }
@@ -41,7 +41,7 @@ impl<'a> Axis<'a> {
         Axis { name, range: [low, high], ticks: Ticks { values, decimals: 0 }, logarithmic: true }
     }
     /// Exactly from `low` to `high`, with about `count` steps.
-    pub fn exact(name: &'a str, low: f64, high: f64, count: usize) -> Axis<'a> {
+    pub(crate) fn exact(name: &'a str, low: f64, high: f64, count: usize) -> Axis<'a> {
         let ticks = Ticks::over(low, high, count);
         // Without width there is nothing to be exact about.
         let inside = ticks.inside(low, high);
@@ -52,20 +52,20 @@ impl<'a> Axis<'a> {
         }
     }
     /// A value as it stands at the axis.
-    pub fn words(&self, value: f64) -> String {
+    pub(crate) fn words(&self, value: f64) -> String {
         if self.logarithmic { four_digits(value) } else { self.ticks.words(value) }
     }
     /// Width of its widest word.
-    pub fn widest(&self) -> f64 {
+    pub(crate) fn widest(&self) -> f64 {
         let wide = |v: &f64| Style::small().width(&self.words(*v));
         self.ticks.values.iter().map(wide).fold(0.0, f64::max)
     }
     /// Whether a value lies on it.
-    pub fn holds(&self, value: f64) -> bool {
+    pub(crate) fn holds(&self, value: f64) -> bool {
         (self.range[0]..=self.range[1]).contains(&value)
     }
     /// Share of the way along the axis.
-    pub fn share(&self, value: f64) -> f64 {
+    pub(crate) fn share(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         if self.logarithmic { (value / low).ln() / (high / low).ln() } else { (value - low) / (high - low) }
     }
@@ -73,7 +73,7 @@ impl<'a> Axis<'a> {
 
 /// The plane of a chart on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axes<'a> {
+pub(crate) struct Axes<'a> {
     /// Where the curves are.
     pub area: Area,
     pub x: &'a Axis<'a>,
@@ -81,15 +81,15 @@ pub struct Axes<'a> {
 }
 
 /// How far below the frame the name of an axis stands.
-pub const NAME: f64 = 40.0;
+pub(crate) const NAME: f64 = 40.0;
 
 impl<'a> Axes<'a> {
     /// The left edge of a plane beside words of a width.
-    pub fn left(widest: f64) -> f64 {
+    pub(crate) fn left(widest: f64) -> f64 {
         MARGIN + 24.0 + widest + 8.0
     }
     /// Of one axis, which lies below an area; its name stands so far below the frame.
-    pub fn across(sheet: &mut Sheet, area: Area, x: &'a Axis<'a>, name: f64) -> Axes<'a> {
+    pub(crate) fn across(sheet: &mut Sheet, area: Area, x: &'a Axis<'a>, name: f64) -> Axes<'a> {
         static BLANK: Axis = Axis::blank(0.0, 1.0);
         let axes = Axes { area, x, y: &BLANK };
         axes.draw(sheet, Some(name), None);
@@ -98,7 +98,7 @@ impl<'a> Axes<'a> {
 
     /// Draws frame, grid and ticks; values below the frame with the name so far below it, and values to its left, of the widest of
     /// which the name keeps clear.
-    pub fn draw(&self, sheet: &mut Sheet, below: Option<f64>, widest: Option<f64>) {
+    pub(crate) fn draw(&self, sheet: &mut Sheet, below: Option<f64>, widest: Option<f64>) {
         let small = Style::small();
         let Axes { area, x, y } = *self;
         sheet.open("axes");
@@ -129,16 +129,16 @@ impl<'a> Axes<'a> {
         sheet.close();
     }
     /// Where a value of the axis below is drawn.
-    pub fn x(&self, value: f64) -> f64 {
+    pub(crate) fn x(&self, value: f64) -> f64 {
         self.area.left + self.x.share(value) * (self.area.right - self.area.left)
     }
     /// Where a place of the plane is drawn.
-    pub fn spot(&self, [x, y]: [f64; 2]) -> Spot {
+    pub(crate) fn spot(&self, [x, y]: [f64; 2]) -> Spot {
         let Area { top, bottom, .. } = self.area;
         [self.x(x), bottom - self.y.share(y) * (bottom - top)]
     }
     /// Where places of the plane are drawn.
-    pub fn spots(&self, places: &[[f64; 2]]) -> Vec<Spot> {
+    pub(crate) fn spots(&self, places: &[[f64; 2]]) -> Vec<Spot> {
         places.iter().map(|place| self.spot(*place)).collect()
     }
 }

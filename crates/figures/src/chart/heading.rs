@@ -3,14 +3,14 @@
 use crate::sheet::{Sheet, Spot, Style};
 
 /// A name, and words about it where there are to be any.
-pub type Heading = (String, Option<String>);
+pub(crate) type Heading = (String, Option<String>);
 
 /// Height of a line.
-pub const HEADING: f64 = 17.0;
+pub(crate) const HEADING: f64 = 17.0;
 
 /// Name and words, these beside the name where there is room up to `right` and below it otherwise; `at` is where the last line
 /// begins.
-pub fn heading(sheet: &mut Sheet, at: Spot, right: f64, told: &Heading) {
+pub(crate) fn heading(sheet: &mut Sheet, at: Spot, right: f64, told: &Heading) {
     let (name, words) = (&told.0, told.1.as_deref().unwrap_or_default());
     if heading_lines(at[0], right, told) == 1.0 {
         sheet.text(at, name, Style::bold());
@@ -22,7 +22,7 @@ pub fn heading(sheet: &mut Sheet, at: Spot, right: f64, told: &Heading) {
 }
 
 /// How many lines a heading needs.
-pub fn heading_lines(left: f64, right: f64, (name, words): &Heading) -> f64 {
+pub(crate) fn heading_lines(left: f64, right: f64, (name, words): &Heading) -> f64 {
     let fits = |words: &String| left + name_width(name) + Style::small().width(words) <= right;
     if words.as_ref().is_none_or(fits) { 1.0 } else { 2.0 }
 }

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 
 /// How a key is set out.
 #[derive(Debug, Clone, Copy)]
-pub struct Key {
+pub(crate) struct Key {
     /// Class of its group.
     pub class: &'static str,
     /// From the top to the foot of the first row.
@@ -23,12 +23,12 @@ pub struct Key {
 
 impl Key {
     /// Of charts.
-    pub const CHART: Key = Key { class: "key", above: 14.0, words: 38.0, wide: 42.0, gap: 18.0, below: 8.0 };
+    pub(crate) const CHART: Key = Key { class: "key", above: 14.0, words: 38.0, wide: 42.0, gap: 18.0, below: 8.0 };
     /// Of elevations.
-    pub const ELEVATION: Key = Key { class: "key", above: 12.0, words: 26.0, wide: 30.0, gap: 18.0, below: 6.0 };
+    pub(crate) const ELEVATION: Key = Key { class: "key", above: 12.0, words: 26.0, wide: 30.0, gap: 18.0, below: 6.0 };
 
     /// Draws rows of entries; `sign` draws one whose left end lies at a spot on the foot of its row. Returns the y below.
-    pub fn draw<T>(
+    pub(crate) fn draw<T>(
         &self,
         sheet: &mut Sheet,
         top: f64,
@@ -53,7 +53,7 @@ impl Key {
 }
 
 /// One entry of a chart's key: a line, a mark, or both, and its words.
-pub struct Entry<'a> {
+pub(crate) struct Entry<'a> {
     line: Option<Pen<'a>>,
     mark: Option<(Mark, &'a str)>,
     text: Cow<'a, str>,
@@ -62,25 +62,25 @@ pub struct Entry<'a> {
 
 impl<'a> Entry<'a> {
     /// A line by its colour and dashes.
-    pub fn line((colour, dashes): (&'a str, &'a str), text: impl Into<Cow<'a, str>>) -> Entry<'a> {
+    pub(crate) fn line((colour, dashes): (&'a str, &'a str), text: impl Into<Cow<'a, str>>) -> Entry<'a> {
         Entry { line: Some(Pen::line(colour, 1.8).dashed(dashes)), mark: None, text: text.into(), there: true }
     }
     /// A mark in a colour.
-    pub fn mark(mark: Mark, colour: &'a str, text: impl Into<Cow<'a, str>>) -> Entry<'a> {
+    pub(crate) fn mark(mark: Mark, colour: &'a str, text: impl Into<Cow<'a, str>>) -> Entry<'a> {
         Entry { line: None, mark: Some((mark, colour)), text: text.into(), there: true }
     }
     /// The same where there is something that it stands for.
-    pub fn when(self, there: bool) -> Entry<'a> {
+    pub(crate) fn when(self, there: bool) -> Entry<'a> {
         Entry { there, ..self }
     }
     /// The same on its line.
-    pub fn marked(self, mark: Mark, colour: &'a str) -> Entry<'a> {
+    pub(crate) fn marked(self, mark: Mark, colour: &'a str) -> Entry<'a> {
         Entry { mark: Some((mark, colour)), ..self }
     }
 }
 
 /// The key of a chart; returns the y below it.
-pub fn key(sheet: &mut Sheet, top: f64, entries: &[Entry]) -> f64 {
+pub(crate) fn key(sheet: &mut Sheet, top: f64, entries: &[Entry]) -> f64 {
     let there = entries.iter().filter(|entry| entry.there).map(|entry| (entry, &entry.text));
     Key::CHART.draw(sheet, top, there, |sheet, [x, y], entry| {
         if let Some(pen) = entry.line {

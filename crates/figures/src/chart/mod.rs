@@ -5,17 +5,17 @@ mod heading;
 mod key;
 mod panel;
 
-pub use axes::{Axes, Axis, NAME};
-pub use heading::{HEADING, Heading, heading, heading_lines};
-pub use key::{Entry, Key, key};
-pub use panel::{Panel, PanelPoint, ZERO, runs};
+pub(crate) use axes::{Axes, Axis, NAME};
+pub(crate) use heading::{HEADING, Heading, heading, heading_lines};
+pub(crate) use key::{Entry, Key, key};
+pub(crate) use panel::{Panel, PanelPoint, ZERO, runs};
 
 use crate::elevation::INK;
 use crate::sheet::{MARGIN, MEDIUM, Pen, Sheet, Spot, WIDTH};
 
 /// A chart that draws itself.
 #[derive(Default)]
-pub struct Chart<'a> {
+pub(crate) struct Chart<'a> {
     /// From top to bottom.
     pub panels: Vec<Panel<'a>>,
     /// Height of each.
@@ -29,12 +29,12 @@ pub struct Chart<'a> {
 
 impl<'a> Chart<'a> {
     /// Of one panel.
-    pub fn of(panel: Panel<'a>, height: f64) -> Chart<'a> {
+    pub(crate) fn of(panel: Panel<'a>, height: f64) -> Chart<'a> {
         Chart { panels: vec![panel], height, ..Chart::default() }
     }
 
     /// The drawing of a name under its title and second line.
-    pub fn draw(&self, name: &str, title: &str, second: &str) -> String {
+    pub(crate) fn draw(&self, name: &str, title: &str, second: &str) -> String {
         let (mut sheet, mut y) = Sheet::titled(name, title, second);
         let widest = self.panels.iter().map(|panel| panel.y.widest()).fold(0.0, f64::max);
         let (left, right) = (Axes::left(widest), WIDTH - MARGIN);
@@ -56,7 +56,7 @@ impl<'a> Chart<'a> {
 
 /// Marks of points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
+pub(crate) enum Mark {
     /// A filled circle.
     Full,
     /// An open circle.
@@ -66,7 +66,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    pub fn draw(self, sheet: &mut Sheet, at: Spot, colour: &str) {
+    pub(crate) fn draw(self, sheet: &mut Sheet, at: Spot, colour: &str) {
         match self {
             Mark::Full => sheet.circle(at, 3.6, Pen::shape(colour, colour, MEDIUM).class("point")),
             Mark::Hollow => sheet.circle(at, 3.6, Pen::shape("white", colour, 1.5).class("point hollow")),

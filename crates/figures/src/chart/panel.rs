@@ -6,16 +6,16 @@ use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH};
 use crate::thinned::thinned;
 
 /// A place in the plane: a value along each axis.
-pub type PanelPoint = [f64; 2];
+pub(crate) type PanelPoint = [f64; 2];
 
 /// The line of zero, darker than the grid.
-pub const ZERO: Pen = Pen::line("#8a8a8a", HAIR + 0.2);
+pub(crate) const ZERO: Pen = Pen::line("#8a8a8a", HAIR + 0.2);
 
 /// What draws itself over axes.
 type Layer<'a> = Box<dyn Fn(&mut Sheet, &Axes) + 'a>;
 
 /// Axes, and layers in the order of drawing.
-pub struct Panel<'a> {
+pub(crate) struct Panel<'a> {
     /// What stands above it.
     pub heading: Heading,
     pub x: Axis<'a>,
@@ -25,17 +25,17 @@ pub struct Panel<'a> {
 
 impl<'a> Panel<'a> {
     /// An empty plane.
-    pub fn new(x: Axis<'a>, y: Axis<'a>) -> Panel<'a> {
+    pub(crate) fn new(x: Axis<'a>, y: Axis<'a>) -> Panel<'a> {
         Panel { heading: Default::default(), x, y, layers: Vec::new() }
     }
     /// Draws it within an area, with words around it as those of [`Axes::draw`].
-    pub fn within(&self, sheet: &mut Sheet, area: Area, below: Option<f64>, widest: Option<f64>) {
+    pub(crate) fn within(&self, sheet: &mut Sheet, area: Area, below: Option<f64>, widest: Option<f64>) {
         let axes = Axes { area, x: &self.x, y: &self.y };
         axes.draw(sheet, below, widest);
         self.layers.iter().for_each(|layer| layer(sheet, &axes));
     }
     /// Draws it across the sheet beside words of a width, those along x only where it is the lowest; returns the y below.
-    pub fn whole(&self, sheet: &mut Sheet, [top, height]: [f64; 2], widest: f64, lowest: bool) -> f64 {
+    pub(crate) fn whole(&self, sheet: &mut Sheet, [top, height]: [f64; 2], widest: f64, lowest: bool) -> f64 {
         let (top, bottom) = (top + 6.0, top + 6.0 + height);
         let area = Area { left: Axes::left(widest), right: WIDTH - MARGIN - 16.0, top, bottom };
         self.within(sheet, area, lowest.then_some(NAME), Some(widest));
@@ -43,29 +43,29 @@ impl<'a> Panel<'a> {
     }
 
     /// A layer of its own kind.
-    pub fn add(&mut self, layer: impl Fn(&mut Sheet, &Axes) + 'a) {
+    pub(crate) fn add(&mut self, layer: impl Fn(&mut Sheet, &Axes) + 'a) {
         self.layers.push(Box::new(layer));
     }
     /// Begins a group of a class.
-    pub fn open(&mut self, class: &'a str) {
+    pub(crate) fn open(&mut self, class: &'a str) {
         self.add(move |sheet, _| sheet.open(class));
     }
     /// Begins a group that is drawn only inside the frame.
-    pub fn clip(&mut self, class: &'a str, id: impl Into<String>) {
+    pub(crate) fn clip(&mut self, class: &'a str, id: impl Into<String>) {
         let id = id.into();
         self.add(move |sheet, axes| sheet.open_clipped(class, &id, axes.area));
     }
     /// Ends a group.
-    pub fn close(&mut self) {
+    pub(crate) fn close(&mut self) {
         self.add(|sheet, _| sheet.close());
     }
     /// A line through places.
-    pub fn line(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
+    pub(crate) fn line(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| sheet.polyline(&axes.spots(&places), pen));
     }
     /// A line of which labels keep clear.
-    pub fn curve(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
+    pub(crate) fn curve(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| {
             let spots = axes.spots(&places);
@@ -74,7 +74,7 @@ impl<'a> Panel<'a> {
         });
     }
     /// A long record, no more of it than is seen.
-    pub fn record(&mut self, x: &[f64], y: &[f64], pen: Pen<'a>) {
+    pub(crate) fn record(&mut self, x: &[f64], y: &[f64], pen: Pen<'a>) {
         let places: Vec<PanelPoint> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
         self.add(move |sheet, axes| {
             for run in runs(&places) {
@@ -85,37 +85,37 @@ impl<'a> Panel<'a> {
         });
     }
     /// A line over the whole height.
-    pub fn upright(&mut self, x: f64, pen: Pen<'a>) {
+    pub(crate) fn upright(&mut self, x: f64, pen: Pen<'a>) {
         let [low, high] = self.y.range;
         self.line([[x, high], [x, low]], pen);
     }
     /// A line over the whole width.
-    pub fn level(&mut self, y: f64, pen: Pen<'a>) {
+    pub(crate) fn level(&mut self, y: f64, pen: Pen<'a>) {
         self.line(self.x.range.map(|x| [x, y]), pen);
     }
     /// The area within places.
-    pub fn area(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
+    pub(crate) fn area(&mut self, places: impl Into<Vec<PanelPoint>>, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| sheet.polygon(&axes.spots(&places), pen));
     }
     /// A rectangle between two corners.
-    pub fn bar(&mut self, low: PanelPoint, high: PanelPoint, pen: Pen<'a>) {
+    pub(crate) fn bar(&mut self, low: PanelPoint, high: PanelPoint, pen: Pen<'a>) {
         self.add(move |sheet, axes| {
             let ([left, bottom], [right, top]) = (axes.spot(low), axes.spot(high));
             sheet.rectangle(Area { left, top, right, bottom }, pen);
         });
     }
     /// Small circles.
-    pub fn circles(&mut self, places: impl Into<Vec<PanelPoint>>, radius: f64, pen: Pen<'a>) {
+    pub(crate) fn circles(&mut self, places: impl Into<Vec<PanelPoint>>, radius: f64, pen: Pen<'a>) {
         let places = places.into();
         self.add(move |sheet, axes| axes.spots(&places).iter().for_each(|at| sheet.circle(*at, radius, pen)));
     }
     /// A mark in a colour.
-    pub fn mark(&mut self, at: PanelPoint, mark: Mark, colour: &'a str) {
+    pub(crate) fn mark(&mut self, at: PanelPoint, mark: Mark, colour: &'a str) {
         self.add(move |sheet, axes| mark.draw(sheet, axes.spot(at), colour));
     }
     /// Words beside a place, no closer than `clear`.
-    pub fn label(&mut self, at: PanelPoint, text: String, towards: Spot, clear: f64) {
+    pub(crate) fn label(&mut self, at: PanelPoint, text: String, towards: Spot, clear: f64) {
         self.add(move |sheet, axes| {
             let room = Room { area: axes.area.grown(-5.0), towards, clear };
             sheet.label(axes.spot(at), &text, Style::on_drawing(), room);
@@ -124,6 +124,6 @@ impl<'a> Panel<'a> {
 }
 
 /// The pieces of a line between its gaps, where a value is not finite.
-pub fn runs(places: &[PanelPoint]) -> impl Iterator<Item = &[PanelPoint]> {
+pub(crate) fn runs(places: &[PanelPoint]) -> impl Iterator<Item = &[PanelPoint]> {
     places.split(|place| place.iter().any(|value| !value.is_finite())).filter(|run| !run.is_empty())
 }

@@ -19,7 +19,7 @@ const LARGEST: f64 = 0.012;
 const COVERED: f64 = 0.995;
 
 /// How far every point has moved by the train alone (by self-weight in the first moment).
-pub fn displacement(passage: &Passage, index: usize) -> Option<String> {
+pub(super) fn displacement(passage: &Passage, index: usize) -> Option<String> {
     let moment = passage.moments.get(index)?;
     let mesh = &passage.mesh;
     if moment.displacements.len() != mesh.nodes.len() {
@@ -36,7 +36,7 @@ pub fn displacement(passage: &Passage, index: usize) -> Option<String> {
 }
 
 /// The largest compression at every point, self-weight included.
-pub fn stress(passage: &Passage, index: usize) -> Option<String> {
+pub(super) fn stress(passage: &Passage, index: usize) -> Option<String> {
     let moment = passage.moments.get(index)?;
     let mesh = &passage.mesh;
     if moment.stresses.len() != mesh.quads.len() || moment.displacements.len() != mesh.nodes.len() {

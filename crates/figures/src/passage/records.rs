@@ -16,7 +16,7 @@ const MOST: usize = 12;
 const CURVE: &str = "#0b5394";
 
 /// Every channel over time, its peak marked; none without a record.
-pub fn records(passage: &Passage) -> Option<String> {
+pub(super) fn records(passage: &Passage) -> Option<String> {
     let end = *passage.times.last()?;
     let second = format!(
         "{} at {} km/h, {}; self-weight taken off; {} positions",
@@ -35,7 +35,7 @@ pub fn records(passage: &Passage) -> Option<String> {
 }
 
 /// Every channel over the place of a single axle.
-pub fn influence_lines(passage: &Passage) -> Option<String> {
+pub(super) fn influence_lines(passage: &Passage) -> Option<String> {
     let influence = passage.influence.as_ref()?;
     let (first, last) = (*influence.positions.first()?, *influence.positions.last()?);
     let second = format!(

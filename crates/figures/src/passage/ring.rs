@@ -16,7 +16,7 @@ const OPEN: &str = "#c0301c";
 const SLIDING: &str = "#e08a00";
 
 /// Lines of thrust and joint states; none where the moment has no joints.
-pub fn ring(passage: &Passage, index: usize) -> Option<String> {
+pub(super) fn ring(passage: &Passage, index: usize) -> Option<String> {
     let moment = passage.moments.get(index)?;
     let joints = || moment.rows.iter().filter(|row| matches!(row.kind, RowKind::Joint { .. }));
     joints().next()?;

@@ -11,10 +11,10 @@ use outcome::picture::Point;
 use std::collections::BTreeMap;
 
 /// Room above the surface for the axles [0.2 mm].
-pub const AXLES: f64 = 44.0;
+pub(super) const AXLES: f64 = 44.0;
 
 /// The part of the mesh that is drawn: masonry from end to end and the fill above it.
-pub fn extent(mesh: &MeshPicture) -> Option<Extent> {
+pub(super) fn extent(mesh: &MeshPicture) -> Option<Extent> {
     let masonry = |zone: &usize| {
         let name = mesh.zones.get(*zone).map_or("", |zone| zone.name.as_str());
         ["voussoirs", "pier", "abutment left", "abutment right", "backing"].iter().any(|kind| name.starts_with(kind))
@@ -30,7 +30,7 @@ pub fn extent(mesh: &MeshPicture) -> Option<Extent> {
 }
 
 /// What the train alone has moved [m]: self-weight, the first moment, taken off.
-pub fn by_train(passage: &Passage, moment: &Moment) -> Vec<Point> {
+pub(super) fn by_train(passage: &Passage, moment: &Moment) -> Vec<Point> {
     let rest = passage.moments.first();
     let before = |k: usize| rest.and_then(|rest| rest.displacements.get(k)).copied().unwrap_or([0.0; 2]);
     let minus = |(k, moved): (usize, &Point)| {
@@ -41,13 +41,13 @@ pub fn by_train(passage: &Passage, moment: &Moment) -> Vec<Point> {
 }
 
 /// Nodes with their displacements drawn `times` as large [m].
-pub fn moved(mesh: &MeshPicture, displacements: &[Point], times: f64) -> Vec<Point> {
+pub(super) fn moved(mesh: &MeshPicture, displacements: &[Point], times: f64) -> Vec<Point> {
     let add = |(at, by): (&Point, &Point)| [at[0] + times * by[0], at[1] + times * by[1]];
     mesh.nodes.iter().zip(displacements).map(add).collect()
 }
 
 /// Edges where one zone or one stone ends.
-pub fn outlines(mesh: &MeshPicture) -> Vec<[usize; 2]> {
+pub(super) fn outlines(mesh: &MeshPicture) -> Vec<[usize; 2]> {
     // The zone of the elements at each edge: inside where two of one zone share it.
     let mut edges: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
     for (quad, zone) in mesh.quads.iter().zip(&mesh.zone_of) {
@@ -61,7 +61,7 @@ pub fn outlines(mesh: &MeshPicture) -> Vec<[usize; 2]> {
 }
 
 /// The outlines as thin lines.
-pub fn draw_outlines(sheet: &mut Sheet, view: &View, nodes: &[Point], edges: &[[usize; 2]], width: f64) {
+pub(super) fn draw_outlines(sheet: &mut Sheet, view: &View, nodes: &[Point], edges: &[[usize; 2]], width: f64) {
     let lines: Vec<[Spot; 2]> = edges.iter().map(|edge| edge.map(|node| view.spot(nodes[node]))).collect();
     sheet.open_drawn("outlines", Pen::line(INK, width));
     sheet.strokes(&lines, width);
@@ -69,7 +69,7 @@ pub fn draw_outlines(sheet: &mut Sheet, view: &View, nodes: &[Point], edges: &[[
 }
 
 /// The axles above the surface: wheels, and their forces in words.
-pub fn draw_axles(sheet: &mut Sheet, view: &View, moment: &Moment, mesh: &MeshPicture, from: f64, to: f64) {
+pub(super) fn draw_axles(sheet: &mut Sheet, view: &View, moment: &Moment, mesh: &MeshPicture, from: f64, to: f64) {
     let level = mesh.surface.iter().map(|point| point[1]).fold(f64::NEG_INFINITY, f64::max);
     let mut shown: Vec<(f64, f64)> = moment.axles.iter().copied().filter(|(x, _)| (from..=to).contains(x)).collect();
     shown.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -105,7 +105,7 @@ pub fn draw_axles(sheet: &mut Sheet, view: &View, moment: &Moment, mesh: &MeshPi
 }
 
 /// The moment in words.
-pub fn second_line(passage: &Passage, moment: &Moment, what: &str) -> String {
+pub(super) fn second_line(passage: &Passage, moment: &Moment, what: &str) -> String {
     if moment.axles.is_empty() && moment.time == 0.0 && moment.name == "self-weight" {
         return format!("{what}, self-weight alone");
     }

@@ -6,7 +6,7 @@ use outcome::passage::Passage;
 use outcome::passage::{Moment, Pair, PairState, RowKind};
 
 /// One VTU a moment for the mesh and one for the joints, and their series over time.
-pub fn files(passage: &Passage) -> Vec<File> {
+pub(super) fn files(passage: &Passage) -> Vec<File> {
     // In order of time.
     let mut order: Vec<usize> = (0..passage.moments.len()).collect();
     order.sort_by(|a, b| passage.moments[*a].time.total_cmp(&passage.moments[*b].time));

@@ -4,11 +4,11 @@ use std::sync::LazyLock;
 use ttf_parser::Face;
 
 /// What figures ask for; Verdana has nearly the same widths, where a viewer has no DejaVu.
-pub const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
+pub(crate) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
 /// Weight of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Weight {
+pub(crate) enum Weight {
     /// Plain text.
     #[default]
     Regular,
@@ -17,20 +17,20 @@ pub enum Weight {
 }
 
 /// The two font files, for the rasteriser.
-pub fn files() -> [&'static [u8]; 2] {
+pub(crate) fn files() -> [&'static [u8]; 2] {
     [dejavu::sans::regular(), dejavu::sans::bold()]
 }
 
 /// Height of capital letters and digits over the font size.
-pub const CAPITAL: f64 = 0.73;
+pub(crate) const CAPITAL: f64 = 0.73;
 /// Depth of descending letters over the font size.
-pub const DESCENT: f64 = 0.24;
+pub(crate) const DESCENT: f64 = 0.24;
 
 static REGULAR: LazyLock<Option<Face<'static>>> = LazyLock::new(|| Face::parse(dejavu::sans::regular(), 0).ok());
 static BOLD: LazyLock<Option<Face<'static>>> = LazyLock::new(|| Face::parse(dejavu::sans::bold(), 0).ok());
 
 /// Width of a text, in the unit of `size`. Kerning is left out: it would narrow a line by a few thousandths.
-pub fn width(text: &str, size: f64, weight: Weight) -> f64 {
+pub(crate) fn width(text: &str, size: f64, weight: Weight) -> f64 {
     let face = match weight {
         Weight::Regular => &REGULAR,
         Weight::Bold => &BOLD,
@@ -45,7 +45,7 @@ pub fn width(text: &str, size: f64, weight: Weight) -> f64 {
 }
 
 /// Breaks a text into lines no wider than `limit`, at spaces; a single longer word is cut.
-pub fn wrap(text: &str, size: f64, weight: Weight, limit: f64) -> Vec<String> {
+pub(crate) fn wrap(text: &str, size: f64, weight: Weight, limit: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut line = String::new();
     for word in text.split_whitespace() {

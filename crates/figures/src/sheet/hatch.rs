@@ -12,7 +12,7 @@ const INSIDE: f64 = 0.6;
 
 impl Sheet {
     /// A closed polygon with hatching; of the pen, its outline and its class.
-    pub fn hatched(&mut self, points: &[Spot], pen: Pen) {
+    pub(crate) fn hatched(&mut self, points: &[Spot], pen: Pen) {
         self.polygon(points, Pen { fill: "#e6e6e6", ..pen });
         self.open_drawn("hatch", Pen::line("#8a8a8a", WIDTH));
         self.strokes(&lines(points), WIDTH);

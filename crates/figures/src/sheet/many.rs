@@ -5,20 +5,20 @@ use std::fmt::Write as _;
 
 impl Sheet {
     /// Like [`Sheet::open`], with a pen for all that follows.
-    pub fn open_drawn(&mut self, class: &str, pen: Pen) {
+    pub(crate) fn open_drawn(&mut self, class: &str, pen: Pen) {
         let _ = write!(self.body, "<g class=\"{class}\"");
         Pen { class: "", ..pen }.write(&mut self.body);
         self.body.push_str(">\n");
     }
     /// A disc that takes its outline from the group that it is in.
-    pub fn disc(&mut self, at: Spot, radius: f64, fill: &str) {
+    pub(crate) fn disc(&mut self, at: Spot, radius: f64, fill: &str) {
         if at.iter().all(|c| c.is_finite()) && radius.is_finite() {
             let (x, y, r) = (number(at[0]), number(at[1]), number(radius));
             let _ = writeln!(self.body, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"/>");
         }
     }
     /// Discs of one radius and one colour as one path: dots of a round pen, a quarter of the size of circles.
-    pub fn dots(&mut self, spots: &[Spot], radius: f64, colour: &str) {
+    pub(crate) fn dots(&mut self, spots: &[Spot], radius: f64, colour: &str) {
         let mut path = String::new();
         for at in spots.iter().filter(|s| s.iter().all(|c| c.is_finite())) {
             // Not every viewer draws a line without length.
@@ -33,7 +33,7 @@ impl Sheet {
         }
     }
     /// Lines of one width in the colour of the group that they are in, as one path.
-    pub fn strokes(&mut self, lines: &[[Spot; 2]], width: f64) {
+    pub(crate) fn strokes(&mut self, lines: &[[Spot; 2]], width: f64) {
         let mut path = String::new();
         for [from, to] in lines.iter().filter(|l| l.iter().flatten().all(|c| c.is_finite())) {
             let [a, b, c, d] = [from[0], from[1], to[0], to[1]].map(number);
@@ -44,7 +44,7 @@ impl Sheet {
         }
     }
     /// Quadrilaterals of one colour as one path; a hair of the same colour closes the seams between neighbours.
-    pub fn areas(&mut self, quads: &[[Spot; 4]], colour: &str) {
+    pub(crate) fn areas(&mut self, quads: &[[Spot; 4]], colour: &str) {
         let mut path = String::new();
         for quad in quads.iter().filter(|q| q.iter().flatten().all(|c| c.is_finite())) {
             for (k, spot) in quad.iter().enumerate() {
@@ -58,7 +58,7 @@ impl Sheet {
         }
     }
     /// Closed chains of points as one path; chains with a coordinate that is not finite are left out.
-    pub fn loops(&mut self, loops: &[Vec<Spot>], pen: Pen) {
+    pub(crate) fn loops(&mut self, loops: &[Vec<Spot>], pen: Pen) {
         let mut path = String::new();
         for chain in loops.iter().filter(|c| c.len() > 2 && c.iter().flatten().all(|x| x.is_finite())) {
             for (k, spot) in chain.iter().enumerate() {

@@ -3,41 +3,41 @@
 //! Texts are measured with the embedded font when they are set, so that a label can look for a place where it
 //! covers no other text.
 
-pub mod font;
+pub(crate) mod font;
 mod hatch;
 mod many;
-pub mod place;
+pub(crate) mod place;
 
 use findings::visible::is_hidden;
 use font::Weight;
 use std::fmt::Write as _;
 
 /// Width of every sheet [0.2 mm].
-pub const WIDTH: f64 = 800.0;
+pub(crate) const WIDTH: f64 = 800.0;
 /// Blank margin on all sides.
-pub const MARGIN: f64 = 16.0;
+pub(crate) const MARGIN: f64 = 16.0;
 /// Font size of titles (8.8 pt on paper).
-pub const TITLE: f64 = 15.5;
+pub(crate) const TITLE: f64 = 15.5;
 /// Font size of labels (7.4 pt on paper).
-pub const LABEL: f64 = 13.0;
+pub(crate) const LABEL: f64 = 13.0;
 /// Font size of small print (6.8 pt on paper).
-pub const SMALL: f64 = 12.0;
+pub(crate) const SMALL: f64 = 12.0;
 
 /// Line widths, thin to thick (0.1, 0.15, 0.25 and 0.45 mm on paper).
-pub const HAIR: f64 = 0.5;
+pub(crate) const HAIR: f64 = 0.5;
 /// Outlines.
-pub const THIN: f64 = 0.75;
+pub(crate) const THIN: f64 = 0.75;
 /// Curves and axes.
-pub const MEDIUM: f64 = 1.25;
+pub(crate) const MEDIUM: f64 = 1.25;
 /// What a figure is about.
-pub const THICK: f64 = 2.25;
+pub(crate) const THICK: f64 = 2.25;
 
 /// A point on the sheet.
-pub type Spot = [f64; 2];
+pub(crate) type Spot = [f64; 2];
 
 /// A rectangle on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Area {
+pub(crate) struct Area {
     /// Left edge.
     pub left: f64,
     /// Upper edge.
@@ -50,13 +50,13 @@ pub struct Area {
 
 impl Area {
     /// Area shared with another rectangle.
-    pub fn overlap(&self, other: &Area) -> f64 {
+    pub(crate) fn overlap(&self, other: &Area) -> f64 {
         let w = self.right.min(other.right) - self.left.max(other.left);
         let h = self.bottom.min(other.bottom) - self.top.max(other.top);
         if w > 0.0 && h > 0.0 { w * h } else { 0.0 }
     }
     /// The smallest rectangle around points.
-    pub fn around(points: &[Spot]) -> Option<Area> {
+    pub(crate) fn around(points: &[Spot]) -> Option<Area> {
         let first = points.first()?;
         let start = Area { left: first[0], right: first[0], top: first[1], bottom: first[1] };
         Some(points.iter().fold(start, |a, p| Area {
@@ -67,18 +67,18 @@ impl Area {
         }))
     }
     /// A rectangle larger by `by` above and below.
-    pub fn taller(&self, by: f64) -> Area {
+    pub(crate) fn taller(&self, by: f64) -> Area {
         Area { top: self.top - by, bottom: self.bottom + by, ..*self }
     }
     /// A rectangle larger by `by` on all sides.
-    pub fn grown(&self, by: f64) -> Area {
+    pub(crate) fn grown(&self, by: f64) -> Area {
         Area { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
 }
 
 /// How a shape is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pen<'a> {
+pub(crate) struct Pen<'a> {
     /// Fill colour, or "none".
     pub fill: &'a str,
     /// Line colour, or "none".
@@ -92,18 +92,18 @@ pub struct Pen<'a> {
 }
 
 impl<'a> Pen<'a> {
-    pub const fn line(stroke: &'a str, width: f64) -> Pen<'a> {
+    pub(crate) const fn line(stroke: &'a str, width: f64) -> Pen<'a> {
         Pen { fill: "none", stroke, width, dashes: "", class: "" }
     }
     /// A filled shape with an outline.
-    pub const fn shape(fill: &'a str, stroke: &'a str, width: f64) -> Pen<'a> {
+    pub(crate) const fn shape(fill: &'a str, stroke: &'a str, width: f64) -> Pen<'a> {
         Pen { fill, stroke, width, dashes: "", class: "" }
     }
-    pub const fn dashed(mut self, dashes: &'a str) -> Pen<'a> {
+    pub(crate) const fn dashed(mut self, dashes: &'a str) -> Pen<'a> {
         self.dashes = dashes;
         self
     }
-    pub const fn class(mut self, class: &'a str) -> Pen<'a> {
+    pub(crate) const fn class(mut self, class: &'a str) -> Pen<'a> {
         self.class = class;
         self
     }
@@ -123,7 +123,7 @@ impl<'a> Pen<'a> {
 
 /// Which part of a text its point is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Anchor {
+pub(crate) enum Anchor {
     /// The point is where the text begins.
     #[default]
     Start,
@@ -135,7 +135,7 @@ pub enum Anchor {
 
 /// A figure while it is drawn.
 #[derive(Debug)]
-pub struct Sheet {
+pub(crate) struct Sheet {
     name: String,
     body: String,
     texts: Vec<Area>,
@@ -145,12 +145,12 @@ pub struct Sheet {
 impl Sheet {
     /// An empty sheet. Its name, of letters, digits and hyphens, stands before every id, so that several figures
     /// can stand in one document.
-    pub fn new(name: &str) -> Sheet {
+    pub(crate) fn new(name: &str) -> Sheet {
         Sheet { name: name.into(), body: String::new(), texts: Vec::new(), obstacles: Vec::new() }
     }
 
     /// A sheet with a title over a lighter second line, and the y below them.
-    pub fn titled(name: &str, title: &str, second: &str) -> (Sheet, f64) {
+    pub(crate) fn titled(name: &str, title: &str, second: &str) -> (Sheet, f64) {
         let mut sheet = Sheet::new(name);
         let top = sheet.title(title, second);
         (sheet, top)
@@ -171,18 +171,18 @@ impl Sheet {
         self.body.push_str(" stroke-linejoin=\"round\"/>\n");
     }
     /// A closed polygon.
-    pub fn polygon(&mut self, points: &[Spot], pen: Pen) {
+    pub(crate) fn polygon(&mut self, points: &[Spot], pen: Pen) {
         self.chain("polygon", points, pen);
     }
     /// An open polyline.
-    pub fn polyline(&mut self, points: &[Spot], pen: Pen) {
+    pub(crate) fn polyline(&mut self, points: &[Spot], pen: Pen) {
         self.chain("polyline", points, pen);
     }
     /// A straight line.
-    pub fn line(&mut self, from: Spot, to: Spot, pen: Pen) {
+    pub(crate) fn line(&mut self, from: Spot, to: Spot, pen: Pen) {
         self.polyline(&[from, to], pen);
     }
-    pub fn circle(&mut self, at: Spot, radius: f64, pen: Pen) {
+    pub(crate) fn circle(&mut self, at: Spot, radius: f64, pen: Pen) {
         if at.iter().any(|c| !c.is_finite()) {
             return;
         }
@@ -190,12 +190,12 @@ impl Sheet {
         pen.write(&mut self.body);
         self.body.push_str("/>\n");
     }
-    pub fn rectangle(&mut self, area: Area, pen: Pen) {
+    pub(crate) fn rectangle(&mut self, area: Area, pen: Pen) {
         let Area { left, top, right, bottom } = area;
         self.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], pen);
     }
     /// An arrow from tail to tip, with a filled head no longer than 0.6 of the arrow.
-    pub fn arrow(&mut self, tail: Spot, tip: Spot, pen: Pen) {
+    pub(crate) fn arrow(&mut self, tail: Spot, tip: Spot, pen: Pen) {
         let along = [tip[0] - tail[0], tip[1] - tail[1]];
         let length = along[0].hypot(along[1]);
         if !length.is_finite() || length < 0.5 {
@@ -211,11 +211,11 @@ impl Sheet {
     }
 
     /// Everything until [`Sheet::close`] is drawn in one group, with a class.
-    pub fn open(&mut self, class: &str) {
+    pub(crate) fn open(&mut self, class: &str) {
         let _ = writeln!(self.body, "<g class=\"{class}\">");
     }
     /// Like [`Sheet::open`], and drawn only inside an area.
-    pub fn open_clipped(&mut self, class: &str, id: &str, a: Area) {
+    pub(crate) fn open_clipped(&mut self, class: &str, id: &str, a: Area) {
         let (x, y, w, h) = (number(a.left), number(a.top), number(a.right - a.left), number(a.bottom - a.top));
         let _ = writeln!(
             self.body,
@@ -224,25 +224,25 @@ impl Sheet {
         );
     }
     /// Ends a group.
-    pub fn close(&mut self) {
+    pub(crate) fn close(&mut self) {
         self.body.push_str("</g>\n");
     }
 
     /// A text on one line, with its baseline at `at`; white behind its letters where it lies on a drawing.
-    pub fn text(&mut self, at: Spot, text: &str, style: Style) {
+    pub(crate) fn text(&mut self, at: Spot, text: &str, style: Style) {
         let area = text_area(at, text, style);
         self.write_text(at, text, style, 0.0);
         self.texts.push(area);
     }
     /// Lines of text, the middle of their letters at the height of `at`.
-    pub fn lines(&mut self, at: Spot, lines: &[impl AsRef<str>], pitch: f64, style: Style) {
+    pub(crate) fn lines(&mut self, at: Spot, lines: &[impl AsRef<str>], pitch: f64, style: Style) {
         let first = at[1] + 0.5 * font::CAPITAL * style.size - 0.5 * pitch * lines.len().saturating_sub(1) as f64;
         for (k, line) in lines.iter().enumerate() {
             self.text([at[0], first + pitch * k as f64], line.as_ref(), style);
         }
     }
     /// A text that reads upwards, centred on `at`.
-    pub fn text_upwards(&mut self, at: Spot, text: &str, style: Style) {
+    pub(crate) fn text_upwards(&mut self, at: Spot, text: &str, style: Style) {
         let half = style.width(text) / 2.0;
         self.write_text(at, text, Style { anchor: Anchor::Middle, ..style }, -90.0);
         self.texts.push(Area {
@@ -276,7 +276,7 @@ impl Sheet {
         let _ = writeln!(self.body, ">{}</text>", escape(text));
     }
     /// Lines of a paragraph, `limit` wide; returns the y below them.
-    pub fn paragraph(&mut self, left: f64, top: f64, limit: f64, text: &str, style: Style) -> f64 {
+    pub(crate) fn paragraph(&mut self, left: f64, top: f64, limit: f64, text: &str, style: Style) -> f64 {
         let mut y = top;
         for line in style.wrap(text, limit) {
             y += 1.3 * style.size;
@@ -285,7 +285,7 @@ impl Sheet {
         y
     }
     /// Title at the top of the sheet, over a lighter second line; returns the y below it.
-    pub fn title(&mut self, title: &str, second: &str) -> f64 {
+    pub(crate) fn title(&mut self, title: &str, second: &str) -> f64 {
         let limit = WIDTH - 2.0 * MARGIN;
         let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
         let mut y = self.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
@@ -295,16 +295,16 @@ impl Sheet {
         y + 8.0
     }
     /// Small print at the foot of the sheet; returns the y below it.
-    pub fn caption(&mut self, top: f64, text: &str) -> f64 {
+    pub(crate) fn caption(&mut self, top: f64, text: &str) -> f64 {
         self.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, text, Style::grey())
     }
 
     /// Something that a label had better not cover.
-    pub fn avoid(&mut self, area: Area) {
+    pub(crate) fn avoid(&mut self, area: Area) {
         self.obstacles.push((area, 1.0));
     }
     /// A chain of points that labels had better not cover.
-    pub fn avoid_line(&mut self, points: &[Spot]) {
+    pub(crate) fn avoid_line(&mut self, points: &[Spot]) {
         for pair in points.windows(2) {
             let way = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
             let parts = ((way[0].hypot(way[1]) / 10.0).ceil() as usize).clamp(1, 200);
@@ -316,22 +316,22 @@ impl Sheet {
         }
     }
     /// Something that a label may cover where there is no better place.
-    pub fn avoid_lightly(&mut self, area: Area) {
+    pub(crate) fn avoid_lightly(&mut self, area: Area) {
         self.obstacles.push((area, 0.3));
     }
     /// Where every text lies.
     #[cfg(test)]
-    pub fn texts(&self) -> &[Area] {
+    pub(crate) fn texts(&self) -> &[Area] {
         &self.texts
     }
 
     /// The figure with small print at its foot.
-    pub fn end(mut self, top: f64, words: &str) -> String {
+    pub(crate) fn end(mut self, top: f64, words: &str) -> String {
         let bottom = self.caption(top, words);
         self.finish(bottom)
     }
     /// The figure, cut off below `bottom`.
-    pub fn finish(self, bottom: f64) -> String {
+    pub(crate) fn finish(self, bottom: f64) -> String {
         let height = (bottom + MARGIN).ceil();
         let (mm_wide, mm_high) = (number(WIDTH * 0.2), number(height * 0.2));
         let (w, h) = (number(WIDTH), number(height));
@@ -344,11 +344,11 @@ impl Sheet {
 }
 
 /// Colour of captions.
-pub const GREY_TEXT: &str = "#404040";
+pub(crate) const GREY_TEXT: &str = "#404040";
 
 /// How a text is set.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Style {
+pub(crate) struct Style {
     /// Font size.
     pub size: f64,
     pub weight: Weight,
@@ -367,41 +367,41 @@ impl Default for Style {
 
 impl Style {
     /// Small print.
-    pub fn small() -> Style {
+    pub(crate) fn small() -> Style {
         Style { size: SMALL, ..Style::default() }
     }
     /// Small print that stands back.
-    pub fn grey() -> Style {
+    pub(crate) fn grey() -> Style {
         Style { colour: GREY_TEXT, ..Style::small() }
     }
     /// A name.
-    pub fn bold() -> Style {
+    pub(crate) fn bold() -> Style {
         Style { weight: Weight::Bold, ..Style::default() }
     }
     /// A label set in a drawing.
-    pub fn on_drawing() -> Style {
+    pub(crate) fn on_drawing() -> Style {
         Style { halo: true, ..Style::small() }
     }
-    pub fn anchored(mut self, anchor: Anchor) -> Style {
+    pub(crate) fn anchored(mut self, anchor: Anchor) -> Style {
         self.anchor = anchor;
         self
     }
     /// Width of a text.
-    pub fn width(&self, text: &str) -> f64 {
+    pub(crate) fn width(&self, text: &str) -> f64 {
         font::width(text, self.size, self.weight)
     }
     /// Lines of a text no wider than a limit.
-    pub fn wrap(&self, text: &str, limit: f64) -> Vec<String> {
+    pub(crate) fn wrap(&self, text: &str, limit: f64) -> Vec<String> {
         font::wrap(text, self.size, self.weight, limit)
     }
     /// The first of these lines.
-    pub fn first_line(&self, text: &str, limit: f64) -> String {
+    pub(crate) fn first_line(&self, text: &str, limit: f64) -> String {
         self.wrap(text, limit).into_iter().next().unwrap_or_default()
     }
 }
 
 /// The rectangle that a text covers.
-pub fn text_area(at: Spot, text: &str, style: Style) -> Area {
+pub(crate) fn text_area(at: Spot, text: &str, style: Style) -> Area {
     let w = style.width(text);
     let left = match style.anchor {
         Anchor::Start => at[0],
@@ -412,14 +412,14 @@ pub fn text_area(at: Spot, text: &str, style: Style) -> Area {
 }
 
 /// A coordinate with at most two decimals: a five-hundredth of a millimetre.
-pub fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     let text = format!("{x:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_string() } else { text.to_string() }
 }
 
 /// Text as XML may contain it.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

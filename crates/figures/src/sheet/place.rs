@@ -4,7 +4,7 @@ use super::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH, font, te
 
 /// Where labels may go.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Room {
+pub(crate) struct Room {
     /// The whole room.
     pub area: Area,
     /// Direction in which the label had best go, or (0, 0).
@@ -15,11 +15,11 @@ pub struct Room {
 
 impl Room {
     /// The sheet between two heights.
-    pub fn between(top: f64, bottom: f64) -> Room {
+    pub(crate) fn between(top: f64, bottom: f64) -> Room {
         Room { area: Area { left: MARGIN, right: WIDTH - MARGIN, top, bottom }, towards: [0.0, 0.0], clear: 7.0 }
     }
     /// With a favoured direction.
-    pub fn towards(mut self, direction: Spot) -> Room {
+    pub(crate) fn towards(mut self, direction: Spot) -> Room {
         self.towards = direction;
         self
     }
@@ -28,12 +28,12 @@ impl Room {
 impl Sheet {
     /// Sets a label near `at`, where it covers no other text and as little else as can be; a thin line leads to it
     /// where it stands off.
-    pub fn label(&mut self, at: Spot, text: &str, style: Style, room: Room) {
+    pub(crate) fn label(&mut self, at: Spot, text: &str, style: Style, room: Room) {
         self.labels(at, &[text], style, room);
     }
 
     /// The same with several texts under one another.
-    pub fn labels(&mut self, at: Spot, texts: &[&str], style: Style, room: Room) {
+    pub(crate) fn labels(&mut self, at: Spot, texts: &[&str], style: Style, room: Room) {
         if at.iter().any(|c| !c.is_finite()) {
             return;
         }

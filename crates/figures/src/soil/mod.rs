@@ -1,8 +1,8 @@
 //! Fill that yields as a continuum: its outline behind other drawings, the plates under its loads, and its own figures.
 
-pub mod mechanism;
-pub mod pressure;
-pub mod stress;
+pub(crate) mod mechanism;
+pub(crate) mod pressure;
+pub(crate) mod stress;
 
 use crate::elevation::{self as draw, INK};
 use crate::geometry::{Extent, View};
@@ -12,18 +12,18 @@ use outcome::soil::SoilPicture;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Colour of the fill behind something.
-pub const PALE: &str = "#f3efe4";
+pub(crate) const PALE: &str = "#f3efe4";
 /// Lines in and around the fill.
 const RIM: &str = "#b9b09c";
 
 /// The soil, where there are triangles whose corners exist.
-pub fn of(picture: &Picture) -> Option<&SoilPicture> {
+pub(crate) fn of(picture: &Picture) -> Option<&SoilPicture> {
     let fits = |soil: &&SoilPicture| soil.triangles.iter().flatten().all(|&k| k < soil.points.len());
     picture.soil.as_ref().filter(|soil| !soil.triangles.is_empty()).filter(fits)
 }
 
 /// Where a corner is drawn: as built, or moved by the mechanism times `scale` [m].
-pub fn place(soil: &SoilPicture, corner: usize, scale: f64) -> Point {
+pub(crate) fn place(soil: &SoilPicture, corner: usize, scale: f64) -> Point {
     let ([x, y], [u, v]) = (soil.points[corner], soil.motions.get(corner).copied().unwrap_or_default());
     [x + scale * u, y + scale * v]
 }
@@ -40,7 +40,7 @@ const STILL: f64 = 0.02;
 
 /// Around a bridge and its soil, as built and moved by the mechanism times `scale`. Soil that stands still far beyond
 /// the ends of the bridge is left out.
-pub fn around(extent: Extent, picture: &Picture, scale: f64) -> Extent {
+pub(crate) fn around(extent: Extent, picture: &Picture, scale: f64) -> Extent {
     let Some(soil) = of(picture) else { return extent };
     let reach = BEYOND * extent.size()[0];
     let (least, far) = (STILL * largest_motion(picture), [extent.low[0] - reach, extent.high[0] + reach]);
@@ -52,12 +52,12 @@ pub fn around(extent: Extent, picture: &Picture, scale: f64) -> Extent {
 }
 
 /// Begins a group in which soil is drawn no farther than the drawing goes.
-pub fn open(sheet: &mut Sheet, view: &View, extent: Extent) {
+pub(crate) fn open(sheet: &mut Sheet, view: &View, extent: Extent) {
     sheet.open_clipped("ground", "ground", view.area(extent).grown(1.0));
 }
 
 /// The fill pale behind something, as built.
-pub fn behind(sheet: &mut Sheet, view: &View, extent: Extent, picture: &Picture) {
+pub(crate) fn behind(sheet: &mut Sheet, view: &View, extent: Extent, picture: &Picture) {
     if of(picture).is_some() {
         open(sheet, view, extent);
         pale(sheet, view, picture, 0.0);
@@ -66,7 +66,7 @@ pub fn behind(sheet: &mut Sheet, view: &View, extent: Extent, picture: &Picture)
 }
 
 /// Largest motion of soil and plates in the mechanism [m]; zero without soil.
-pub fn largest_motion(picture: &Picture) -> f64 {
+pub(crate) fn largest_motion(picture: &Picture) -> f64 {
     let Some(soil) = of(picture) else { return 0.0 };
     let all = soil.motions.iter().chain(soil.plates.iter().flat_map(|p| &p.motions));
     all.map(|u| u[0].hypot(u[1])).filter(|u| u.is_finite()).fold(0.0, f64::max)
@@ -74,7 +74,7 @@ pub fn largest_motion(picture: &Picture) -> f64 {
 
 /// Closed loops around the triangles that are wanted, as corners, with the triangles on their left. Sides that two wanted triangles
 /// share are no part of any loop.
-pub fn loops(soil: &SoilPicture, wanted: impl Fn(usize) -> bool) -> Vec<Vec<usize>> {
+pub(crate) fn loops(soil: &SoilPicture, wanted: impl Fn(usize) -> bool) -> Vec<Vec<usize>> {
     let own = soil.triangles.iter().enumerate().filter(|(t, _)| wanted(*t));
     let sides: BTreeSet<[usize; 2]> = own.flat_map(|(_, &[a, b, c])| [[a, b], [b, c], [c, a]]).collect();
     let mut next: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -99,12 +99,12 @@ pub fn loops(soil: &SoilPicture, wanted: impl Fn(usize) -> bool) -> Vec<Vec<usiz
 }
 
 /// Corners of loops on the sheet.
-pub fn on_sheet(soil: &SoilPicture, loops: &[Vec<usize>], view: &View, scale: f64) -> Vec<Vec<Spot>> {
+pub(crate) fn on_sheet(soil: &SoilPicture, loops: &[Vec<usize>], view: &View, scale: f64) -> Vec<Vec<Spot>> {
     loops.iter().map(|chain| chain.iter().map(|&k| view.spot(place(soil, k, scale))).collect()).collect()
 }
 
 /// The fill behind something: pale, with the lines between its regions.
-pub fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, scale: f64) {
+pub(crate) fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, scale: f64) {
     let Some(soil) = of(picture) else { return };
     sheet.open("soil");
     sheet
@@ -128,28 +128,28 @@ fn seams(soil: &SoilPicture) -> impl Iterator<Item = [usize; 2]> {
 }
 
 /// The outline of the fill as built, faint.
-pub fn ghost(sheet: &mut Sheet, view: &View, picture: &Picture) {
+pub(crate) fn ghost(sheet: &mut Sheet, view: &View, picture: &Picture) {
     let Some(soil) = of(picture) else { return };
     sheet.loops(&on_sheet(soil, &loops(soil, |_| true), view, 0.0), Pen::line(draw::FAINT, HAIR).class("soil-ghost"));
 }
 
 /// Whether loads stand on the soil through plates.
-pub fn loaded(picture: &Picture) -> bool {
+pub(crate) fn loaded(picture: &Picture) -> bool {
     of(picture).is_some_and(|soil| !soil.plates.is_empty())
 }
 
 /// Whether loads stand on the blocks or on the soil.
-pub fn any_load(picture: &Picture) -> bool {
+pub(crate) fn any_load(picture: &Picture) -> bool {
     loaded(picture) || !picture.loads.is_empty()
 }
 
 /// Room above an elevation for the arrows and labels on it.
-pub fn above(picture: &Picture) -> f64 {
+pub(crate) fn above(picture: &Picture) -> f64 {
     if loaded(picture) { draw::ARROW + 8.0 } else { 14.0 }
 }
 
 /// Plates under loads, each with its load above it.
-pub fn plates(sheet: &mut Sheet, view: &View, picture: &Picture, scale: f64) {
+pub(crate) fn plates(sheet: &mut Sheet, view: &View, picture: &Picture, scale: f64) {
     let Some(soil) = of(picture) else { return };
     sheet.open("plates");
     for plate in &soil.plates {

@@ -4,7 +4,7 @@
 use crate::sheet::Spot;
 
 /// A grid of heights over places on the sheet.
-pub struct Grid<'a> {
+pub(super) struct Grid<'a> {
     /// Places along x, in order.
     pub x: &'a [f64],
     /// Places along y, in order.
@@ -22,7 +22,7 @@ struct Corner {
 
 impl Grid<'_> {
     /// Polygons by band: below the first level, between two, above the last. The levels rise.
-    pub fn bands(&self, levels: &[f64]) -> Vec<Vec<Vec<Spot>>> {
+    pub(super) fn bands(&self, levels: &[f64]) -> Vec<Vec<Vec<Spot>>> {
         let mut bands = vec![Vec::new(); levels.len() + 1];
         for triangle in self.triangles() {
             let (low, high) = range(&triangle);
@@ -47,7 +47,7 @@ impl Grid<'_> {
     }
 
     /// Pieces of the line at a level.
-    pub fn line(&self, level: f64) -> Vec<[Spot; 2]> {
+    pub(super) fn line(&self, level: f64) -> Vec<[Spot; 2]> {
         let mut pieces = Vec::new();
         for triangle in self.triangles() {
             let mut ends = Vec::new();

@@ -18,7 +18,7 @@ const DOT: &str = "#1f5fa8";
 const BAR: &str = "#9dc3e6";
 
 /// A square of cells, a row and a column for each parameter. None of fewer than two parameters or without samples.
-pub fn correlation(update: &Update) -> Option<String> {
+pub(super) fn correlation(update: &Update) -> Option<String> {
     let posterior = &update.posterior.as_ref()?.posterior;
     let parameters = update.problem.parameters();
     let n = parameters.len();

@@ -13,7 +13,7 @@ const HEIGHT: f64 = 112.0;
 const MOST: usize = 10;
 
 /// Every channel over time, measured, of the start model and of the updated one. None without a history.
-pub fn histories(update: &Update) -> Option<String> {
+pub(super) fn histories(update: &Update) -> Option<String> {
     let (first, last) = (*update.times.first()?, *update.times.last()?);
     let x = Axis::exact("time since the first axle stood at the start [s]", first, last.max(first + 1e-6), 8);
     let drawn: Vec<usize> =

@@ -13,13 +13,13 @@ const HEIGHT: f64 = 96.0;
 const BETWEEN: f64 = 86.0;
 const GAP: f64 = 34.0;
 /// Bars over a range.
-pub const BARS: usize = 40;
+pub(super) const BARS: usize = 40;
 const BAR: &str = "#9dc3e6";
 const WITHIN: &str = "#dcdcdc";
 const PRIOR: &str = "#777777";
 
 /// Two panels in a row. None without samples.
-pub fn marginals(update: &Update) -> Option<String> {
+pub(super) fn marginals(update: &Update) -> Option<String> {
     let report = update.posterior.as_ref()?;
     let posterior = &report.posterior;
     if posterior.samples.is_empty() || posterior.parameters.is_empty() {
@@ -73,7 +73,7 @@ fn told(posterior: &Posterior, surrogate: &str) -> String {
 }
 
 /// Shares of the samples by even parts of the range.
-pub fn bars(posterior: &Posterior, parameter: &Parameter, k: usize) -> Vec<f64> {
+pub(super) fn bars(posterior: &Posterior, parameter: &Parameter, k: usize) -> Vec<f64> {
     let mut bars = vec![0.0; BARS];
     let values = posterior.samples.iter().filter_map(|sample| sample.get(k)).filter(|value| value.is_finite());
     for value in values {

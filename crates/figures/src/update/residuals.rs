@@ -13,7 +13,7 @@ const BAR: f64 = 15.0;
 const WIDEST_NAME: f64 = 230.0;
 
 /// Errors of all channels, those of the start model above those of the updated one. None without an error.
-pub fn residuals(update: &Update) -> Option<String> {
+pub(super) fn residuals(update: &Update) -> Option<String> {
     let rows = rows(update);
     let numbers = || rows.iter().flat_map(|row| row.errors).flatten();
     let (low, high) = (numbers().fold(0.0, f64::min), numbers().fold(0.0, f64::max));

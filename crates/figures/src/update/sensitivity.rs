@@ -28,7 +28,7 @@ const CHANNELS: [(&str, &str); 8] = [
 
 /// A row for each parameter in the order of the ranking: the norm to the left, the channels' errors to the right. Last single
 /// sweeps follow.
-pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Option<String> {
+pub(super) fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Option<String> {
     let pass = paper.outcome.passes.get(number)?;
     let ranked = pass.ranking.iter().filter_map(|k| pass.sweeps.iter().find(|sweep| sweep.parameter == *k));
     let rows: Vec<(&Sweep, bool)> =

@@ -24,7 +24,7 @@ const NEAR_DASHES: &str = "3 2";
 const ARM: f64 = 8.0;
 
 /// One surface of one pass.
-pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize) -> Option<String> {
+pub(super) fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize) -> Option<String> {
     let pass = paper.outcome.passes.get(number)?;
     let stage = pass.stages.get(place)?;
     let surface = &stage.surface;

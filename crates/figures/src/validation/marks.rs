@@ -4,7 +4,7 @@ use crate::sheet::{Pen, Sheet, Spot};
 use outcome::validation::Predictor;
 
 /// Colours of Okabe and Ito (2008), which readers with any colour vision tell apart.
-pub fn colour(by: Predictor) -> &'static str {
+pub(super) fn colour(by: Predictor) -> &'static str {
     match by {
         Predictor::Weight => "#0072b2",
         Predictor::Pressure => "#d55e00",
@@ -16,7 +16,7 @@ pub fn colour(by: Predictor) -> &'static str {
 }
 
 /// The mark of a method: circle, square, triangle, diamond, the triangle upside down, hourglass.
-pub fn mark(sheet: &mut Sheet, at: Spot, by: Predictor) {
+pub(super) fn mark(sheet: &mut Sheet, at: Spot, by: Predictor) {
     let pen = Pen::shape(colour(by), "white", 1.0).class("prediction");
     let points: &[Spot] = match by {
         Predictor::Weight => return sheet.circle(at, 5.2, pen),

@@ -13,7 +13,7 @@ enum Values {
 }
 
 /// An array with its name and the number of values that belong together.
-pub struct Array<'a> {
+pub(crate) struct Array<'a> {
     name: &'a str,
     components: usize,
     values: Values,
@@ -21,15 +21,15 @@ pub struct Array<'a> {
 
 impl<'a> Array<'a> {
     /// Numbers with a fraction, so many that belong together.
-    pub fn real(name: &'a str, components: usize, values: impl IntoIterator<Item = f64>) -> Array<'a> {
+    pub(crate) fn real(name: &'a str, components: usize, values: impl IntoIterator<Item = f64>) -> Array<'a> {
         Array { name, components, values: Values::Real(values.into_iter().collect()) }
     }
     /// Vectors in the plane.
-    pub fn vectors(name: &'a str, values: impl IntoIterator<Item = Point>) -> Array<'a> {
+    pub(crate) fn vectors(name: &'a str, values: impl IntoIterator<Item = Point>) -> Array<'a> {
         Array::real(name, 3, values.into_iter().flat_map(|[x, y]| [x, y, 0.0]))
     }
     /// Whole numbers.
-    pub fn whole(name: &'a str, values: impl IntoIterator<Item = i64>) -> Array<'a> {
+    pub(crate) fn whole(name: &'a str, values: impl IntoIterator<Item = i64>) -> Array<'a> {
         Array { name, components: 1, values: Values::Whole(values.into_iter().collect()) }
     }
 
@@ -56,7 +56,7 @@ impl<'a> Array<'a> {
 
 /// Cells of one kind, as VTK numbers them.
 #[derive(Default)]
-pub struct Cells {
+pub(crate) struct Cells {
     kind: u8,
     /// Point numbers of all cells, one after the other, and where each cell ends among them.
     corners: Vec<i64>,
@@ -64,13 +64,13 @@ pub struct Cells {
 }
 
 impl Cells {
-    pub const LINE: u8 = 3;
-    pub const TRIANGLE: u8 = 5;
-    pub const POLYGON: u8 = 7;
-    pub const QUAD: u8 = 9;
+    pub(crate) const LINE: u8 = 3;
+    pub(crate) const TRIANGLE: u8 = 5;
+    pub(crate) const POLYGON: u8 = 7;
+    pub(crate) const QUAD: u8 = 9;
 
     /// The points of every cell.
-    pub fn of<C: IntoIterator<Item = usize>>(kind: u8, cells: impl IntoIterator<Item = C>) -> Cells {
+    pub(crate) fn of<C: IntoIterator<Item = usize>>(kind: u8, cells: impl IntoIterator<Item = C>) -> Cells {
         let mut made = Cells { kind, ..Cells::default() };
         for cell in cells {
             made.corners.extend(cell.into_iter().map(|corner| corner as i64));
@@ -79,13 +79,13 @@ impl Cells {
         made
     }
     /// Each point by itself.
-    pub fn points(count: usize) -> Cells {
+    pub(crate) fn points(count: usize) -> Cells {
         Cells::of(1, (0..count).map(|point| [point]))
     }
 }
 
 #[derive(Default)]
-pub struct Grid<'a> {
+pub(crate) struct Grid<'a> {
     /// Whether numbers are written with four bytes instead of eight: seven digits, enough for what is looked at.
     pub short: bool,
     /// Remark at the head of the file.
@@ -102,7 +102,7 @@ pub struct Grid<'a> {
 }
 
 impl Grid<'_> {
-    pub fn file(&self) -> String {
+    pub(crate) fn file(&self) -> String {
         let mut out = String::from("<?xml version=\"1.0\"?>\n");
         // Two hyphens would end the remark.
         let _ = writeln!(out, "<!-- {} -->", escape(self.remark).replace("--", "–"));

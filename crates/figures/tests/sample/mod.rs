@@ -1,9 +1,9 @@
 //! Invented results in the shape of real ones, to try drawings on. No number here is a result.
 #![allow(dead_code)]
 
-pub mod soils;
-pub mod studies;
-pub mod updates;
+pub(crate) mod soils;
+pub(crate) mod studies;
+pub(crate) mod updates;
 
 use outcome::picture::*;
 use std::f64::consts::PI;
@@ -116,7 +116,7 @@ fn area_centre(outline: &[Point]) -> Point {
     [sum[0] / (3.0 * area), sum[1] / (3.0 * area)]
 }
 
-pub fn times(m: Motion, s: f64) -> Motion {
+pub(crate) fn times(m: Motion, s: f64) -> Motion {
     Motion { translation: [s * m.translation[0], s * m.translation[1]], rotation: s * m.rotation }
 }
 
@@ -231,12 +231,12 @@ fn path(top: f64, step: f64) -> Vec<Step> {
 }
 
 /// One segmental arch of 62 voussoirs, span 18.3 m, rise 2.85 m, ring 0.711 m.
-pub fn arch() -> Picture {
+pub(crate) fn arch() -> Picture {
     segmental("Bridgemill, case 1", 18.3, 2.85, 62, 0.711)
 }
 
 /// A semicircular arch under a point load.
-pub fn tall() -> Picture {
+pub(crate) fn tall() -> Picture {
     let mut p = segmental("Tall semicircular arch", 10.0, 5.0, 41, 0.8);
     p.surface.clear();
     p.surface_loads.clear();
@@ -290,7 +290,7 @@ fn segmental(title: &str, span: f64, rise: f64, count: usize, thickness: f64) ->
 }
 
 /// Two rings of different numbers of voussoirs.
-pub fn two_rings() -> Picture {
+pub(crate) fn two_rings() -> Picture {
     let inner = joints(0.0, 8.0, 2.0, 0.0, 0.23, 40);
     let outer = joints(0.0, 8.0, 2.0, 0.23, 0.23, 42);
     let mut shapes = voussoirs(&inner);
@@ -320,7 +320,7 @@ pub fn two_rings() -> Picture {
 }
 
 /// Three spans on slender piers.
-pub fn multi_span() -> Picture {
+pub(crate) fn multi_span() -> Picture {
     let (mut shapes, mut all_joints, mut left) = (Vec::new(), Vec::new(), 0.0);
     for _ in 0..3 {
         let j = joints(left, 6.0, 1.5, 0.0, 0.45, 27);
@@ -375,7 +375,7 @@ pub fn multi_span() -> Picture {
 }
 
 /// A dry wall that falls to the ground.
-pub fn falling_wall() -> Picture {
+pub(crate) fn falling_wall() -> Picture {
     let mut shapes = Vec::new();
     for row in 0..10 {
         let shift = if row % 2 == 0 { 0.0 } else { 0.3 };
@@ -421,7 +421,7 @@ pub fn falling_wall() -> Picture {
 }
 
 /// One block on a support.
-pub fn single_block() -> Picture {
+pub(crate) fn single_block() -> Picture {
     Picture {
         title: "One block".into(),
         shapes: vec![
@@ -436,7 +436,7 @@ pub fn single_block() -> Picture {
 }
 
 /// The arch between end walls under particles in two layers, loaded through a block.
-pub fn filled() -> Picture {
+pub(crate) fn filled() -> Picture {
     let mut p = arch();
     p.title = "Fill as particles".into();
     let (left, right, crown, road) = (-1.6, 19.9, 3.561, 4.361);
@@ -519,7 +519,7 @@ pub fn filled() -> Picture {
 }
 
 /// All of them with a short name.
-pub fn every() -> Vec<(&'static str, Picture)> {
+pub(crate) fn every() -> Vec<(&'static str, Picture)> {
     vec![
         ("arch", arch()),
         ("crowded", crowded()),
@@ -536,7 +536,7 @@ pub fn every() -> Vec<(&'static str, Picture)> {
 }
 
 /// Two directions of a sweep, with a gap where the load stands beside the span.
-pub fn sweeps() -> Vec<figures::Sweep> {
+pub(crate) fn sweeps() -> Vec<figures::Sweep> {
     let curve = |shift: f64| {
         (0..=120)
             .map(|k| {
@@ -554,7 +554,7 @@ pub fn sweeps() -> Vec<figures::Sweep> {
 }
 
 /// The arch with its thickness dimensioned at the crown, above the rise, and its load there too.
-pub fn crowded() -> Picture {
+pub(crate) fn crowded() -> Picture {
     let mut p = arch();
     let crown = p.dimensions[1].to;
     p.dimensions[2] = DimensionLine { measure: Measure::Thickness, from: crown, to: [crown[0], crown[1] + 0.711] };

@@ -12,12 +12,12 @@ const ENDS: [f64; 2] = [-3.4, 11.4];
 const LOAD: [f64; 2] = [1.7, 2.5];
 
 /// A semicircular ring under fill, whose sway mechanism pushes the fill up on one side.
-pub fn soiled() -> Picture {
+pub(crate) fn soiled() -> Picture {
     under_fill(1, 16)
 }
 
 /// The same with so many columns over each voussoir and so many rows.
-pub fn under_fill(columns: usize, rows: usize) -> Picture {
+pub(crate) fn under_fill(columns: usize, rows: usize) -> Picture {
     let mut picture = segmental("Semicircular arch under fill that yields", 8.0, 4.0, 30, 0.5);
     picture.surface = vec![[ENDS[0], TOP], [ENDS[1], TOP]];
     picture.surface_loads = vec![([0.5 * (LOAD[0] + LOAD[1]), TOP], LOAD[1] - LOAD[0])];
@@ -122,7 +122,7 @@ fn soil(shapes: &[Shape], motions: &[Motion], floor: &[(Point, Option<usize>)], 
 }
 
 /// Two triangles over a block that slides out below them.
-pub fn two_triangles() -> Picture {
+pub(crate) fn two_triangles() -> Picture {
     let points = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
     let soil = SoilPicture {
         triangles: vec![[0, 1, 2], [0, 2, 3]],

@@ -6,7 +6,7 @@ use bridge::{Analysis, Method};
 use outcome::study::{Command, Design, Outcome, Row, Study, runs};
 
 /// A value as the file would have it.
-pub fn setting(text: &str, number: Option<f64>) -> Setting {
+pub(crate) fn setting(text: &str, number: Option<f64>) -> Setting {
     Setting { literal: format!("\"{text}\""), text: text.to_owned(), number }
 }
 
@@ -64,7 +64,7 @@ fn number(text: &str) -> f64 {
 }
 
 /// One at a time: rising, falling, flat, words, a quantity that the file does not give, runs that failed.
-pub fn usual() -> Study {
+pub(crate) fn usual() -> Study {
     let quantities = vec![
         quantity("joint.friction_angle", "deg", Some(35.6), &[5.0, 10.0, 20.0, 30.0, 40.0]),
         quantity("span[1].ring[2].springing_thickness", "m", Some(0.7), &[0.1, 0.65, 0.75]),
@@ -88,19 +88,19 @@ pub fn usual() -> Study {
 }
 
 /// One at a time, and nothing matters.
-pub fn flat() -> Study {
+pub(crate) fn flat() -> Study {
     study(Design::OneAtATime, vec![quantity("analysis.seed", "", Some(1.0), &[2.0, 3.0, 4.0])], |_| {
         ("collapsed", 150.0)
     })
 }
 
 /// No run has an answer.
-pub fn without_answer() -> Study {
+pub(crate) fn without_answer() -> Study {
     study(Design::OneAtATime, vec![quantity("analysis.seed", "", Some(1.0), &[2.0])], |_| ("not-converged", f64::NAN))
 }
 
 /// A grid of a number against words, with runs that failed.
-pub fn grid() -> Study {
+pub(crate) fn grid() -> Study {
     let quantities = vec![
         quantity("span[1].thickness", "m", Some(0.7), &[0.8, 0.7, 0.6, 0.1]),
         words("dispersal.rule", "uniform", &["uniform", "boussinesq", "inverse-depth"]),
@@ -112,7 +112,7 @@ pub fn grid() -> Study {
 }
 
 /// A grid with more cells than numbers can be read in.
-pub fn fine_grid() -> Study {
+pub(crate) fn fine_grid() -> Study {
     let steps: Vec<f64> = (0..30).map(|k| 20.0 + f64::from(k)).collect();
     let quantities = vec![
         quantity("joint.friction_angle", "deg", Some(35.0), &steps),
@@ -121,6 +121,6 @@ pub fn fine_grid() -> Study {
     study(Design::Grid, quantities, |v| ("collapsed", number(v[0]) * number(v[1])))
 }
 
-pub fn every() -> Vec<(&'static str, Study)> {
+pub(crate) fn every() -> Vec<(&'static str, Study)> {
     vec![("usual", usual()), ("flat", flat()), ("grid", grid()), ("fine grid", fine_grid())]
 }

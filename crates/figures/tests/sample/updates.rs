@@ -87,14 +87,14 @@ fn parameters() -> Vec<Parameter> {
 }
 
 /// An update by the paper's search, with a posterior.
-pub fn twin() -> Update {
+pub(crate) fn twin() -> Update {
     // The last truth lies beyond its range.
     static TWIN: LazyLock<Update> = LazyLock::new(|| made(parameters(), [14.4, 1.1, 39.0, 7.4, 1200.0], None, true));
     TWIN.clone()
 }
 
 /// Measured records, ranges by their logarithms, points without an answer, long names, no posterior.
-pub fn hard() -> Update {
+pub(crate) fn hard() -> Update {
     let mut parameters = parameters();
     parameters[2] =
         Parameter::new("spandrel fill between the haunches, above the backing", "MPa", 60.0, 5.0, 700.0).logarithmic();

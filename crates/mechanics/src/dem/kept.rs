@@ -38,7 +38,7 @@ impl Run {
     ///
     /// # Errors
     /// Bytes that are damaged, or were not kept for what `belongs` stands for.
-    pub fn from_bytes(model: &Model, belongs: u64, bytes: &[u8]) -> Result<Run, ModelError> {
+    pub(super) fn from_bytes(model: &Model, belongs: u64, bytes: &[u8]) -> Result<Run, ModelError> {
         let mut run: Run = kept::read(belongs, bytes)?;
         let stable = run.stable.as_mut().is_none_or(|state| state.set_up(model));
         let fits = stable && run.state.set_up(model) && run.stage.start.len() == model.len();

@@ -76,7 +76,7 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    pub fn new(model: &Model, state: &State) -> Stage {
+    pub(super) fn new(model: &Model, state: &State) -> Stage {
         Stage {
             window: window(model, state),
             start: state.poses.iter().map(|p| p.position).collect(),

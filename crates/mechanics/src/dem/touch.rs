@@ -105,19 +105,19 @@ pub(super) struct Points {
 
 impl Points {
     /// Unit normal from `one` to `two`.
-    pub fn normal(&self) -> Vec2 {
+    pub(super) fn normal(&self) -> Vec2 {
         self.direction.right()
     }
     /// Force on `two` per unit of compression at point `k`.
-    pub fn push(&self, k: usize) -> Vec2 {
+    pub(super) fn push(&self, k: usize) -> Vec2 {
         self.normal() * self.pushes[k].y + self.direction * self.pushes[k].x
     }
     /// Distance between the two points along the edge [m].
-    pub fn stretch(&self) -> f64 {
+    pub(super) fn stretch(&self) -> f64 {
         self.s[1] - self.s[0]
     }
     /// Point `k` [m], midway between the two surfaces, for `one` placed at `centre`.
-    pub fn at(&self, k: usize, centre: Vec2) -> Vec2 {
+    pub(super) fn at(&self, k: usize, centre: Vec2) -> Vec2 {
         centre + self.direction * (self.along + self.s[k]) + self.normal() * (self.across + self.lift(k))
     }
     /// Height of point `k` above the core's edge [m].
@@ -129,7 +129,13 @@ impl Points {
 
 impl Touch {
     /// A touch of the pair (`a`, `b`), `a < b`, with nothing remembered.
-    pub fn new(ids: (u32, u32), meeting: Meeting, cores: (&Core, &Core), law: &ContactLaw, distance: f64) -> Touch {
+    pub(super) fn new(
+        ids: (u32, u32),
+        meeting: Meeting,
+        cores: (&Core, &Core),
+        law: &ContactLaw,
+        distance: f64,
+    ) -> Touch {
         let (a, b) = cores;
         let flipped = matches!(meeting, Meeting::Face { flipped: true, .. });
         let (one, two, r, i) = if flipped { (ids.1, ids.0, b, a) } else { (ids.0, ids.1, a, b) };
@@ -171,13 +177,13 @@ impl Touch {
     }
 
     /// Lower and higher id.
-    pub fn ids(&self) -> (u32, u32) {
+    pub(super) fn ids(&self) -> (u32, u32) {
         (self.one.min(self.two), self.one.max(self.two))
     }
 
     /// Where the points are now.
     #[inline(always)]
-    pub fn points(&self, one: &Pose, two: &Pose) -> Points {
+    pub(super) fn points(&self, one: &Pose, two: &Pose) -> Points {
         if self.count == 1 {
             return self.corner_points(one, two);
         }
@@ -260,7 +266,7 @@ impl Touch {
     /// along the edge and `h` above it has `arm x n = -(along + s)` and `arm x d = across + h` about the centre of
     /// `one`.
     #[inline(always)]
-    pub fn resist<const UPDATED: bool>(
+    pub(super) fn resist<const UPDATED: bool>(
         &mut self,
         bodies: (&Pose, &Pose),
         velocities: Velocities,
@@ -309,7 +315,12 @@ impl Touch {
     }
 
     /// The same for a pressure that is spread over the compressed part of a common face. A corner presses in its point.
-    pub fn resist_distributed(&mut self, bodies: (&Pose, &Pose), velocities: Velocities, dt: f64) -> Option<Reaction> {
+    pub(super) fn resist_distributed(
+        &mut self,
+        bodies: (&Pose, &Pose),
+        velocities: Velocities,
+        dt: f64,
+    ) -> Option<Reaction> {
         if self.count == 1 {
             return self.resist::<true>(bodies, velocities, dt);
         }
@@ -441,7 +452,7 @@ impl Touch {
 
     /// Opens point `k`; returns the elastic shear energy that is lost with it [J/m].
     #[inline]
-    pub fn open(&mut self, k: usize) -> f64 {
+    pub(super) fn open(&mut self, k: usize) -> f64 {
         let m = &mut self.memory[k];
         // What never touched has no bond either.
         m.bonded = false;
@@ -460,7 +471,7 @@ impl Touch {
     }
 
     /// Elastic energy of the closed points [J/m].
-    pub fn elastic_energy(&self) -> f64 {
+    pub(super) fn elastic_energy(&self) -> f64 {
         let of_points = |m: &Memory| match self.stored {
             Some(_) => 0.0,
             None => m.compression * m.compression / self.normal_stiffness,
@@ -473,7 +484,7 @@ impl Touch {
 
 impl Touch {
     /// Opens both points for good; returns the elastic shear energy lost with them [J/m].
-    pub fn forget(&mut self) -> f64 {
+    pub(super) fn forget(&mut self) -> f64 {
         self.open(0) + self.open(1)
     }
 }

@@ -22,7 +22,12 @@ pub(super) struct Bedded {
 
 impl Bedded {
     /// From states of self-stress; none where their energies cannot be told apart.
-    pub fn new(model: &BlockModel, equilibrium: &Equilibrium, joints: &[Joint], states: &[Vec<f64>]) -> Option<Bedded> {
+    pub(super) fn new(
+        model: &BlockModel,
+        equilibrium: &Equilibrium,
+        joints: &[Joint],
+        states: &[Vec<f64>],
+    ) -> Option<Bedded> {
         let own = equilibrium.joint_columns();
         let of_joints = |state: &&Vec<f64>| state[own..].iter().all(|force| force.abs() < NOTHING);
         let states: Vec<Vec<f64>> = states.iter().filter(of_joints).cloned().collect();
@@ -38,7 +43,7 @@ impl Bedded {
     }
 
     /// The elastic state that balances the same load.
-    pub fn relaxed(&self, forces: &[f64]) -> Vec<f64> {
+    pub(super) fn relaxed(&self, forces: &[f64]) -> Vec<f64> {
         let mut relaxed = forces.to_vec();
         for (state, share) in self.states.iter().zip(&self.shares) {
             let x: f64 = share.iter().zip(forces).map(|(a, b)| a * b).sum();

@@ -113,15 +113,15 @@ pub(super) struct Carried {
 
 impl Carried {
     /// A state of the permanent loads with room to every limit, where there is one.
-    pub fn roomy(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<&Roomy> {
+    pub(super) fn roomy(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<&Roomy> {
         self.roomy.get_or_init(|| roomy(equilibrium, joints, strengths)).as_ref()
     }
     /// Whether they are known to be carried.
-    pub fn is_carried(&self) -> bool {
+    pub(super) fn is_carried(&self) -> bool {
         self.carried == Some(true)
     }
     /// Scaled joint forces that carry them, or carry most of them.
-    pub fn forces(&self) -> &[f64] {
+    pub(super) fn forces(&self) -> &[f64] {
         &self.solution.forces
     }
 }

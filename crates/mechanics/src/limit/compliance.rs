@@ -23,7 +23,11 @@ pub(super) struct Stiffness<'a> {
 
 impl<'a> Stiffness<'a> {
     /// Factorises; `None` where that fails.
-    pub fn new(equilibrium: &'a Equilibrium, joints: &'a [Joint], resistances: &'a [Resistance]) -> Option<Self> {
+    pub(super) fn new(
+        equilibrium: &'a Equilibrium,
+        joints: &'a [Joint],
+        resistances: &'a [Resistance],
+    ) -> Option<Self> {
         let (mut rows, mut columns, mut values) = (Vec::new(), Vec::new(), Vec::new());
         let mut push = |i: usize, j: usize, v: f64| {
             rows.push(i);
@@ -62,14 +66,14 @@ impl<'a> Stiffness<'a> {
     }
 
     /// Solves `(K + SHIFT) x = b`.
-    pub fn solve(&mut self, b: &[f64]) -> Vec<f64> {
+    pub(super) fn solve(&mut self, b: &[f64]) -> Vec<f64> {
         let mut x = b.to_vec();
         self.factor.solve(&mut x);
         x
     }
 
     /// Joint forces `C_j B_j^T u` of velocities `u`.
-    pub fn forces(&self, velocities: &[f64]) -> Vec<f64> {
+    pub(super) fn forces(&self, velocities: &[f64]) -> Vec<f64> {
         let mut forces = self.equilibrium.deformations(velocities);
         for ((joint, &c), resistance) in self.joints.iter().zip(&self.equilibrium.first_column).zip(self.resistances) {
             let n = joint.forces();

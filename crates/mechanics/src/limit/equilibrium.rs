@@ -48,13 +48,13 @@ pub(super) struct Restrained {
 
 impl Equilibrium {
     /// Sets up the equations of the blocks as built.
-    pub fn new(model: &BlockModel, loading: &Loading, joints: &[Joint]) -> Equilibrium {
+    pub(super) fn new(model: &BlockModel, loading: &Loading, joints: &[Joint]) -> Equilibrium {
         let centroids = model.blocks.iter().map(|b| b.outline.centroid()).collect();
         Equilibrium::placed(model, &centroids, loading, joints)
     }
 
     /// Sets up the equations of blocks whose centroids, forces and joints have moved to where they are given.
-    pub fn placed(
+    pub(super) fn placed(
         model: &BlockModel,
         centroids: &Table<BlockId, Vec2>,
         loading: &Loading,
@@ -132,14 +132,14 @@ impl Equilibrium {
     }
 
     /// The same with nothing that answers movement.
-    pub fn unrestrained(&self) -> Equilibrium {
+    pub(super) fn unrestrained(&self) -> Equilibrium {
         let mut this = self.clone();
         this.restraints.iter_mut().for_each(|r| r.most = 0.0);
         this
     }
 
     /// Number of columns of joints.
-    pub fn joint_columns(&self) -> usize {
+    pub(super) fn joint_columns(&self) -> usize {
         self.columns.len() - self.restraints.len()
     }
 
@@ -169,7 +169,7 @@ impl Equilibrium {
     }
 
     /// What a load adds to the equations, in newtons per metre.
-    pub fn of_load(&self, model: &BlockModel, load: &[PointForce]) -> Vec<f64> {
+    pub(super) fn of_load(&self, model: &BlockModel, load: &[PointForce]) -> Vec<f64> {
         let mut p = vec![0.0; self.rows];
         for f in load {
             let centroid = model.blocks[f.block].outline.centroid();
@@ -179,7 +179,7 @@ impl Equilibrium {
     }
 
     /// `B f + factor p + w` for scaled forces.
-    pub fn residual(&self, forces: &[f64], factor: f64) -> Vec<f64> {
+    pub(super) fn residual(&self, forces: &[f64], factor: f64) -> Vec<f64> {
         let mut r: Vec<f64> = self.permanent.iter().zip(&self.variable).map(|(w, p)| w + factor * p).collect();
         for (column, f) in self.columns.iter().zip(forces) {
             for &(i, v) in column {
@@ -190,12 +190,12 @@ impl Equilibrium {
     }
 
     /// `B^T u`: how the velocities `u` open and shear every joint.
-    pub fn deformations(&self, velocities: &[f64]) -> Vec<f64> {
+    pub(super) fn deformations(&self, velocities: &[f64]) -> Vec<f64> {
         self.columns.iter().map(|c| c.iter().map(|&(i, v)| v * velocities[i]).sum()).collect()
     }
 
     /// Translation [m] and rotation [rad] of each block for scaled velocities.
-    pub fn motions(&self, velocities: &[f64]) -> Table<BlockId, (Vec2, f64)> {
+    pub(super) fn motions(&self, velocities: &[f64]) -> Table<BlockId, (Vec2, f64)> {
         self.row
             .iter()
             .map(|rows| {

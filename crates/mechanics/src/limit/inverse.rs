@@ -16,7 +16,7 @@ const WEAK: f64 = 1e-6;
 
 impl Inverse {
     /// By Gauss and Jordan in place, with the largest pivot of each column; none where the matrix is singular.
-    pub fn of(matrix: &[f64], size: usize) -> Option<Inverse> {
+    pub(super) fn of(matrix: &[f64], size: usize) -> Option<Inverse> {
         let mut values = matrix.to_vec();
         let (mut swaps, mut pivot_row) = (Vec::with_capacity(size), vec![0.0; size]);
         for column in 0..size {
@@ -54,19 +54,19 @@ impl Inverse {
     }
 
     /// Its last row: how much of each row of the matrix makes a one in the last column alone.
-    pub fn multipliers(&self) -> &[f64] {
+    pub(super) fn multipliers(&self) -> &[f64] {
         &self.values[self.values.len() - self.size..]
     }
 
     /// Its product with a vector.
-    pub fn times(&self, vector: &[f64], product: &mut [f64]) {
+    pub(super) fn times(&self, vector: &[f64], product: &mut [f64]) {
         for (to, row) in product.iter_mut().zip(self.values.chunks_exact(self.size)) {
             *to = dot(row, vector);
         }
     }
 
     /// A row as a sum of the rows of the matrix.
-    pub fn transposed_times(&self, row: &[f64]) -> Vec<f64> {
+    pub(super) fn transposed_times(&self, row: &[f64]) -> Vec<f64> {
         let mut weights = vec![0.0; self.size];
         for (value, inverse) in row.iter().zip(self.values.chunks_exact(self.size)) {
             weights.iter_mut().zip(inverse).for_each(|(w, i)| *w += value * i);
@@ -75,7 +75,7 @@ impl Inverse {
     }
 
     /// Lets a row of these weights take the place of row `leaving` of the matrix.
-    pub fn exchange(&mut self, leaving: usize, weights: &[f64]) {
+    pub(super) fn exchange(&mut self, leaving: usize, weights: &[f64]) {
         let pivot = weights[leaving];
         for row in self.values.chunks_exact_mut(self.size) {
             let value = row[leaving] / pivot;
@@ -86,7 +86,7 @@ impl Inverse {
     }
 
     /// Lets another last column take the place of that of the matrix; false where it would be left singular, or nearly.
-    pub fn with_last<'v>(&mut self, last: impl Iterator<Item = &'v f64>) -> bool {
+    pub(super) fn with_last<'v>(&mut self, last: impl Iterator<Item = &'v f64>) -> bool {
         let n = self.size;
         let last: Vec<f64> = last.copied().collect();
         let mut shares = vec![0.0; n];
@@ -104,7 +104,7 @@ impl Inverse {
     }
 
     /// Takes out of the multipliers what they miss; false where they are none.
-    pub fn refine_multipliers(&mut self, matrix: &[f64]) -> bool {
+    pub(super) fn refine_multipliers(&mut self, matrix: &[f64]) -> bool {
         let n = self.size;
         let mut missing = vec![0.0; n];
         missing[n - 1] = 1.0;

@@ -40,11 +40,11 @@ pub(super) struct Strength {
 
 impl Joint {
     /// Unit tangent.
-    pub fn tangent(&self) -> Vec2 {
+    pub(super) fn tangent(&self) -> Vec2 {
         self.normal.left()
     }
     /// Number of forces: the compressions, then the shear.
-    pub fn forces(&self) -> usize {
+    pub(super) fn forces(&self) -> usize {
         self.points.len() + 1
     }
 }
@@ -53,7 +53,7 @@ impl Strength {
     /// Curvature of the thrust-block parabola. With every compression and the total shifted by the tension,
     /// `n' >= curvature * total'^2`; zero without crushing. For no tension this is the textbook
     /// `M = N h / 2 (1 - N / (fc h))`.
-    pub fn curvature(&self, points: usize) -> f64 {
+    pub(super) fn curvature(&self, points: usize) -> f64 {
         if self.crushing.is_finite() && points == 2 { 0.5 / (self.crushing + 2.0 * self.tension) } else { 0.0 }
     }
 }

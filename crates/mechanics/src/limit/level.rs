@@ -94,7 +94,7 @@ pub(super) fn without_dilation(
 
 impl WithoutDilation {
     /// The end of the iteration, for loads nearby; `scale` is the factor of a scaled one.
-    pub fn end(&self, scale: f64) -> Option<Level> {
+    pub(super) fn end(&self, scale: f64) -> Option<Level> {
         match self {
             WithoutDilation::Load(settled) => {
                 Some(Level { factor: settled.solution.factor * scale, compressions: settled.compressions.clone() })
@@ -104,7 +104,7 @@ impl WithoutDilation {
     }
 
     /// Which load counts by the friction that is asked for, beside a load with dilation in whose mechanism joints slide or not.
-    pub fn governs(&self, friction: Friction, found: &Found, slides: bool) -> Governs {
+    pub(super) fn governs(&self, friction: Friction, found: &Found, slides: bool) -> Governs {
         let own = match friction {
             Friction::Associated => false,
             Friction::NonAssociated => true,

@@ -72,7 +72,11 @@ pub(super) struct Solution {
 
 impl<'a> Program<'a> {
     /// The program of the largest factor of the variable loads, beside the permanent ones.
-    pub fn of_the_factor(equilibrium: &'a Equilibrium, joints: &'a [Joint], strengths: &'a [Strength]) -> Program<'a> {
+    pub(super) fn of_the_factor(
+        equilibrium: &'a Equilibrium,
+        joints: &'a [Joint],
+        strengths: &'a [Strength],
+    ) -> Program<'a> {
         Program {
             equilibrium,
             joints,
@@ -87,12 +91,12 @@ impl<'a> Program<'a> {
     }
 
     /// Solves to a relative gap and residual of `tolerance`.
-    pub fn solve(&self, tolerance: f64) -> Solution {
+    pub(super) fn solve(&self, tolerance: f64) -> Solution {
         self.solve_or(tolerance, NEARLY)
     }
 
     /// The same, where a program that comes to rest early counts as nearly solved down to another gap and residual.
-    pub fn solve_or(&self, tolerance: f64, nearly: f64) -> Solution {
+    pub(super) fn solve_or(&self, tolerance: f64, nearly: f64) -> Solution {
         let forces = self.equilibrium.columns.len();
         let (a, b, cones) = self.constraints();
         let mut q = vec![0.0; forces + 1];

@@ -40,17 +40,17 @@ impl Row {
     }
 
     /// Whether another one is a tangent to the same parabola.
-    pub fn is_beside(&self, other: &Row) -> bool {
+    pub(super) fn is_beside(&self, other: &Row) -> bool {
         self.entries[0].0 == other.entries[0].0
     }
 
     /// Columns and their coefficients.
-    pub fn entries(&self) -> impl Iterator<Item = Entry> + '_ {
+    pub(super) fn entries(&self) -> impl Iterator<Item = Entry> + '_ {
         self.entries.iter().copied().filter(|entry| entry.1 != 0.0)
     }
 
     /// `entries . f`.
-    pub fn of(&self, forces: &[f64]) -> f64 {
+    pub(super) fn of(&self, forces: &[f64]) -> f64 {
         self.entries.iter().map(|&(c, v)| v * forces[c]).sum()
     }
 }
@@ -63,12 +63,16 @@ pub(super) struct Elastic<'a> {
 
 impl<'a> Elastic<'a> {
     /// Factorises; `resistances` are [`alike`] for the joints.
-    pub fn new(equilibrium: &'a Equilibrium, joints: &'a [Joint], resistances: &'a [Resistance]) -> Option<Self> {
+    pub(super) fn new(
+        equilibrium: &'a Equilibrium,
+        joints: &'a [Joint],
+        resistances: &'a [Resistance],
+    ) -> Option<Self> {
         Some(Elastic { equilibrium, stiffness: Stiffness::new(equilibrium, joints, resistances)? })
     }
 
     /// Forces `f` of elastic joints with `B f = -load`; none where round-off spoils them.
-    pub fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
+    pub(super) fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
         let mut forces = vec![0.0; self.equilibrium.columns.len()];
         let mut left: Vec<f64> = load.iter().map(|p| -p).collect();
         let mut worst = f64::INFINITY;
@@ -89,7 +93,7 @@ impl<'a> Elastic<'a> {
     }
 
     /// Velocities whose deformations are `wanted`, as nearly as may be.
-    pub fn motion(&mut self, wanted: &[f64]) -> Vec<f64> {
+    pub(super) fn motion(&mut self, wanted: &[f64]) -> Vec<f64> {
         let mut velocities = vec![0.0; self.equilibrium.rows];
         for _ in 0..2 {
             let have = self.equilibrium.deformations(&velocities);

@@ -44,12 +44,12 @@ enum Compressions {
 
 impl Rest {
     /// Whether blocks slip once joints lose the compressions that nothing but self-stress brings about.
-    pub fn slips(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
+    pub(super) fn slips(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
         *self.slips.get_or_init(|| followed(equilibrium, joints, strengths, 1.0) == Compressions::Vanish)
     }
 
     /// Whether blocks rest however they were put together: without friction, or well within it.
-    pub fn is_sure(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
+    pub(super) fn is_sure(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
         *self.sure.get_or_init(|| {
             let with = |share: f64| {
                 let part = strengths.iter().map(|s| Strength { friction: s.friction * share, ..*s });

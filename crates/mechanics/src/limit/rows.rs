@@ -20,29 +20,29 @@ pub(super) struct Rows {
 
 impl Rows {
     /// No rows of `width` unknowns yet.
-    pub fn new(width: usize) -> Rows {
+    pub(super) fn new(width: usize) -> Rows {
         Rows { width, ..Rows::default() }
     }
 
-    pub fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.width
     }
 
-    pub fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.b.len()
     }
 
     /// Right side of a row.
-    pub fn b(&self, k: usize) -> f64 {
+    pub(super) fn b(&self, k: usize) -> f64 {
         self.b[k]
     }
 
     /// The largest size of any entry.
-    pub fn largest(&self) -> f64 {
+    pub(super) fn largest(&self) -> f64 {
         self.largest
     }
 
-    pub fn push(&mut self, a: impl IntoIterator<Item = f64>, b: f64) {
+    pub(super) fn push(&mut self, a: impl IntoIterator<Item = f64>, b: f64) {
         let k = self.b.len();
         if k.is_multiple_of(SIDE) {
             self.a.resize(self.a.len() + SIDE * self.width, 0.0);
@@ -56,14 +56,14 @@ impl Rows {
     }
 
     /// Puts a row in the place of an earlier one.
-    pub fn put(&mut self, k: usize, place: usize) {
+    pub(super) fn put(&mut self, k: usize, place: usize) {
         let (from, to) = (self.at(k), self.at(place));
         (0..self.width).for_each(|unknown| self.a[to + SIDE * unknown] = self.a[from + SIDE * unknown]);
         self.b[place] = self.b[k];
     }
 
     /// Drops all rows from this one on.
-    pub fn truncate(&mut self, count: usize) {
+    pub(super) fn truncate(&mut self, count: usize) {
         self.b.truncate(count);
         self.a.truncate(count.div_ceil(SIDE) * SIDE * self.width);
     }
@@ -73,17 +73,17 @@ impl Rows {
         k / SIDE * SIDE * self.width + k % SIDE
     }
 
-    pub fn entry(&self, k: usize, unknown: usize) -> f64 {
+    pub(super) fn entry(&self, k: usize, unknown: usize) -> f64 {
         self.a[self.at(k) + SIDE * unknown]
     }
 
-    pub fn row(&self, k: usize) -> impl Iterator<Item = f64> + '_ {
+    pub(super) fn row(&self, k: usize) -> impl Iterator<Item = f64> + '_ {
         (0..self.width).map(move |unknown| self.entry(k, unknown))
     }
 
     /// The first row that a corner violates most among those that `may` enter, with less slack than `most`: its slack is `b - a x - last factor`. With
     /// `careful`, the first that it violates at all.
-    pub fn violated(
+    pub(super) fn violated(
         &self,
         last: &[f64],
         (x, factor): (&[f64], f64),

@@ -34,12 +34,12 @@ pub(super) struct Start {
 
 impl Start {
     /// Of members whose inverse is not known.
-    pub fn of(members: Vec<Member>) -> Start {
+    pub(super) fn of(members: Vec<Member>) -> Start {
         Start { members, inverse: None }
     }
 
     /// With rows in the place of members, each named by its number in the basis; none where that is no basis with multipliers.
-    pub fn with(&self, swaps: &[(usize, usize)], rows: &Rows, last: &[f64]) -> Option<Start> {
+    pub(super) fn with(&self, swaps: &[(usize, usize)], rows: &Rows, last: &[f64]) -> Option<Start> {
         let (mut members, mut inverse) = (self.members.clone(), self.inverse.clone()?);
         let mut row = vec![0.0; rows.width() + 1];
         for &(leaving, entering) in swaps {

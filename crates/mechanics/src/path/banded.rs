@@ -28,7 +28,7 @@ pub(super) struct Banded {
 
 impl Banded {
     /// A matrix of zeros. `last` tells of each equation the last one that it acts with.
-    pub fn new(mut last: Vec<u32>) -> Banded {
+    pub(super) fn new(mut last: Vec<u32>) -> Banded {
         let size = last.len();
         for k in 0..size {
             last[k] = last[k].max(k as u32).max(k.checked_sub(1).map_or(0, |before| last[before]));
@@ -50,27 +50,27 @@ impl Banded {
     }
 
     /// Number of equations.
-    pub fn size(&self) -> usize {
+    pub(super) fn size(&self) -> usize {
         self.size
     }
 
     /// Most diagonals on either side of the main one.
-    pub fn below(&self) -> usize {
+    pub(super) fn below(&self) -> usize {
         self.below
     }
 
     /// The last equation that one or one before it acts with.
-    pub fn last(&self, k: usize) -> usize {
+    pub(super) fn last(&self, k: usize) -> usize {
         self.last[k] as usize
     }
 
     /// A row of a matrix that is not factorised, over all diagonals.
-    pub fn about_diagonal(&self, row: usize) -> &[f64] {
+    pub(super) fn about_diagonal(&self, row: usize) -> &[f64] {
         &self.entries[row * self.width..][..=2 * self.below]
     }
 
     /// Back to zeros.
-    pub fn clear(&mut self) {
+    pub(super) fn clear(&mut self) {
         self.entries.fill(0.0);
     }
 
@@ -80,14 +80,14 @@ impl Banded {
     }
 
     /// Adds a multiple of another matrix of the same shape, neither of them factorised.
-    pub fn add_times(&mut self, other: &Banded, factor: f64) {
+    pub(super) fn add_times(&mut self, other: &Banded, factor: f64) {
         for (to, from) in self.entries.iter_mut().zip(&other.entries) {
             *to += factor * from;
         }
     }
 
     /// The product with a vector, of a matrix that is not factorised.
-    pub fn times(&self, vector: &[f64]) -> Vec<f64> {
+    pub(super) fn times(&self, vector: &[f64]) -> Vec<f64> {
         let row = |row: usize| {
             let columns = row.saturating_sub(self.below)..=(row + self.below).min(self.size - 1);
             columns.map(|column| self.entries[self.at(row, column)] * vector[column]).sum()
@@ -97,14 +97,14 @@ impl Banded {
 
     /// Adds to an entry within the band.
     #[inline(always)]
-    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
         let at = self.at(row, column);
         self.entries[at] += value;
     }
 
     /// Adds to neighbours in a row within the band.
     #[inline(always)]
-    pub fn add_all<const N: usize>(&mut self, row: usize, column: usize, values: [f64; N]) {
+    pub(super) fn add_all<const N: usize>(&mut self, row: usize, column: usize, values: [f64; N]) {
         let at = self.at(row, column);
         for (entry, value) in self.entries[at..at + N].iter_mut().zip(values) {
             *entry += value;
@@ -112,7 +112,7 @@ impl Banded {
     }
 
     /// Factorises in place; `false` where a pivot vanishes.
-    pub fn factorise(&mut self) -> bool {
+    pub(super) fn factorise(&mut self) -> bool {
         let (size, below) = (self.size, self.below);
         self.sign = 1;
         let mut right = 0;
@@ -166,12 +166,12 @@ impl Banded {
     }
 
     /// Solves in place with what [`factorise`](Self::factorise) left.
-    pub fn solve(&self, right: &mut [f64]) {
+    pub(super) fn solve(&self, right: &mut [f64]) {
         self.solve_together([right]);
     }
 
     /// The same for several right-hand sides at once, each to the bits that it has alone.
-    pub fn solve_together<const N: usize>(&self, mut right: [&mut [f64]; N]) {
+    pub(super) fn solve_together<const N: usize>(&self, mut right: [&mut [f64]; N]) {
         for k in 0..self.size {
             let count = self.last[k] as usize - k;
             let taken = &self.taken[k * self.below..k * self.below + count];

@@ -48,7 +48,7 @@ const PAST_PEAK: f64 = 1e-3;
 impl Path<'_> {
     /// What follows the end of a way up. Where balance is lost and found again close by, as when a hinge moves to the next joint, the
     /// path goes on from there.
-    pub fn risen(&mut self, end: End, before: f64) -> Next {
+    pub(super) fn risen(&mut self, end: End, before: f64) -> Next {
         if matches!(end, End::Target | End::Bifurcation) {
             return Next::End(end);
         }
@@ -68,7 +68,7 @@ impl Path<'_> {
 
     /// One step of the way to where the blocks come to rest under a load a little further on; or how the path ends, if they do not.
     /// The load is lowered until they come to rest.
-    pub fn pushed(&mut self, mut push: Push) -> Next {
+    pub(super) fn pushed(&mut self, mut push: Push) -> Next {
         let Some(fall) = self.fall(&mut push.falling) else { return Next::On(Stage::Push(push)) };
         match fall {
             Fall::Rests(found, balanced) => {
@@ -97,7 +97,7 @@ impl Path<'_> {
     }
 
     /// One step of a fall; how it ends, where it does.
-    pub fn fall(&mut self, falling: &mut Falling) -> Option<Fall> {
+    pub(super) fn fall(&mut self, falling: &mut Falling) -> Option<Fall> {
         let (model, settings) = (self.model, self.settings);
         let dashpots = self.dashpots.get_or_insert_with(|| dashpots(model, settings));
         let end = falling.go_on(model, settings, dashpots, &mut self.work)?;
@@ -106,7 +106,7 @@ impl Path<'_> {
     }
 
     /// What follows the largest load: the path past it, but for a very long one.
-    pub fn peaked(&mut self, end: End) -> Next {
+    pub(super) fn peaked(&mut self, end: End) -> Next {
         if self.is_long() {
             return Next::End(end);
         }
@@ -118,7 +118,7 @@ impl Path<'_> {
 
     /// Follows the path by a step past its peak, as far as that goes, until it has lost a share of its load. No state is kept above the peak: none of those
     /// past it is shown to stand.
-    pub fn descend(&mut self, mut descend: Descend) -> Next {
+    pub(super) fn descend(&mut self, mut descend: Descend) -> Next {
         let end = Next::End(descend.end);
         if descend.step >= self.settings.most_steps {
             return end;

@@ -28,7 +28,7 @@ const MOST_EQUATIONS: usize = 600;
 
 impl Elimination {
     /// Whether no eigenvalue of a matrix that is not factorised is negative.
-    pub fn has_no_negative_eigenvalue(&mut self, matrix: &Banded) -> bool {
+    pub(super) fn has_no_negative_eigenvalue(&mut self, matrix: &Banded) -> bool {
         if self.is_definite(matrix) {
             return true;
         }
@@ -41,12 +41,12 @@ impl Elimination {
     }
 
     /// Whether that may be, as far as pivots tell: of what is far from symmetric they tell nothing.
-    pub fn may_have_no_negative_eigenvalue(&mut self, matrix: &Banded) -> bool {
+    pub(super) fn may_have_no_negative_eigenvalue(&mut self, matrix: &Banded) -> bool {
         self.is_definite(matrix) || !is_nearly_symmetric(matrix)
     }
 
     /// Whether all pivots of a matrix that is not factorised are positive.
-    pub fn is_definite(&mut self, matrix: &Banded) -> bool {
+    pub(super) fn is_definite(&mut self, matrix: &Banded) -> bool {
         let below = matrix.below();
         let width = 2 * below + 1;
         self.rows.clear();

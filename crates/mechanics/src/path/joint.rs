@@ -91,7 +91,7 @@ fn across<T: Number>([from, other]: [[T; 2]; 2], along: T) -> T {
 
 impl Joint {
     /// The joints of the model's faces.
-    pub fn all(model: &BlockModel, interfaces: &[Interface]) -> Result<Vec<Joint>, ModelError> {
+    pub(super) fn all(model: &BlockModel, interfaces: &[Interface]) -> Result<Vec<Joint>, ModelError> {
         let centres: Table<_, Vec2> = model.blocks.iter().map(|b| b.outline.centroid()).collect();
         let joint = |face: &Interface| {
             let (one, two) = (centres[face.first], centres[face.second]);
@@ -116,25 +116,25 @@ impl Joint {
     }
 
     /// Length of the face as built [m].
-    pub fn built_length(&self) -> f64 {
+    pub(super) fn built_length(&self) -> f64 {
         (self.on_first[1] - self.on_first[0]).norm()
     }
 
     /// Length that presses where nothing is open [m]: that of the face, or what a pin stands for, its given or its least length.
-    pub fn bearing_length(&self) -> f64 {
+    pub(super) fn bearing_length(&self) -> f64 {
         let pin = self.resistance.fixed_length.unwrap_or(self.resistance.least_length);
         if self.pin { pin } else { self.built_length() }
     }
 
     /// Force that rounding of coordinates makes of no overlap [N/m].
-    pub fn rounding(&self) -> f64 {
+    pub(super) fn rounding(&self) -> f64 {
         let arm = self.on_first.iter().chain(&self.on_second).map(|arm| arm.norm()).fold(0.0, f64::max);
         let length = self.bearing_length().max(self.resistance.least_length);
         16.0 * f64::EPSILON * arm * length * self.resistance.normal.max(self.resistance.shear)
     }
 
     /// Unit tangent as built: the second block slides along it when the joint's glide grows.
-    pub fn tangent(&self) -> Vec2 {
+    pub(super) fn tangent(&self) -> Vec2 {
         self.normal.left()
     }
 
@@ -182,7 +182,7 @@ impl Joint {
 
     /// Forces of a relative pose. `memory` is that of the last balanced state.
     #[inline(always)]
-    pub fn respond<T: Posed>(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<T> {
+    pub(super) fn respond<T: Posed>(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<T> {
         let Meeting { centre, overlap, length, glide, at } = self.meet(pose);
         let (ends, back) = self.pressed(bedding, overlap, length, &memory.bond);
         let law = &self.resistance;
@@ -246,7 +246,7 @@ impl Joint {
     }
 
     /// What is left of a bond of which some breaks at this overlap; nothing where none does, or while joints are pressed together.
-    pub fn cracks(&self, bedding: Bedding, overlap: [f64; 2], bond: &Bond) -> Option<Bond> {
+    pub(super) fn cracks(&self, bedding: Bedding, overlap: [f64; 2], bond: &Bond) -> Option<Bond> {
         if bedding.pressed > 0.0 || !self.bonds(bedding.contact_length) || !bond.holds() {
             return None;
         }
@@ -255,13 +255,13 @@ impl Joint {
     }
 
     /// Share of the face that the bond pulls together.
-    pub fn pulled(&self, contact_length: ContactLength, overlap: [f64; 2], bond: &Bond) -> f64 {
+    pub(super) fn pulled(&self, contact_length: ContactLength, overlap: [f64; 2], bond: &Bond) -> f64 {
         if self.bonds(contact_length) { self.resistance.pulled_share(overlap, bond) } else { 0.0 }
     }
 
     /// Artificial stiffness of open joints, in the tangent only: it keeps the tangent non-singular where a block is unsupported. Normal and
     /// shear [Pa], and about the middle [N].
-    pub fn artificial(&self) -> [f64; 3] {
+    pub(super) fn artificial(&self) -> [f64; 3] {
         const SHARE: f64 = 1e-9;
         let length = self.built_length().max(self.resistance.least_length);
         let (normal, shear) = (self.resistance.normal * length, self.resistance.shear * length);
@@ -269,13 +269,13 @@ impl Joint {
     }
 
     /// The response with its derivatives by what the second block moves along the joint and across it, and by its turn.
-    pub fn respond_with_tangent(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<Dual> {
+    pub(super) fn respond_with_tangent(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<Dual> {
         self.respond(bedding, memory, pose)
     }
 
     /// How far the second block has moved along the joint and across it [m], seen from the first one, from the motions of both since they were
     /// built: translations [m] and rotation [rad]; with half of the first one's turn.
-    pub fn moved(&self, first: [f64; 3], second: [f64; 3], turn: Half) -> Vec2 {
+    pub(super) fn moved(&self, first: [f64; 3], second: [f64; 3], turn: Half) -> Vec2 {
         let built = self.between();
         let by = vec2(second[0] - first[0], second[1] - first[1]);
         let by = vec2(by.dot(self.tangent()), by.dot(self.normal));
@@ -289,7 +289,7 @@ impl Joint {
     }
 
     /// Where a place of the response is that stands in the frame between the faces: from the centre of the first block, as built [m].
-    pub fn place(&self, [along, across]: [f64; 2], turn: Half) -> Vec2 {
+    pub(super) fn place(&self, [along, across]: [f64; 2], turn: Half) -> Vec2 {
         let [along, across] = f64::seen_by_first([along, across], turn);
         let middle = self.middle();
         self.tangent() * (middle.x + along) + self.normal * (middle.y + across)
@@ -297,7 +297,7 @@ impl Joint {
 
     /// How small motions of both blocks (translations [m] and rotation [rad]) slide the joint [m], and how far its ends move
     /// by its turning [m].
-    pub fn motion(&self, first: [f64; 3], second: [f64; 3]) -> [f64; 2] {
+    pub(super) fn motion(&self, first: [f64; 3], second: [f64; 3]) -> [f64; 2] {
         let along = |motion: [f64; 3], ends: &[Vec2; 2]| {
             vec2(motion[0], motion[1]).dot(self.tangent()) + 0.5 * (ends[0].y + ends[1].y) * motion[2]
         };
@@ -306,7 +306,7 @@ impl Joint {
     }
 
     /// Centre of the second block, which has moved by so much, from that of the first, along the joint and across it [m].
-    pub fn apart(&self, moved: Vec2) -> Vec2 {
+    pub(super) fn apart(&self, moved: Vec2) -> Vec2 {
         self.between() + moved
     }
 }

@@ -15,7 +15,7 @@ const INVERSE_ITERATIONS: u32 = 8;
 impl Path<'_> {
     /// The motion that takes least work in the last balanced state, by inverse iteration: the one that gives way at a fork; none where the tangent is
     /// singular.
-    pub fn easiest(&mut self) -> Option<Vec<f64>> {
+    pub(super) fn easiest(&mut self) -> Option<Vec<f64>> {
         let state = self.state.clone();
         self.heading(&state, None)?;
         // No motion of a bridge is at right angles to numbers without a pattern.
@@ -29,7 +29,7 @@ impl Path<'_> {
     }
 
     /// The motions from one state to another, by their equations.
-    pub fn way(&self, from: &State, to: &State) -> Vec<f64> {
+    pub(super) fn way(&self, from: &State, to: &State) -> Vec<f64> {
         let mut way = vec![0.0; self.model.equations];
         for (block, equations) in self.model.equation.iter().enumerate() {
             for c in (0..3).filter(|&c| equations[c] != HELD) {
@@ -51,7 +51,7 @@ impl Path<'_> {
     }
 
     /// What gives way in the state at the largest load: joints that slide where the mechanism slides more than it turns.
-    pub fn cause(&self, peak: &PathPoint) -> Cause {
+    pub(super) fn cause(&self, peak: &PathPoint) -> Cause {
         let motions =
             self.model.joints.iter().map(|joint| joint.motion(self.motion(joint.first), self.motion(joint.second)));
         let (slid, turned) = motions.fold((0.0, 0.0), |sum, [slide, turn]| (sum.0 + slide.abs(), sum.1 + turn.abs()));
@@ -65,7 +65,7 @@ impl Path<'_> {
     }
 
     /// The mechanism with its fastest point moved by 1 m.
-    pub fn motions(&self, blocks: &BlockModel) -> Table<BlockId, (Vec2, f64)> {
+    pub(super) fn motions(&self, blocks: &BlockModel) -> Table<BlockId, (Vec2, f64)> {
         if self.mechanism.is_empty() {
             return Table::default();
         }

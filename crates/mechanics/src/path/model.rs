@@ -14,7 +14,7 @@ pub(super) const HELD: u32 = u32::MAX;
 
 /// Rigid blocks, their joints and what acts on them.
 #[derive(Debug, Clone, Serialize)]
-pub struct Model {
+pub(super) struct Model {
     /// The joints as built, in the order of their blocks.
     pub interfaces: Vec<Interface>,
     pub(super) joints: Vec<Joint>,
@@ -44,7 +44,7 @@ impl Model {
     /// # Errors
     /// What makes a model unusable: particles, no free block, a movement of a block that is free to move, a block that is
     /// named but not there, a joint without length.
-    pub fn new(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Model, ModelError> {
+    pub(super) fn new(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Model, ModelError> {
         if !model.particles.is_empty() {
             return Err(ModelError::ParticlesInLimitAnalysis(model.particles.len()));
         }

@@ -25,7 +25,7 @@ struct Known {
 
 impl Near {
     /// Keeps a state, in place of the oldest.
-    pub fn keep(&mut self, load: &[Resultant], state: State) {
+    pub(super) fn keep(&mut self, load: &[Resultant], state: State) {
         let known = Known { load: load.to_vec(), state };
         match self.known.get_mut(self.next) {
             Some(oldest) => *oldest = known,
@@ -35,7 +35,7 @@ impl Near {
     }
 
     /// The state of the load that is most similar to this one at a load factor; none where none is.
-    pub fn most_similar(&self, load: &[Resultant], factor: f64) -> Option<&State> {
+    pub(super) fn most_similar(&self, load: &[Resultant], factor: f64) -> Option<&State> {
         let apart = self.known.iter().map(|known| (known.distance(load, factor), &known.state));
         let (distance, state) = apart.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
         (distance < SIMILAR).then_some(state)

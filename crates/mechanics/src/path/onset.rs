@@ -54,7 +54,7 @@ impl Onset {
 impl Path<'_> {
     /// Where the path first meets each of the states that the settings name; none where it does not, or not below a factor that is given
     /// for it. All states of the path were kept.
-    pub fn onsets(&mut self, below: &[f64]) -> Vec<Option<f64>> {
+    pub(super) fn onsets(&mut self, below: &[f64]) -> Vec<Option<f64>> {
         let settings = self.settings;
         let least = |k: usize| below.get(k).copied().unwrap_or(f64::INFINITY);
         settings.onsets.iter().enumerate().map(|(k, onset)| self.first_met(onset, least(k))).collect()
@@ -131,7 +131,7 @@ impl Path<'_> {
     }
 
     /// The last point of the path is known to go on like this, its equations being those in the workspace.
-    pub fn goes_on(&mut self, heading: &Heading) {
+    pub(super) fn goes_on(&mut self, heading: &Heading) {
         let rate = self.rate(heading);
         if let Some(last) = self.points.last_mut() {
             last.rate = Some(rate);

@@ -73,12 +73,12 @@ pub(super) struct Falling {
 
 impl Falling {
     /// Lets the blocks of a state go, for as many corrections as are granted.
-    pub fn new(from: State, granted: u32) -> Falling {
+    pub(super) fn new(from: State, granted: u32) -> Falling {
         Falling { state: from.clone(), from, drag: FIRST, corrections: 0, granted }
     }
 
     /// One step; how the fall ends, where it does.
-    pub fn go_on(
+    pub(super) fn go_on(
         &mut self,
         model: &Model,
         settings: &Settings,

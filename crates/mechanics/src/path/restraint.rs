@@ -47,7 +47,7 @@ impl Restrained {
     ///
     /// # Errors
     /// A block that is not there, or a movement that is no positive number.
-    pub fn all(loading: &Loading, built: &[Vec2]) -> Result<Vec<Restrained>, ModelError> {
+    pub(super) fn all(loading: &Loading, built: &[Vec2]) -> Result<Vec<Restrained>, ModelError> {
         let hold = |block: crate::ids::BlockId, at: Vec2| match built.get(block.index()) {
             Some(&centre) => Ok(Hold { block: block.index(), arm: at - centre }),
             None => Err(ModelError::Unknown { what: "block", id: block.0 }),
@@ -67,12 +67,12 @@ impl Restrained {
     }
 
     /// The blocks that it acts on.
-    pub fn blocks(&self) -> [Option<usize>; 2] {
+    pub(super) fn blocks(&self) -> [Option<usize>; 2] {
         self.holds.map(|hold| hold.map(|hold| hold.block))
     }
 
     /// Force [N/m] and its derivative by a movement [m] against it.
-    pub fn force(&self, movement: f64) -> [f64; 2] {
+    pub(super) fn force(&self, movement: f64) -> [f64; 2] {
         let rest = self.most - self.least;
         if movement <= 0.0 {
             return [self.least, 0.0];
@@ -82,19 +82,19 @@ impl Restrained {
     }
 
     /// What a movement against it adds in a state, and all that it could add [N/m]; none where the blocks move away.
-    pub fn added(&self, state: &State) -> Option<[f64; 2]> {
+    pub(super) fn added(&self, state: &State) -> Option<[f64; 2]> {
         let movement = self.movement(state);
         (movement > 0.0).then(|| [self.force(movement)[0] - self.least, self.most - self.least])
     }
 
     /// Movement against it since the blocks were built [m].
-    pub fn movement(&self, state: &State) -> f64 {
+    pub(super) fn movement(&self, state: &State) -> f64 {
         let moved = |hold: Option<Hold>| hold.map_or(Vec2::ZERO, |hold| displaced(hold, state.motions[hold.block]).0);
         -self.direction.dot(moved(self.holds[0]) - moved(self.holds[1]))
     }
 
     /// Its forces in a state, with their derivatives.
-    pub fn on(&self, state: &State) -> Held {
+    pub(super) fn on(&self, state: &State) -> Held {
         let [force, rate] = self.force(self.movement(state));
         let d = self.direction;
         let mut held = Held { blocks: self.blocks(), forces: [[0.0; 3]; 2], slope: [[0.0; 6]; 6] };

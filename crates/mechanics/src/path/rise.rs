@@ -29,7 +29,7 @@ pub(super) struct Past {
 
 impl Past {
     /// The share of the distance to a place a little before the largest load, if the rate changes evenly between the two.
-    pub fn short_of_peak(&self, heading: &Heading) -> f64 {
+    pub(super) fn short_of_peak(&self, heading: &Heading) -> f64 {
         const SHORT: f64 = 0.95;
         (SHORT * heading.factor / (heading.factor - self.rate)).clamp(0.05, 0.9)
     }
@@ -58,7 +58,7 @@ const DARING: f64 = 1.5;
 
 impl Path<'_> {
     /// Begins to follow the path up from the last balanced state.
-    pub fn begin_rise(&mut self) -> Next {
+    pub(super) fn begin_rise(&mut self) -> Next {
         // A path of very many states is left to loads that are pushed on alone: these come to an end.
         let before = self.state.factor;
         if self.is_long() {
@@ -71,7 +71,7 @@ impl Path<'_> {
     }
 
     /// The path up from the last balanced state; none where the tangent is singular.
-    pub fn rising(&mut self) -> Option<Rise> {
+    pub(super) fn rising(&mut self) -> Option<Rise> {
         let state = self.state.clone();
         let heading = self.heading(&state, None)?;
         self.goes_on(&heading);
@@ -82,7 +82,7 @@ impl Path<'_> {
     }
 
     /// One step up.
-    pub fn rise(&mut self, mut rise: Rise) -> Next {
+    pub(super) fn rise(&mut self, mut rise: Rise) -> Next {
         let before = rise.before;
         match self.climb(&mut rise) {
             None => Next::On(Stage::Rise(rise)),
@@ -92,7 +92,7 @@ impl Path<'_> {
 
     /// Follows the path by a step up to where the load grows no more, a state does not stand or no next state is found; that is
     /// found to the resolution, and the state is left just before it.
-    pub fn climb(&mut self, rise: &mut Rise) -> Option<End> {
+    pub(super) fn climb(&mut self, rise: &mut Rise) -> Option<End> {
         if rise.step >= self.settings.most_steps {
             return Some(End::Lost);
         }
@@ -181,7 +181,7 @@ impl Path<'_> {
     }
 
     /// Iterations that the next step should take.
-    pub fn wanted(&self, short: bool) -> f64 {
+    pub(super) fn wanted(&self, short: bool) -> f64 {
         let slides = self.points.last().is_some_and(|p| p.sliding > 0);
         if slides && short { WANTED_WHERE_SLIDING } else { WANTED_ITERATIONS }
     }

@@ -50,7 +50,7 @@ impl Path<'_> {
     }
 
     /// Glues the joints of the blocks as built.
-    pub fn glue(&mut self) -> Stage {
+    pub(super) fn glue(&mut self) -> Stage {
         let Some(glued) = self.glued() else { return self.settle() };
         let overlap = |k| respond(self.model, self.settings, &glued.memory[k], k, &glued).overlap;
         let widest = (0..self.model.joints.len()).flat_map(overlap).fold(0.0, |most: f64, o| most.max(o.abs()));
@@ -59,7 +59,7 @@ impl Path<'_> {
     }
 
     /// Lets joints go by one degree more.
-    pub fn let_go(&mut self, mut joints: LetGo) -> Next {
+    pub(super) fn let_go(&mut self, mut joints: LetGo) -> Next {
         if joints.pressed <= 0.0 {
             return Next::On(self.settle());
         }
@@ -92,7 +92,7 @@ impl Path<'_> {
     }
 
     /// One step of blocks that fall under their own weight.
-    pub fn fall_at_first(&mut self, mut settle: Settle) -> Next {
+    pub(super) fn fall_at_first(&mut self, mut settle: Settle) -> Next {
         let Some(end) = self.fall(&mut settle.falling) else { return Next::On(Stage::Settle(settle)) };
         let falls = match end {
             Fall::Rests(found, balanced) => {

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 /// A state of the blocks: what a checkpoint must contain.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct State {
+pub(super) struct State {
     /// Translations [m] and rotation [rad] of each block since it was built.
     pub motions: Vec<[f64; 3]>,
     /// Load factor.
@@ -64,7 +64,7 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    pub fn new(model: &Model) -> Workspace {
+    pub(super) fn new(model: &Model) -> Workspace {
         Workspace {
             tangent: Banded::new(model.last.clone()),
             unbalanced: vec![0.0; model.equations],
@@ -76,15 +76,15 @@ impl Workspace {
         }
     }
     /// Whether every small motion from the state whose tangent stands here, not factorised, takes work.
-    pub fn is_stable(&mut self) -> bool {
+    pub(super) fn is_stable(&mut self) -> bool {
         self.elimination.has_no_negative_eigenvalue(&self.tangent)
     }
     /// Whether that may be, where it is asked often and the answer is asked again in the end.
-    pub fn may_be_stable(&mut self) -> bool {
+    pub(super) fn may_be_stable(&mut self) -> bool {
         self.elimination.may_have_no_negative_eigenvalue(&self.tangent)
     }
     /// Largest out-of-balance force [N/m].
-    pub fn largest(&self) -> f64 {
+    pub(super) fn largest(&self) -> f64 {
         self.unbalanced.iter().fold(0.0, |most, f| if f.is_finite() { f.abs().max(most) } else { f64::INFINITY })
     }
 }

@@ -53,7 +53,7 @@ pub(super) enum End {
 }
 
 impl End {
-    pub fn status(self) -> Status {
+    pub(super) fn status(self) -> Status {
         match self {
             End::Target => Status::StableToLastLoad,
             End::Limit => Status::LimitPoint,
@@ -138,7 +138,7 @@ pub(super) struct Path<'m> {
 }
 
 impl<'m> Path<'m> {
-    pub fn new(model: &'m Model, settings: &'m Settings, program: &'m Program) -> Path<'m> {
+    pub(super) fn new(model: &'m Model, settings: &'m Settings, program: &'m Program) -> Path<'m> {
         Path {
             model,
             settings,
@@ -160,7 +160,7 @@ impl<'m> Path<'m> {
     }
 
     /// Brings the blocks to stand under their own weight; or how that ends.
-    pub fn stand(&mut self, watch: &mut dyn Watch) -> Result<Balanced, End> {
+    pub(super) fn stand(&mut self, watch: &mut dyn Watch) -> Result<Balanced, End> {
         loop {
             if let Stage::Stood(balanced) = self.stage {
                 return Ok(balanced);
@@ -172,7 +172,7 @@ impl<'m> Path<'m> {
     }
 
     /// Follows the path from the last balanced state to its end.
-    pub fn follow(&mut self, watch: &mut dyn Watch) -> End {
+    pub(super) fn follow(&mut self, watch: &mut dyn Watch) -> End {
         (self.length, self.push) = (None, 1.0);
         match self.begin_rise() {
             Next::End(end) => end,
@@ -184,7 +184,7 @@ impl<'m> Path<'m> {
     }
 
     /// Follows the path from the last balanced state to where it no longer rises.
-    pub fn follow_up(&mut self, watch: &mut dyn Watch) -> End {
+    pub(super) fn follow_up(&mut self, watch: &mut dyn Watch) -> End {
         let Some(mut rise) = self.rising() else { return End::Lost };
         loop {
             if watch.look(&self.progress()) == Wish::Stop {
@@ -268,18 +268,22 @@ impl<'m> Path<'m> {
         Progress { stage, fraction, steps: u64::from(steps) }
     }
 
-    pub fn is_long(&self) -> bool {
+    pub(super) fn is_long(&self) -> bool {
         self.points.len() as u32 >= self.settings.most_steps
     }
 
     /// The load factor that counts as nothing here.
-    pub fn unseen(&self) -> f64 {
+    pub(super) fn unseen(&self) -> f64 {
         let increment = self.program.increment;
         self.settings.resolution * self.state.factor.abs().max(self.settings.resolution * increment)
     }
 
     /// A balanced state a step along the heading.
-    pub fn step(&mut self, constraint: Constraint, (heading, length): (&Heading, f64)) -> Option<(State, Balanced)> {
+    pub(super) fn step(
+        &mut self,
+        constraint: Constraint,
+        (heading, length): (&Heading, f64),
+    ) -> Option<(State, Balanced)> {
         self.assembled = false;
         let mut next = self.state.clone();
         let change: Vec<f64> = heading.direction.iter().map(|d| d * length).collect();
@@ -300,13 +304,13 @@ impl<'m> Path<'m> {
     }
 
     /// Whether the blocks stand in a balanced state.
-    pub fn is_stable(&mut self, state: &State) -> bool {
+    pub(super) fn is_stable(&mut self, state: &State) -> bool {
         self.assemble(state);
         self.work.is_stable()
     }
 
     /// Where the path goes at a balanced state, on from where it came; none where the tangent is singular.
-    pub fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
+    pub(super) fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
         self.assemble(state);
         let stable = self.work.is_stable();
         if !self.work.tangent.factorise() {
@@ -326,7 +330,7 @@ impl<'m> Path<'m> {
 
     /// Whether the path has no corner on the way to a state close by, where a joint opens, closes or cracks: it has the same heading there, or a motion
     /// that balanced a little more load does so there as well. The heading alone does not tell, for near a fork it turns along the motion that gives way.
-    pub fn goes_on_to(&mut self, next: &State, [heading, on]: [&Heading; 2]) -> bool {
+    pub(super) fn goes_on_to(&mut self, next: &State, [heading, on]: [&Heading; 2]) -> bool {
         assemble(self.model, self.settings, next, &mut self.work);
         // Whether a crack grows is not known beforehand.
         if self.work.cracks {
@@ -338,13 +342,13 @@ impl<'m> Path<'m> {
         heading.is_like(on) || norm(&left) < ALIKE * norm(&load)
     }
 
-    pub fn accept(&mut self, next: State, balanced: Balanced) {
+    pub(super) fn accept(&mut self, next: State, balanced: Balanced) {
         self.state = next;
         self.keep(balanced);
     }
 
     /// The last balanced state becomes part of the path.
-    pub fn keep(&mut self, balanced: Balanced) {
+    pub(super) fn keep(&mut self, balanced: Balanced) {
         let numbers = (balanced.iterations, balanced.residual);
         self.points.push(point(self.model, (self.settings, self.program), &self.state, numbers));
         if self.keeps {

@@ -14,7 +14,7 @@ use mechanics::watch::CancelToken;
 const WEIGHT: f64 = 18_000.0;
 
 /// A ring under layers of soil between plumb walls at its springings; each has a thickness [m], the lowest that above the crown.
-pub fn layered(ring: &Ring, layers: &[(f64, Soil)], contact: Contact) -> Continuum {
+pub(crate) fn layered(ring: &Ring, layers: &[(f64, Soil)], contact: Contact) -> Continuum {
     let floor: Vec<Vec2> = (0..=ring.voussoirs).map(|k| ring.at(k as f64, ring.extrados())).collect();
     let mut sides: Vec<Side> = floor
         .windows(2)

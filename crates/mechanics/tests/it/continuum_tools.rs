@@ -11,10 +11,10 @@ use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::CancelToken;
 
 /// A wall or a block that soil slides along and does not leave.
-pub const SMOOTH: Contact = Contact { friction: 0.0, cohesion: 0.0, tension: f64::INFINITY };
+pub(crate) const SMOOTH: Contact = Contact { friction: 0.0, cohesion: 0.0, tension: f64::INFINITY };
 
 /// Soil of a cohesion [Pa], a friction angle [degrees] and a unit weight [N/m^3].
-pub fn soil(cohesion: f64, degrees: f64, weight: f64) -> Soil {
+pub(crate) fn soil(cohesion: f64, degrees: f64, weight: f64) -> Soil {
     Soil {
         cohesion,
         friction_angle: degrees.to_radians(),
@@ -26,22 +26,22 @@ pub fn soil(cohesion: f64, degrees: f64, weight: f64) -> Soil {
 }
 
 /// A contact as strong as the soil.
-pub fn rough(soil: &Soil) -> Contact {
+pub(crate) fn rough(soil: &Soil) -> Contact {
     Contact { friction: soil.friction_angle.tan(), cohesion: soil.cohesion, tension: f64::INFINITY }
 }
 
 /// A side that touches ground.
-pub fn ground(a: Vec2, b: Vec2, contact: Contact) -> Side {
+pub(crate) fn ground(a: Vec2, b: Vec2, contact: Contact) -> Side {
     Side { ends: [a, b], bears: Bears::Body { block: None, contact } }
 }
 
 /// A side that touches the only block.
-pub fn body(a: Vec2, b: Vec2, contact: Contact) -> Side {
+pub(crate) fn body(a: Vec2, b: Vec2, contact: Contact) -> Side {
     Side { ends: [a, b], bears: Bears::Body { block: Some(BlockId::new(0)), contact } }
 }
 
 /// Soil, and perhaps one weightless block that a force drives.
-pub struct Case {
+pub(crate) struct Case {
     pub model: BlockModel,
     pub loading: Loading,
     pub soil: Continuum,
@@ -49,13 +49,13 @@ pub struct Case {
 
 impl Case {
     /// Soil alone.
-    pub fn alone(soil: Continuum) -> Case {
+    pub(crate) fn alone(soil: Continuum) -> Case {
         let mut model = model(vec![], dry(0.5));
         model.blocks = Table::default();
         Case { model, loading: Loading::default(), soil }
     }
     /// A rectangle from `low`, of a width and a height, that moves where it is not held, driven by a force at its middle.
-    pub fn driven(low: Vec2, width: f64, height: f64, held: Held, force: Vec2, soil: Continuum) -> Case {
+    pub(crate) fn driven(low: Vec2, width: f64, height: f64, held: Held, force: Vec2, soil: Continuum) -> Case {
         let outline = Polygon::rectangle(low, width, height).unwrap();
         let at = outline.centroid();
         let mut model = model(vec![block(outline, 0.0, 1.0, held)], dry(0.5));
@@ -63,12 +63,12 @@ impl Case {
         let variable = vec![PointForce { block: BlockId::new(0), at, force }];
         Case { model, loading: Loading { variable, ..Loading::default() }, soil }
     }
-    pub fn bounds(&self, wanted: Wanted) -> Bounds {
+    pub(crate) fn bounds(&self, wanted: Wanted) -> Bounds {
         collapse_bounds(&self.model, &self.loading, &Settings::default(), &self.soil, &wanted, &CancelToken::default())
             .unwrap()
     }
     /// Both bounds, which are wanted within a ratio and hold an exact value between them on every mesh.
-    pub fn brackets(&self, exact: f64, ratio: f64, elements: usize) -> Bounds {
+    pub(crate) fn brackets(&self, exact: f64, ratio: f64, elements: usize) -> Bounds {
         let bounds = self.bounds(Wanted { ratio, elements, first: 200, ..Wanted::default() });
         assert_eq!(bounds.status, BoundsStatus::Bounded);
         for round in &bounds.rounds {
@@ -98,7 +98,7 @@ impl Case {
 
 /// Half of a strip footing 1 m wide on a layer `width` m wide and `depth` m deep, to the right of its middle; per metre of the strip, a factor
 /// of one is a mean pressure of 1 Pa.
-pub fn footing(soil: Soil, base: Contact, width: f64, depth: f64) -> Case {
+pub(crate) fn footing(soil: Soil, base: Contact, width: f64, depth: f64) -> Case {
     let corners = [vec2(0.0, -depth), vec2(width, -depth), vec2(width, 0.0), vec2(0.5, 0.0), vec2(0.0, 0.0)];
     let [a, b, c, d, e] = corners;
     let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, e, base), ground(e, a, SMOOTH)];
@@ -110,7 +110,7 @@ pub fn footing(soil: Soil, base: Contact, width: f64, depth: f64) -> Case {
 
 /// Soil 1 m high behind a wall at x = 0 that moves level, and nothing else; a factor of one is 1 N/m on the wall, towards the soil (passive)
 /// or away from it.
-pub fn wall(soil: Soil, contact: Contact, towards: bool, width: f64) -> Case {
+pub(crate) fn wall(soil: Soil, contact: Contact, towards: bool, width: f64) -> Case {
     let corners = [vec2(0.0, 0.0), vec2(width, 0.0), vec2(width, 1.0), vec2(0.0, 1.0)];
     let [a, b, c, d] = corners;
     let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, a, contact)];
@@ -122,7 +122,7 @@ pub fn wall(soil: Soil, contact: Contact, towards: bool, width: f64) -> Case {
 }
 
 /// The load that three meshes tend to if their errors form a geometric series; each has elements half as long as the one before.
-pub fn extrapolated([coarse, middle, fine]: [f64; 3]) -> f64 {
+pub(crate) fn extrapolated([coarse, middle, fine]: [f64; 3]) -> f64 {
     let [first, second] = [coarse - middle, middle - fine];
     // Errors of first order halve, those of order one half fall to 0.71.
     assert!(0.0 < second && second < 0.7 * first, "errors shrink as meshes do: {coarse} {middle} {fine}");
@@ -130,13 +130,13 @@ pub fn extrapolated([coarse, middle, fine]: [f64; 3]) -> f64 {
 }
 
 /// The lower and the upper bound.
-pub fn ends(bounds: &Bounds) -> [f64; 2] {
+pub(crate) fn ends(bounds: &Bounds) -> [f64; 2] {
     assert_eq!(bounds.status, BoundsStatus::Bounded);
     [bounds.lower.as_ref().unwrap().factor, bounds.upper.as_ref().unwrap().factor]
 }
 
 /// Finite elements never carry less than the lower bound, and no more than the upper one and the error of their mesh.
-pub fn between(found: [f64; 3], [lower, upper]: [f64; 2]) {
+pub(crate) fn between(found: [f64; 3], [lower, upper]: [f64; 2]) {
     let limit = extrapolated(found);
     let error = found[2] - limit;
     assert!(found[2] > lower, "{found:?} below {lower}");

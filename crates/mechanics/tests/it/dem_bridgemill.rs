@@ -12,7 +12,7 @@ const RISE: f64 = 2.85;
 const RING: f64 = 0.711;
 const BLOCKS: usize = 62;
 /// 100 kN over the width of the bridge, in kN per metre of width.
-pub const INCREMENT: f64 = 100.0 / 8.3;
+pub(crate) const INCREMENT: f64 = 100.0 / 8.3;
 
 /// A point at `radius` on the joint `k`, counted from the left springing.
 fn joint(radius: f64, k: usize) -> Vec2 {
@@ -81,7 +81,7 @@ fn forces(a: f64, b: f64, intensity: &dyn Fn(f64) -> f64) -> Vec<PointForce> {
 }
 
 /// Case 1 carries the ring alone, case 2 also the weight of the fill, 0.203 m over the crown.
-pub fn bridgemill(fill: bool, stiffness: f64) -> (BlockModel, Loading) {
+pub(crate) fn bridgemill(fill: bool, stiffness: f64) -> (BlockModel, Loading) {
     let law = ContactLaw {
         normal: Stiffness::Given(4.84e9 * stiffness),
         shear: Stiffness::Given(0.573e9 * stiffness),
@@ -124,12 +124,12 @@ pub fn bridgemill(fill: bool, stiffness: f64) -> (BlockModel, Loading) {
     (model, Loading { permanent, variable: knife(), ..Loading::default() })
 }
 
-pub fn program(resolution: Option<f64>) -> Program {
+pub(crate) fn program(resolution: Option<f64>) -> Program {
     let at = 0.5 * (on_extrados(15).x + on_extrados(16).x);
     Program { increment: INCREMENT, limit: 600.0, resolution, watched: (BlockId(15), vec2(at, extrados(at))) }
 }
 
-pub fn paper(damping: Damping, contact_length: ContactLength) -> Settings {
+pub(crate) fn paper(damping: Damping, contact_length: ContactLength) -> Settings {
     Settings {
         damping,
         contact_length,
@@ -140,7 +140,7 @@ pub fn paper(damping: Damping, contact_length: ContactLength) -> Settings {
     }
 }
 
-pub fn run((model, loading): &(BlockModel, Loading), resolution: Option<f64>, settings: &Settings) -> Outcome {
+pub(crate) fn run((model, loading): &(BlockModel, Loading), resolution: Option<f64>, settings: &Settings) -> Outcome {
     collapse(model, loading, &program(resolution), settings, None, &mut Unwatched).unwrap()
 }
 

@@ -8,13 +8,13 @@ use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 
 /// Stops at the look with this number and keeps what it was offered last.
-pub struct StopAt {
+pub(crate) struct StopAt {
     looks: u64,
     pub kept: Vec<u8>,
 }
 
 impl StopAt {
-    pub fn look(number: u64) -> StopAt {
+    pub(crate) fn look(number: u64) -> StopAt {
         StopAt { looks: number, kept: Vec::new() }
     }
 }
@@ -33,7 +33,7 @@ impl Watch for StopAt {
 }
 
 /// Counts looks.
-pub struct Looks(pub u64);
+pub(crate) struct Looks(pub u64);
 
 impl Watch for Looks {
     fn look(&mut self, _: &Progress) -> Wish {
@@ -96,7 +96,7 @@ fn a_run_stopped_while_supports_move_ends_in_the_same_bits() {
 }
 
 /// States with any bit flipped or cut short are refused by name.
-pub fn damage_is_refused(kept: &[u8], take: impl Fn(&[u8]) -> Result<(), ModelError>) {
+pub(crate) fn damage_is_refused(kept: &[u8], take: impl Fn(&[u8]) -> Result<(), ModelError>) {
     let refused = Err(ModelError::ForeignState);
     let mut seed = 1_u64;
     for _ in 0..500 {

@@ -6,10 +6,10 @@ use mechanics::ids::{BlockId, GroupId, Table};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 /// Gravity as in the reference values of the field.
-pub const G: f64 = 9.81;
+pub(crate) const G: f64 = 9.81;
 
 /// A dry joint whose points stand for half the joint each.
-pub fn dry(normal: f64, shear: f64, friction_angle: f64) -> ContactLaw {
+pub(crate) fn dry(normal: f64, shear: f64, friction_angle: f64) -> ContactLaw {
     ContactLaw {
         normal: Stiffness::Given(normal),
         shear: Stiffness::Given(shear),
@@ -22,7 +22,7 @@ pub fn dry(normal: f64, shear: f64, friction_angle: f64) -> ContactLaw {
     }
 }
 
-pub fn settings(damping: Damping) -> Settings {
+pub(crate) fn settings(damping: Damping) -> Settings {
     Settings {
         damping,
         contact_length: ContactLength::Fixed,
@@ -34,7 +34,7 @@ pub fn settings(damping: Damping) -> Settings {
 }
 
 /// Blocks of one group, one law.
-pub struct Scene {
+pub(crate) struct Scene {
     pub blocks: Table<BlockId, Block>,
     pub law: ContactLaw,
     pub rounding: f64,
@@ -44,7 +44,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    pub fn new(law: ContactLaw) -> Scene {
+    pub(crate) fn new(law: ContactLaw) -> Scene {
         Scene {
             blocks: Table::default(),
             law,
@@ -54,7 +54,7 @@ impl Scene {
             loading: Loading::default(),
         }
     }
-    pub fn polygon(&mut self, corners: Vec<Vec2>, held: Held) -> BlockId {
+    pub(crate) fn polygon(&mut self, corners: Vec<Vec2>, held: Held) -> BlockId {
         self.blocks.push(Block {
             outline: Polygon::new(corners).unwrap(),
             rounding: self.rounding,
@@ -63,22 +63,22 @@ impl Scene {
             held,
         })
     }
-    pub fn rectangle(&mut self, corner: Vec2, width: f64, height: f64, held: Held) -> BlockId {
+    pub(crate) fn rectangle(&mut self, corner: Vec2, width: f64, height: f64, held: Held) -> BlockId {
         let outline = Polygon::rectangle(corner, width, height).unwrap();
         self.polygon(outline.vertices().to_vec(), held)
     }
     /// A free block.
-    pub fn brick(&mut self, corner: Vec2, width: f64, height: f64) -> BlockId {
+    pub(crate) fn brick(&mut self, corner: Vec2, width: f64, height: f64) -> BlockId {
         self.rectangle(corner, width, height, Held::FREE)
     }
     /// A held block whose top lies at y = 0.
-    pub fn floor(&mut self, from: f64, to: f64) -> BlockId {
+    pub(crate) fn floor(&mut self, from: f64, to: f64) -> BlockId {
         self.rectangle(vec2(from, -0.5), to - from, 0.5, Held::FIXED)
     }
-    pub fn push(&mut self, block: BlockId, at: Vec2, force: Vec2) {
+    pub(crate) fn push(&mut self, block: BlockId, at: Vec2, force: Vec2) {
         self.loading.permanent.push(PointForce { block, at, force });
     }
-    pub fn model(&self) -> BlockModel {
+    pub(crate) fn model(&self) -> BlockModel {
         let mut groups: Table<GroupId, String> = Table::default();
         groups.push("all".to_string());
         BlockModel {
@@ -89,10 +89,10 @@ impl Scene {
             gravity: self.gravity,
         }
     }
-    pub fn weight(&self, block: BlockId) -> f64 {
+    pub(crate) fn weight(&self, block: BlockId) -> f64 {
         self.blocks[block].mass() * self.gravity.norm()
     }
-    pub fn begin(&self, settings: Settings) -> Motion {
+    pub(crate) fn begin(&self, settings: Settings) -> Motion {
         let model = Model::new(&self.model(), &self.loading).unwrap();
         let state = begin(&model, &settings);
         Motion { model, state, settings, work: Workspace::default() }
@@ -100,7 +100,7 @@ impl Scene {
 }
 
 /// A run through the public steps.
-pub struct Motion {
+pub(crate) struct Motion {
     pub model: Model,
     pub state: State,
     pub settings: Settings,
@@ -108,24 +108,24 @@ pub struct Motion {
 }
 
 impl Motion {
-    pub fn step(&mut self) -> StepReport {
+    pub(crate) fn step(&mut self) -> StepReport {
         let report = step(&self.model, &mut self.state, &mut self.work, &self.settings);
         assert!(report.moved.is_finite(), "a number broke in step {}", self.state.steps);
         report
     }
-    pub fn steps(&mut self, count: u64) {
+    pub(crate) fn steps(&mut self, count: u64) {
         for _ in 0..count {
             self.step();
         }
     }
     /// Steps for `time` [s] and returns how many steps that was.
-    pub fn run(&mut self, time: f64) -> u64 {
+    pub(crate) fn run(&mut self, time: f64) -> u64 {
         let count = (time / self.state.time_step).round() as u64;
         self.steps(count);
         count
     }
     /// Steps until local damping has taken the motion out: a bound on any point's move falls below `moved` [m].
-    pub fn rest(&mut self, moved: f64) {
+    pub(crate) fn rest(&mut self, moved: f64) {
         let damping = std::mem::replace(&mut self.settings.damping, Damping::Local(0.7));
         let mut quiet = 0;
         for _ in 0..1_000_000 {
@@ -137,13 +137,13 @@ impl Motion {
         }
         panic!("the blocks never came to rest");
     }
-    pub fn position(&self, block: BlockId) -> Vec2 {
+    pub(crate) fn position(&self, block: BlockId) -> Vec2 {
         self.state.poses[block.0 as usize].position
     }
-    pub fn velocity(&self, block: BlockId) -> [f64; 3] {
+    pub(crate) fn velocity(&self, block: BlockId) -> [f64; 3] {
         self.state.velocities[block.0 as usize]
     }
-    pub fn angle(&self, block: BlockId) -> f64 {
+    pub(crate) fn angle(&self, block: BlockId) -> f64 {
         let turn = self.state.poses[block.0 as usize].rotation;
         turn.sin.atan2(turn.cos)
     }

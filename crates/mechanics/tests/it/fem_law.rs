@@ -6,13 +6,13 @@ use mechanics::fem::law::{
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-pub const FILL: Elastic = Elastic { modulus: 50e6, ratio: 0.3 };
+pub(crate) const FILL: Elastic = Elastic { modulus: 50e6, ratio: 0.3 };
 
-pub fn cone(cone: Cone, cohesion: f64, friction: f64, dilatancy: f64) -> DruckerPrager {
+pub(crate) fn cone(cone: Cone, cohesion: f64, friction: f64, dilatancy: f64) -> DruckerPrager {
     DruckerPrager::matching(FILL, cone, cohesion, friction.to_radians(), dilatancy.to_radians())
 }
 
-pub fn pyramid(cohesion: f64, friction: f64, dilatancy: f64) -> MohrCoulomb {
+pub(crate) fn pyramid(cohesion: f64, friction: f64, dilatancy: f64) -> MohrCoulomb {
     MohrCoulomb {
         elastic: FILL,
         cohesion,
@@ -23,7 +23,7 @@ pub fn pyramid(cohesion: f64, friction: f64, dilatancy: f64) -> MohrCoulomb {
 }
 
 /// One of each, associated.
-pub fn associated() -> Vec<Material> {
+pub(crate) fn associated() -> Vec<Material> {
     let cut = |cutoff| DruckerPrager { tension_cutoff: Some(cutoff), ..cone(Cone::Compression, 10e3, 30.0, 30.0) };
     vec![
         Material::VonMises(VonMises { elastic: FILL, strength: 100e3 }),
@@ -40,7 +40,7 @@ pub fn associated() -> Vec<Material> {
 }
 
 /// One of each whose flow is not associated.
-pub fn not_associated() -> Vec<Material> {
+pub(crate) fn not_associated() -> Vec<Material> {
     let cut = DruckerPrager { tension_cutoff: Some(2e3), ..cone(Cone::Compression, 10e3, 30.0, 0.0) };
     vec![
         Material::DruckerPrager(cone(Cone::Compression, 10e3, 30.0, 0.0)),
@@ -53,26 +53,26 @@ pub fn not_associated() -> Vec<Material> {
     ]
 }
 
-pub fn all() -> Vec<Material> {
+pub(crate) fn all() -> Vec<Material> {
     [associated(), not_associated()].concat()
 }
 
 /// Principal stresses, the greatest first.
-pub fn principal(s: &Four) -> [f64; 3] {
+pub(crate) fn principal(s: &Four) -> [f64; 3] {
     let (middle, radius) = (0.5 * (s[0] + s[1]), (0.5 * (s[0] - s[1])).hypot(s[3]));
     let mut all = [middle + radius, middle - radius, s[2]];
     all.sort_by(|a, b| b.total_cmp(a));
     all
 }
 
-pub fn invariants(s: &Four) -> (f64, f64) {
+pub(crate) fn invariants(s: &Four) -> (f64, f64) {
     let sum = s[0] + s[1] + s[2];
     let d = [0, 1, 2].map(|i| s[i] - sum / 3.0);
     (sum, (0.5 * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) + s[3] * s[3]).sqrt())
 }
 
 /// How far a stress lies beyond the surface [Pa], written down again from the definitions.
-pub fn excess(material: &Material, s: &Four) -> f64 {
+pub(crate) fn excess(material: &Material, s: &Four) -> f64 {
     let [great, _, small] = principal(s);
     let (sum, root) = invariants(s);
     let cut = |cutoff: Option<f64>| cutoff.map_or(f64::NEG_INFINITY, |cutoff| great - cutoff);
@@ -88,25 +88,25 @@ pub fn excess(material: &Material, s: &Four) -> f64 {
     }
 }
 
-pub fn size(s: &Four) -> f64 {
+pub(crate) fn size(s: &Four) -> f64 {
     s.iter().fold(0.0, |size, s| size.max(s.abs()))
 }
 
 /// Numbers between -1 and 1, the same every time.
-pub struct Dice(pub u64);
+pub(crate) struct Dice(pub u64);
 
 impl Dice {
-    pub fn roll(&mut self) -> f64 {
+    pub(crate) fn roll(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
-    pub fn four(&mut self, size: f64) -> Four {
+    pub(crate) fn four(&mut self, size: f64) -> Four {
         std::array::from_fn(|_| size * self.roll())
     }
 
     /// Any strain: of one to ten thousand times the strain at yield, pressed or not, sometimes with two equal principal strains.
-    pub fn strain(&mut self) -> Four {
+    pub(crate) fn strain(&mut self) -> Four {
         let scale = 10.0_f64.powf(-3.5 + 2.0 * self.roll());
         let pressure = if self.roll() > 0.0 { 0.0 } else { scale * self.roll() };
         let mut strain = self.four(scale);

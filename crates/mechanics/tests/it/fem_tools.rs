@@ -11,7 +11,7 @@ use mechanics::plane::Vec2;
 use mechanics::watch::Unwatched;
 
 /// A grid of `nx` by `ny` quadrilaterals in one zone; `place` maps the unit square.
-pub fn grid(nx: usize, ny: usize, place: impl Fn(f64, f64) -> Vec2) -> Mesh {
+pub(crate) fn grid(nx: usize, ny: usize, place: impl Fn(f64, f64) -> Vec2) -> Mesh {
     let mut mesh = Mesh::default();
     let zone = mesh.zones.push("body".to_owned());
     for j in 0..=ny {
@@ -29,26 +29,26 @@ pub fn grid(nx: usize, ny: usize, place: impl Fn(f64, f64) -> Vec2) -> Mesh {
 }
 
 /// Node of a grid.
-pub fn node(nx: usize, i: usize, j: usize) -> NodeId {
+pub(crate) fn node(nx: usize, i: usize, j: usize) -> NodeId {
     NodeId::new(j * (nx + 1) + i)
 }
 
-pub fn elastic(modulus: f64, ratio: f64, plane: Plane, element: Element) -> Section {
+pub(crate) fn elastic(modulus: f64, ratio: f64, plane: Plane, element: Element) -> Section {
     of(Material::Elastic(Elastic { modulus, ratio }), plane, element)
 }
 
 /// A section of 2000 kg/m^3.
-pub fn of(material: Material, plane: Plane, element: Element) -> Section {
+pub(crate) fn of(material: Material, plane: Plane, element: Element) -> Section {
     Section { solid: Solid { material, plane }, element, density: 2000.0 }
 }
 
 /// One section in all zones.
-pub fn model(mesh: Mesh, section: Section, supports: &[Support], kinematics: Kinematics) -> Model {
+pub(crate) fn model(mesh: Mesh, section: Section, supports: &[Support], kinematics: Kinematics) -> Model {
     with_joints(mesh, section, Vec::new(), supports, kinematics)
 }
 
 /// One section in all zones, and interfaces.
-pub fn with_joints(
+pub(crate) fn with_joints(
     mesh: Mesh,
     section: Section,
     joints: Vec<JointLaw>,
@@ -59,12 +59,12 @@ pub fn with_joints(
     Model::new(mesh, sections, joints, supports, kinematics).unwrap()
 }
 
-pub fn held(node: NodeId, x: bool, y: bool) -> Support {
+pub(crate) fn held(node: NodeId, x: bool, y: bool) -> Support {
     Support { node, held: [x, y] }
 }
 
 /// Nodal forces from a list.
-pub fn forces(model: &Model, list: &[(NodeId, f64, f64)]) -> Vec<f64> {
+pub(crate) fn forces(model: &Model, list: &[(NodeId, f64, f64)]) -> Vec<f64> {
     let mut all = vec![0.0; 2 * model.mesh.nodes.len()];
     for (node, x, y) in list {
         all[2 * node.index()] += x;
@@ -74,24 +74,24 @@ pub fn forces(model: &Model, list: &[(NodeId, f64, f64)]) -> Vec<f64> {
 }
 
 /// Settings of one load step to a tight tolerance.
-pub fn tight(load_steps: u32) -> Settings {
+pub(crate) fn tight(load_steps: u32) -> Settings {
     Settings { tolerance: 1e-10, load_steps, ..Settings::default() }
 }
 
 /// Carries a target from nothing.
-pub fn carried(model: &Model, target: &Target, settings: &Settings) -> (State, Workspace, Outcome) {
+pub(crate) fn carried(model: &Model, target: &Target, settings: &Settings) -> (State, Workspace, Outcome) {
     let (mut state, mut work) = (State::new(model), Workspace::new(model).unwrap());
     let outcome = advance(model, &mut state, &mut work, target, settings, &mut Unwatched);
     (state, work, outcome)
 }
 
 /// Carries forces in one step, which has to succeed.
-pub fn solved(model: &Model, forces: Vec<f64>) -> State {
+pub(crate) fn solved(model: &Model, forces: Vec<f64>) -> State {
     let (state, _, outcome) = carried(model, &Target { forces, imposed: Vec::new() }, &tight(1));
     assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
     state
 }
 
-pub fn moved(state: &State, node: NodeId) -> [f64; 2] {
+pub(crate) fn moved(state: &State, node: NodeId) -> [f64; 2] {
     [state.displacements[2 * node.index()], state.displacements[2 * node.index() + 1]]
 }

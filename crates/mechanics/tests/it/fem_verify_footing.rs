@@ -65,12 +65,12 @@ impl Ground {
     }
 }
 
-pub const SOIL: Elastic = Elastic { modulus: 170e6, ratio: 0.19 };
+pub(crate) const SOIL: Elastic = Elastic { modulus: 170e6, ratio: 0.19 };
 
 const MESHES: [(usize, f64); 3] = [(6, 1.2), (10, 1.2), (16, 1.2)];
 
 /// Mean pressure over cohesion at the end of the push, where it no longer grows, on a mesh. Where plain elements lock, the run says so.
-pub fn factor(
+pub(crate) fn factor(
     ground: (f64, f64),
     (under, growth): (usize, f64),
     material: Material,

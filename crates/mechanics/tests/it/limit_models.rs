@@ -5,7 +5,7 @@ use mechanics::ids::{BlockId, GroupId, Id, Table};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 /// A dry joint with a coefficient of friction.
-pub fn dry(friction: f64) -> ContactLaw {
+pub(crate) fn dry(friction: f64) -> ContactLaw {
     ContactLaw {
         normal: Stiffness::Given(1e9),
         shear: Stiffness::Given(1e8),
@@ -18,11 +18,11 @@ pub fn dry(friction: f64) -> ContactLaw {
     }
 }
 
-pub fn block(outline: Polygon, rounding: f64, density: f64, held: Held) -> Block {
+pub(crate) fn block(outline: Polygon, rounding: f64, density: f64, held: Held) -> Block {
     Block { outline, rounding, density, group: GroupId(0), held }
 }
 
-pub fn model(blocks: Vec<Block>, law: ContactLaw) -> BlockModel {
+pub(crate) fn model(blocks: Vec<Block>, law: ContactLaw) -> BlockModel {
     BlockModel {
         blocks: blocks.into_iter().collect(),
         particles: Table::default(),
@@ -33,7 +33,7 @@ pub fn model(blocks: Vec<Block>, law: ContactLaw) -> BlockModel {
 }
 
 /// A circular ring of equal flat-faced voussoirs between two held ones. Blocks 0 and `voussoirs + 1` are the supports.
-pub struct Ring {
+pub(crate) struct Ring {
     pub intrados: f64,
     pub thickness: f64,
     pub half_angle: f64,
@@ -45,7 +45,7 @@ pub struct Ring {
 
 impl Ring {
     /// Bridgemill: span 18.30 m and rise 2.85 m of the intrados, 62 voussoirs, ring 0.711 m, tan 35.6 degrees.
-    pub fn bridgemill() -> Ring {
+    pub(crate) fn bridgemill() -> Ring {
         let (span, rise) = (18.30f64, 2.85f64);
         let intrados = (span * span / 4.0 + rise * rise) / (2.0 * rise);
         Ring {
@@ -59,7 +59,7 @@ impl Ring {
         }
     }
     /// Semicircular, of mean radius 1 m.
-    pub fn semicircle(voussoirs: usize, thickness: f64, friction: f64) -> Ring {
+    pub(crate) fn semicircle(voussoirs: usize, thickness: f64, friction: f64) -> Ring {
         Ring {
             intrados: 1.0 - thickness / 2.0,
             thickness,
@@ -70,16 +70,16 @@ impl Ring {
             friction,
         }
     }
-    pub fn extrados(&self) -> f64 {
+    pub(crate) fn extrados(&self) -> f64 {
         self.intrados + self.thickness
     }
     /// Point of joint `k` at radius `r`; joints run from the left springing (0) to the right one; centre of the circle
     /// at the origin.
-    pub fn at(&self, k: f64, r: f64) -> Vec2 {
+    pub(crate) fn at(&self, k: f64, r: f64) -> Vec2 {
         let angle = -self.half_angle + 2.0 * self.half_angle * k / self.voussoirs as f64;
         vec2(r * angle.sin(), r * angle.cos())
     }
-    pub fn model(&self) -> BlockModel {
+    pub(crate) fn model(&self) -> BlockModel {
         let (low, high) = (self.intrados, self.extrados());
         let blocks = (-1..=self.voussoirs as i32)
             .map(|i| {
@@ -93,7 +93,7 @@ impl Ring {
     }
     /// What true sectors weigh and where, as permanent forces: use with gravity switched off. The flat-faced
     /// outlines stay as geometry, their joints are the same.
-    pub fn sector_weights(&self) -> Vec<PointForce> {
+    pub(crate) fn sector_weights(&self) -> Vec<PointForce> {
         let (low, high) = (self.intrados, self.extrados());
         let half = self.half_angle / self.voussoirs as f64;
         let area = half * (high * high - low * low);
@@ -108,7 +108,7 @@ impl Ring {
     }
     /// A vertical line load on the extrados between the joints, lumped with its exact resultant and place on each
     /// voussoir's chord: total 1 between `from` and `to` [m], proportional to the given ordinates at its ends.
-    pub fn lumped(&self, from: (f64, f64), to: (f64, f64)) -> Vec<PointForce> {
+    pub(crate) fn lumped(&self, from: (f64, f64), to: (f64, f64)) -> Vec<PointForce> {
         let mut forces = Vec::new();
         let intensity = |x: f64| from.1 + (to.1 - from.1) * (x - from.0) / (to.0 - from.0);
         let total = 0.5 * (from.1 + to.1) * (to.0 - from.0);
@@ -127,7 +127,7 @@ impl Ring {
         forces
     }
     /// The weight of fill above the extrados up to a level `cover` [m] above the crown, lumped like a line load.
-    pub fn fill(&self, cover: f64, density: f64) -> Vec<PointForce> {
+    pub(crate) fn fill(&self, cover: f64, density: f64) -> Vec<PointForce> {
         let level = self.extrados() + cover;
         let column = |i: usize| {
             let (p, q) = (self.at(i as f64, self.extrados()), self.at(i as f64 + 1.0, self.extrados()));
@@ -141,7 +141,7 @@ impl Ring {
     }
     /// A unit knife load on the road, dispersed two down to one across on to the extrados, its intensity inverse to
     /// the depth at both ends (Rouxinol, Providência and Lemos, eq. 2).
-    pub fn dispersed_knife(&self, middle: f64, length: f64, cover: f64) -> Vec<PointForce> {
+    pub(crate) fn dispersed_knife(&self, middle: f64, length: f64, cover: f64) -> Vec<PointForce> {
         let road = self.extrados() + cover;
         let foot = |start: f64, side: f64| {
             let mut depth = cover;
@@ -154,7 +154,7 @@ impl Ring {
         self.lumped(foot(middle - length / 2.0, -1.0), foot(middle + length / 2.0, 1.0))
     }
     /// Bridgemill's test load: 0.75 m long at the quarter of the intrados span, 0.478 m above the crown.
-    pub fn quarter_knife(&self) -> Loading {
+    pub(crate) fn quarter_knife(&self) -> Loading {
         let x = 4.575 - 9.15;
         Loading { variable: self.dispersed_knife(x, 0.75, 0.478), ..Loading::default() }
     }
@@ -162,7 +162,7 @@ impl Ring {
 
 /// A wall of courses from the bottom up; a length is in units of `unit` [m], a negative one leaves an opening. Block 0
 /// is the ground. Every block is pushed sideways by its own weight times the load factor.
-pub fn wall(courses: &[&[f64]], unit: f64, height: f64, friction: f64) -> (BlockModel, Loading) {
+pub(crate) fn wall(courses: &[&[f64]], unit: f64, height: f64, friction: f64) -> (BlockModel, Loading) {
     let width: f64 = courses[0].iter().map(|l| l.abs() * unit).sum();
     let ground = Polygon::rectangle(vec2(-1.0, -0.5), width + 2.0, 0.5).unwrap();
     let mut blocks = vec![block(ground, 0.0, 1.0, Held::FIXED)];
@@ -183,7 +183,7 @@ pub fn wall(courses: &[&[f64]], unit: f64, height: f64, friction: f64) -> (Block
 }
 
 /// The weight of every free block, turned to the right.
-pub fn sideways(model: &BlockModel) -> Vec<PointForce> {
+pub(crate) fn sideways(model: &BlockModel) -> Vec<PointForce> {
     model
         .blocks
         .pairs()

@@ -10,7 +10,12 @@ use mechanics::watch::Unwatched;
 const NORMAL: f64 = 1e9;
 
 /// Blocks of `width` by `height` [m] and `density` on a fixed base, one on the other, on joints of these normal and shear stiffnesses [Pa/m].
-pub fn column(count: usize, (width, height): (f64, f64), density: f64, (normal, shear): (f64, f64)) -> BlockModel {
+pub(crate) fn column(
+    count: usize,
+    (width, height): (f64, f64),
+    density: f64,
+    (normal, shear): (f64, f64),
+) -> BlockModel {
     let law = ContactLaw {
         normal: Stiffness::Given(normal),
         shear: Stiffness::Given(shear),

@@ -35,7 +35,7 @@ warnings! {
 }
 
 /// How a source that was not read is named: "(recalled): standard; note".
-pub fn doubtful(source: &Source) -> String {
+pub(super) fn doubtful(source: &Source) -> String {
     let note = if source.note.is_empty() { String::new() } else { format!("; {}", source.note) };
     format!("({}): {}{note}", source.confidence.word(), source.text)
 }

@@ -82,11 +82,11 @@ pub(super) struct Spot {
 }
 
 impl Spot {
-    pub fn at(sample: usize) -> Spot {
+    pub(super) fn at(sample: usize) -> Spot {
         Spot { samples: Some([sample; 2]) }
     }
 
-    pub fn over(first: usize, last: usize) -> Spot {
+    pub(super) fn over(first: usize, last: usize) -> Spot {
         Spot { samples: Some([first, last]) }
     }
 }
@@ -102,12 +102,12 @@ pub(super) struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    pub fn new(scrutiny: &'a Scrutiny) -> Judge<'a> {
+    pub(super) fn new(scrutiny: &'a Scrutiny) -> Judge<'a> {
         Judge { scrutiny, findings: Vec::new(), done: Vec::new() }
     }
 
     /// Something to look at, nothing left out.
-    pub fn warn(
+    pub(super) fn warn(
         &mut self,
         run: &Recording,
         channel: Option<usize>,
@@ -120,7 +120,7 @@ impl<'a> Judge<'a> {
     }
 
     /// A fault of a channel: it is left out, unless the caller accepts that.
-    pub fn fault(
+    pub(super) fn fault(
         &mut self,
         run: &mut Recording,
         channel: usize,
@@ -149,7 +149,7 @@ impl<'a> Judge<'a> {
     }
 
     /// A fault of the clock: every channel of the run is left out, unless the caller accepts that.
-    pub fn fault_all(&mut self, run: &mut Recording, code: &'static str, spot: Spot, message: &str, help: &str) {
+    pub(super) fn fault_all(&mut self, run: &mut Recording, code: &'static str, spot: Spot, message: &str, help: &str) {
         let place = place(run, None, spot);
         let mut out = 0;
         let mut reasons = Vec::new();
@@ -185,7 +185,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The expected peak of a channel [SI].
-    pub fn expected(&self, channel: &Channel) -> Option<f64> {
+    pub(super) fn expected(&self, channel: &Channel) -> Option<f64> {
         let fits = |line: &Option<String>| line.as_deref().is_none_or(|line| line == channel.line);
         let meant =
             |one: &&Expected| one.name == channel.name && fits(&one.line) && one.peak.is_finite() && one.peak != 0.0;
@@ -196,7 +196,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Leaves out what the caller says.
-    pub fn sort_out_by_hand(&mut self, runs: &mut [Recording]) {
+    pub(super) fn sort_out_by_hand(&mut self, runs: &mut [Recording]) {
         for accept in self.scrutiny.accept.iter().filter(|accept| accept.reason.trim().is_empty()) {
             let message = format!("{} is accepted without a reason; it is not accepted", accept.code);
             self.findings.push(Finding::new(Severity::Error, "R051", Place::default(), message, "say why"));
@@ -233,7 +233,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    pub fn finish(self, runs: Vec<Recording>) -> Series {
+    pub(super) fn finish(self, runs: Vec<Recording>) -> Series {
         Series { runs, done: self.done, findings: self.findings }
     }
 }

@@ -22,7 +22,7 @@ pub(super) enum Clock {
 
 impl Clock {
     /// Index of its column.
-    pub fn column(&self) -> usize {
+    pub(super) fn column(&self) -> usize {
         match self {
             Clock::Numbers { index, .. } => *index,
             Clock::Stamps(stamps) => stamps.parts.time,
@@ -30,7 +30,7 @@ impl Clock {
     }
 
     /// The smallest step that times with so many decimals show [s].
-    pub fn step(&self, decimals: usize) -> f64 {
+    pub(super) fn step(&self, decimals: usize) -> f64 {
         let last = 1.0 / 10_f64.powi(decimals.min(15) as i32);
         match self {
             Clock::Numbers { factor, unit, .. } => unit.to_si(factor * last),
@@ -94,7 +94,7 @@ impl Parts {
 impl Stamps {
     /// The stamps of these rows, if they are: more of them are stamps than not. The order of the numbers in their dates is the only one
     /// in which all are dates, or in which the date goes on from day to day; on a single day it does not matter.
-    pub fn seen(parts: Parts, body: &Body) -> Option<Result<Stamps, Unsure>> {
+    pub(super) fn seen(parts: Parts, body: &Body) -> Option<Result<Stamps, Unsure>> {
         let (mut stamped, mut others, mut first) = (0_usize, 0_usize, None);
         for cells in body.cells().take(SAMPLE) {
             match parts.of(&cells) {
@@ -144,12 +144,12 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(clock: &'a Clock, written: Written) -> Reader<'a> {
+    pub(super) fn new(clock: &'a Clock, written: Written) -> Reader<'a> {
         Reader { clock, written, first: None, last: 0, zoned: false, turned: 0 }
     }
 
     /// Time of a row [s], with its decimals; none where it is no time.
-    pub fn time(&mut self, cells: &[Cow<str>]) -> Option<(f64, Option<usize>)> {
+    pub(super) fn time(&mut self, cells: &[Cow<str>]) -> Option<(f64, Option<usize>)> {
         let stamps = match self.clock {
             Clock::Numbers { index, factor, unit } => {
                 let Cell::Number(number, decimals) = cell(&cells[*index], self.written.decimal_comma) else {

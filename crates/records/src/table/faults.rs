@@ -37,7 +37,7 @@ pub(super) struct Faults {
 
 impl Faults {
     /// A fault in a row of the table, counted in rows of data, on a line of the file; column 0 for the row as a whole.
-    pub fn add(&mut self, kind: Kind, column: usize, [row, line]: [usize; 2], time: Option<f64>, sample: &str) {
+    pub(super) fn add(&mut self, kind: Kind, column: usize, [row, line]: [usize; 2], time: Option<f64>, sample: &str) {
         let same = |open: &Stretch| open.code == kind.code && open.column == column;
         if let Some(at) = self.open.iter().position(same) {
             let open = &mut self.open[at];
@@ -68,7 +68,7 @@ impl Faults {
     }
 
     /// All of them as findings, by line.
-    pub fn finish(mut self, run: &str, title: impl Fn(usize) -> String) -> Vec<Finding> {
+    pub(super) fn finish(mut self, run: &str, title: impl Fn(usize) -> String) -> Vec<Finding> {
         for stretch in std::mem::take(&mut self.open) {
             self.close(stretch);
         }

@@ -74,7 +74,7 @@ const NO_SENSOR: [&str; 14] = [
 
 impl Heading {
     /// Reads a heading.
-    pub fn of(text: &str) -> Heading {
+    pub(super) fn of(text: &str) -> Heading {
         let shown = findings::visible::one_line(text.trim());
         let text = findings::visible::unguarded(&shown);
         let (name, symbol) = bracketed(text, '[', ']', |_| true)
@@ -87,7 +87,7 @@ impl Heading {
     }
 
     /// Whether it heads the clock. "Time  1 - default sample rate [s]" does, for no sensor measures seconds.
-    pub fn is_clock(&self) -> bool {
+    pub(super) fn is_clock(&self) -> bool {
         let name = self.plain();
         let unit = self.symbol.as_deref().and_then(Unit::named);
         let is_time = unit.is_some_and(|unit| unit.quantity == Dimension::Time);
@@ -97,17 +97,17 @@ impl Heading {
     }
 
     /// Whether it heads a column of dates.
-    pub fn is_date(&self) -> bool {
+    pub(super) fn is_date(&self) -> bool {
         self.is_of(&DATES)
     }
 
     /// Whether it heads thousandths of a second.
-    pub fn is_thousandths(&self) -> bool {
+    pub(super) fn is_thousandths(&self) -> bool {
         THOUSANDTHS.contains(&self.plain().as_str()) && self.symbol.as_deref().is_none_or(|symbol| symbol == "ms")
     }
 
     /// Whether no sensor fills its column.
-    pub fn is_no_sensor(&self) -> bool {
+    pub(super) fn is_no_sensor(&self) -> bool {
         self.is_of(&NO_SENSOR)
     }
 

@@ -63,7 +63,7 @@ impl<'a> Body<'a> {
     }
 
     /// Cells of every line that is no comment.
-    pub fn cells(&self) -> impl Iterator<Item = Vec<Cow<'a, str>>> + use<'a> {
+    pub(super) fn cells(&self) -> impl Iterator<Item = Vec<Cow<'a, str>>> + use<'a> {
         let separator = self.written.separator;
         self.lines().filter(|(_, line)| !is_comment(line)).map(move |(_, line)| fields(line, separator))
     }

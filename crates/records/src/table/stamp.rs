@@ -17,10 +17,10 @@ pub(super) enum Order {
 }
 
 impl Order {
-    pub const ALL: [Order; 3] = [Order::YearMonthDay, Order::DayMonthYear, Order::MonthDayYear];
+    pub(super) const ALL: [Order; 3] = [Order::YearMonthDay, Order::DayMonthYear, Order::MonthDayYear];
 
     /// In words, as a heading would say it.
-    pub fn words(self) -> &'static str {
+    pub(super) fn words(self) -> &'static str {
         match self {
             Order::YearMonthDay => "year, month, day",
             Order::DayMonthYear => "day, month, year",
@@ -38,12 +38,12 @@ pub(super) struct Date {
 
 impl Date {
     /// Whether it is a date in this order.
-    pub fn fits(&self, order: Order) -> bool {
+    pub(super) fn fits(&self, order: Order) -> bool {
         self.orders[order as usize]
     }
 
     /// Days since the first of January 1970.
-    pub fn days(&self, order: Order) -> Option<i64> {
+    pub(super) fn days(&self, order: Order) -> Option<i64> {
         if !self.fits(order) {
             return None;
         }

@@ -34,10 +34,10 @@ fn number(cell: &str) -> f64 {
 }
 
 /// Columns of the good table.
-pub const CROWN: usize = 1;
-pub const PIER: usize = 2;
-pub const STRAIN: usize = 3;
-pub const PIER_STRAIN: usize = 4;
+pub(crate) const CROWN: usize = 1;
+pub(crate) const PIER: usize = 2;
+pub(crate) const STRAIN: usize = 3;
+pub(crate) const PIER_STRAIN: usize = 4;
 
 /// Name of each file and its text.
 fn files() -> Vec<(&'static str, String)> {

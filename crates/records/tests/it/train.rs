@@ -12,13 +12,13 @@ const CHANNELS: [(&str, Dimension, f64, f64, f64, f64); 4] = [
     ("pier strain", Dimension::Strain, -24.83, 0.3, 1.4, 0.1),
 ];
 /// Distances of the axles behind the first [m].
-pub const AXLES: [f64; 6] = [0.0, 1.8, 3.7, 11.0, 12.9, 14.7];
+pub(crate) const AXLES: [f64; 6] = [0.0, 1.8, 3.7, 11.0, 12.9, 14.7];
 /// Distances of the axles of a goods train behind the first [m]: the locomotive and seven bogies more.
-pub const LONG: [f64; 20] = [
+pub(crate) const LONG: [f64; 20] = [
     0.0, 1.8, 3.7, 11.0, 12.9, 14.7, 20.2, 22.2, 29.0, 31.0, 34.7, 36.7, 43.5, 45.5, 49.2, 51.2, 58.0, 60.0, 63.7, 65.7,
 ];
 /// Time at which the first axle stands at the springing [s]: the record starts when it is 12 m away, and 1.5 s before.
-pub fn arrival(speed: f64) -> f64 {
+pub(crate) fn arrival(speed: f64) -> f64 {
     1.5_f64.max(12.0 / speed)
 }
 
@@ -41,13 +41,13 @@ fn values(index: usize, speed: f64, times: &[f64], axles: &[f64]) -> Vec<f64> {
 }
 
 /// Exact times: until the locomotive has left and the start's quiet has come back.
-pub fn times(speed: f64, rate: f64) -> Vec<f64> {
+pub(crate) fn times(speed: f64, rate: f64) -> Vec<f64> {
     let end = 2.0 * arrival(speed) + 24.0 / speed;
     (0..=(end * rate) as usize).map(|k| k as f64 / rate).collect()
 }
 
 /// Exact histories on lines across the barrel, rounded to 0.01 mm and 0.05 microstrain.
-pub fn exact(speed: f64, times: &[f64], lines: &[&str], factor: impl Fn(&str, &str) -> f64) -> Vec<Exact> {
+pub(crate) fn exact(speed: f64, times: &[f64], lines: &[&str], factor: impl Fn(&str, &str) -> f64) -> Vec<Exact> {
     exact_of(&AXLES, speed, times, lines, factor)
 }
 
@@ -77,7 +77,7 @@ fn exact_of(
 }
 
 /// A run at a speed [km/h], sampled at 100 Hz.
-pub fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str, &str) -> f64) -> Recording {
+pub(crate) fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str, &str) -> f64) -> Recording {
     let speed = kmh / 3.6;
     let times = times(speed, 400.0);
     let noise = Noise { rate: Some(100.0), seed, origin: "bell-shaped influence lines".to_owned() };
@@ -85,7 +85,7 @@ pub fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str
 }
 
 /// The same of the goods train.
-pub fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Recording {
+pub(crate) fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Recording {
     let speed = kmh / 3.6;
     let end = 2.0 * arrival(speed) + 75.0 / speed;
     let times: Vec<f64> = (0..=(end * 400.0) as usize).map(|k| k as f64 / 400.0).collect();
@@ -94,6 +94,6 @@ pub fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Recording {
 }
 
 /// The good run of the tests.
-pub fn good() -> Recording {
+pub(crate) fn good() -> Recording {
     run("slow", 20.0, &[""], 1, |_, _| 1.0)
 }

@@ -83,7 +83,7 @@ struct Pores {
 
 impl Column {
     /// The column of a bridge's cover.
-    pub fn of(bridge: &Bridge, extrados: &Extrados) -> Column {
+    pub(super) fn of(bridge: &Bridge, extrados: &Extrados) -> Column {
         let unit = |l: &Layer| if l.weighs && !fill::is_bodies(bridge, l) { l.density * bridge.gravity } else { 0.0 };
         let lowest = bridge.cover.layers.first();
         let weight = bridge.cover.backing.filter(|b| b.body != BackingBody::Blocks || fill::wanted(bridge).is_some());
@@ -103,22 +103,22 @@ impl Column {
         }
     }
     /// The column that presses in any case: backing weighs no more than the fill it replaces.
-    pub fn pressing(mut self) -> Column {
+    pub(super) fn pressing(mut self) -> Column {
         let fill = self.fill.1;
         self.backing = self.backing.map(|(top, weight)| (top, weight.min(fill)));
         self.walls = self.walls.map(|(top, weight)| (top, weight.min(fill)));
         self
     }
     /// Level of the lowest layer's upper face at a place [m].
-    pub fn top(&self, x: f64) -> f64 {
+    pub(super) fn top(&self, x: f64) -> f64 {
         self.fill.0.at(x)
     }
     /// Places between two others at which the gradient of an upper face changes [m].
-    pub fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
+    pub(super) fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
         self.fill.0.kinks(from, to).chain(self.inner().flat_map(move |face| face.kinks(from, to)))
     }
     /// Weight of the layers of constant thickness [Pa].
-    pub fn above(&self) -> f64 {
+    pub(super) fn above(&self) -> f64 {
         self.above
     }
     /// Upper faces of backing and internal walls, where there are some.
@@ -126,7 +126,7 @@ impl Column {
         [&self.backing, &self.walls].into_iter().flatten().map(|(face, _)| face)
     }
     /// Weight of what lies above a point [Pa].
-    pub fn pressure(&self, at: Vec2) -> f64 {
+    pub(super) fn pressure(&self, at: Vec2) -> f64 {
         let (mut solid, mut floor) = (0.0, at.y);
         for (top, weight) in [&self.backing, &self.walls].into_iter().flatten() {
             let top = top.at(at.x);
@@ -145,15 +145,15 @@ impl Column {
         solid + fill + self.above
     }
     /// Level of the water [m]; minus infinity where there is none.
-    pub fn water_level(&self) -> f64 {
+    pub(super) fn water_level(&self) -> f64 {
         self.water.map_or(f64::NEG_INFINITY, |pores| pores.level)
     }
     /// Level up to which backing and internal walls stand at a place [m]; minus infinity where there are none.
-    pub fn solid_top(&self, x: f64) -> f64 {
+    pub(super) fn solid_top(&self, x: f64) -> f64 {
         self.inner().map(|face| face.at(x)).fold(f64::NEG_INFINITY, f64::max)
     }
     /// Pressure of the water in the pores at a point [Pa]. What is solid has none in its own: below its top the pressure stays that at its top.
-    pub fn pore(&self, at: Vec2) -> f64 {
+    pub(super) fn pore(&self, at: Vec2) -> f64 {
         let floor = at.y.max(self.solid_top(at.x));
         self.water.map_or(0.0, |pores| pores.water * (pores.level.min(self.top(at.x)) - floor).max(0.0))
     }
@@ -178,7 +178,7 @@ impl Column {
         sum
     }
     /// Levels at which a straight line passes the upper faces of backing and internal walls [m].
-    pub fn levels_passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = f64> {
+    pub(super) fn levels_passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = f64> {
         self.inner().filter_map(move |face| {
             let [from, to] = [a, b].map(|p| face.at(p.x));
             let crossed = (a.y - from) * (b.y - to) < 0.0;

@@ -17,7 +17,7 @@ pub(super) struct State {
 
 impl State {
     /// That of a voussoir of a ring.
-    pub fn of(span: &Span, ring: usize, voussoir: usize) -> State {
+    pub(super) fn of(span: &Span, ring: usize, voussoir: usize) -> State {
         let count = span.rings[ring].voussoirs as f64;
         let own = [voussoir as f64 / count, (voussoir + 1) as f64 / count];
         let touched: Vec<(usize, &Defect)> = span.defects.iter().enumerate().filter(|(_, d)| d.touches(own)).collect();
@@ -41,7 +41,7 @@ impl State {
     }
 
     /// What follows the name of its ring.
-    pub fn name(&self) -> &'static str {
+    pub(super) fn name(&self) -> &'static str {
         match (self.separated.is_empty(), self.weak.is_empty()) {
             (true, true) => "",
             (false, true) => ", separated",
@@ -51,7 +51,7 @@ impl State {
     }
 
     /// The law of the joint to the ring above: where it is separated, nothing but friction.
-    pub fn separated(&self, span: &Span, law: ContactLaw) -> ContactLaw {
+    pub(super) fn separated(&self, span: &Span, law: ContactLaw) -> ContactLaw {
         self.separated.iter().fold(law, |law, &number| match span.defects[number].kind {
             DefectKind::RingSeparation { friction_angle, .. } => ContactLaw {
                 cohesion: 0.0,
@@ -65,7 +65,7 @@ impl State {
 
     /// A law of its joints with no more than the strength that is left. Cohesion and tension fall in the same proportion: cohesion acts over
     /// the length that the strength leaves compressed, which would grow otherwise and make the joint stronger.
-    pub fn weakened(&self, span: &Span, law: ContactLaw) -> ContactLaw {
+    pub(super) fn weakened(&self, span: &Span, law: ContactLaw) -> ContactLaw {
         self.weak.iter().fold(law, |law, &number| match span.defects[number].kind {
             DefectKind::WeakMasonry { compressive_strength, friction_angle, .. } => {
                 let crushing = law.crushing.min(compressive_strength.unwrap_or(f64::INFINITY));

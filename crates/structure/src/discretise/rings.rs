@@ -12,7 +12,7 @@ use bridge::defect::{Face, raked, thinned};
 use mechanics::plane::{Polygon, Vec2};
 
 /// A voussoir as drawn: outline and the edge on its back.
-pub struct Cut {
+pub(super) struct Cut {
     /// Outline, counter-clockwise from the left intrados corner.
     pub outline: Polygon,
     /// Upper face, left to right.
@@ -50,7 +50,7 @@ pub(super) fn faces(span: &Span, ring: usize, share: f64) -> [f64; 2] {
 }
 
 /// The voussoirs of every ring of `span`, from the intrados up, each from left to right.
-pub fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, DiscretiseError> {
+pub(super) fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, DiscretiseError> {
     let joints = joints(span, curve);
     let mut rings = Vec::new();
     for (k, ring) in span.rings.iter().enumerate() {
@@ -127,7 +127,7 @@ fn raked_joints(span: &Span, ring: usize, own: &Joints, i: usize, outline: Vec<V
 const FINE: usize = 1024;
 
 /// The extrados of the uppermost ring as a curve, from left to right.
-pub fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
+pub(super) fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
     let point = |i: usize| {
         let share = i as f64 / FINE as f64;
         let (point, normal) = curve.at(share);

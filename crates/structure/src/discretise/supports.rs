@@ -13,7 +13,7 @@ use mechanics::plane::{Polygon, Vec2, vec2};
 
 /// A skewback: the joint on which a span's rings spring, from the intrados to the extrados [m].
 #[derive(Debug, Clone, Copy)]
-pub struct Skewback {
+pub(super) struct Skewback {
     /// At the intrados.
     pub intrados: Vec2,
     /// At the extrados of the uppermost ring.
@@ -22,7 +22,7 @@ pub struct Skewback {
 
 /// The fixed block behind a skewback; `side` is -1 for the left abutment and +1 for the right one. Returns its
 /// outline and its upper face, left to right.
-pub fn abutment(
+pub(super) fn abutment(
     support: usize,
     abutment: &Abutment,
     skewback: Skewback,
@@ -41,7 +41,7 @@ pub fn abutment(
 }
 
 /// A pier's blocks.
-pub struct PierCut {
+pub(super) struct PierCut {
     /// The fixed block it stands on.
     pub foundation: Polygon,
     /// Courses from the foundation up, steps of the footing first; the last carries the skewbacks.
@@ -51,14 +51,14 @@ pub struct PierCut {
 }
 
 /// A course of a pier.
-pub struct Course {
+pub(super) struct Course {
     pub outline: Polygon,
     /// Width across the bridge at its lower and its upper bed [m], where it is not that of the barrel.
     pub across: Option<[f64; 2]>,
 }
 
 /// The courses of a pier between the right skewback of one span and the left skewback of the next.
-pub fn pier(support: usize, pier: &Pier, left: Skewback, right: Skewback) -> Result<PierCut, DiscretiseError> {
+pub(super) fn pier(support: usize, pier: &Pier, left: Skewback, right: Skewback) -> Result<PierCut, DiscretiseError> {
     let wrong = |source| DiscretiseError::Support { support, source };
     if left.extrados.x > right.extrados.x {
         return Err(DiscretiseError::RingsCross {
@@ -115,7 +115,7 @@ pub fn pier(support: usize, pier: &Pier, left: Skewback, right: Skewback) -> Res
 }
 
 /// An abutment that can move.
-pub struct MovableCut {
+pub(super) struct MovableCut {
     /// The ground it stands on, which is fixed.
     pub ground: Polygon,
     /// Courses from the ground up with the lower and upper end of their backs; the last carries the skewback.
@@ -126,7 +126,7 @@ pub struct MovableCut {
 
 /// The courses of an abutment behind a skewback: a plumb front face under the springing, a straight back from the end of its upper face to
 /// that of its bottom. `side` is -1 for the left abutment and +1 for the right one.
-pub fn movable(
+pub(super) fn movable(
     support: usize,
     abutment: &Abutment,
     body: &AbutmentBody,
@@ -164,7 +164,7 @@ pub fn movable(
 }
 
 /// The back of a course on which soil presses.
-pub struct Back {
+pub(super) struct Back {
     pub block: BlockId,
     /// Its lower and upper end [m].
     pub ends: [Vec2; 2],
@@ -177,7 +177,7 @@ pub struct Back {
 /// What soil presses with on the backs of abutments that can move: its vertical stress behind the head of the back, times the coefficient of
 /// the file. Soil reaches up to the cover's layers, which weigh on it, or to the abutment's top where there is no cover; what lies on a
 /// sloping back is left out.
-pub fn earth(bridge: &Bridge, extrados: &Extrados, backs: &[Back]) -> Vec<PointForce> {
+pub(super) fn earth(bridge: &Bridge, extrados: &Extrados, backs: &[Back]) -> Vec<PointForce> {
     let cover = &bridge.cover;
     let column = Column::of(bridge, extrados);
     let on = |back: &Back| {

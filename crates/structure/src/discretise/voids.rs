@@ -6,24 +6,24 @@ use super::extrados::{Extrados, Stretch};
 use bridge::{Bridge, Void};
 
 /// The void over a place, if there is one.
-pub fn over(voids: &[Void], x: f64) -> Option<usize> {
+pub(super) fn over(voids: &[Void], x: f64) -> Option<usize> {
     voids.iter().position(|void| void.range[0] < x && x < void.range[1])
 }
 
 /// Ends of voids between two places [m].
-pub fn ends(voids: &[Void], from: f64, to: f64) -> impl Iterator<Item = f64> {
+pub(super) fn ends(voids: &[Void], from: f64, to: f64) -> impl Iterator<Item = f64> {
     voids.iter().flat_map(|void| void.range).filter(move |x| from < *x && *x < to)
 }
 
 /// What the two places carry of a force on the roof, as under a beam: the same force and the same moment [N/m].
-pub fn carried(void: &Void, on_roof: &Resultant) -> [(f64, f64); 2] {
+pub(super) fn carried(void: &Void, on_roof: &Resultant) -> [(f64, f64); 2] {
     let [left, right] = void.carried_to;
     let share = (on_roof.moment - on_roof.force * left) / (right - left);
     [(left, on_roof.force - share), (right, share)]
 }
 
 /// The stretch that carries the roof of a void on its left (`side` 0) or right: where two meet, the one away from the void.
-pub fn bearing(stretches: &[Stretch], void: &Void, side: usize) -> Option<usize> {
+pub(super) fn bearing(stretches: &[Stretch], void: &Void, side: usize) -> Option<usize> {
     let x = void.carried_to[side];
     stretches.iter().position(
         |s| {
@@ -33,7 +33,7 @@ pub fn bearing(stretches: &[Stretch], void: &Void, side: usize) -> Option<usize>
 }
 
 /// Voids must lie between the extrados and the top of the lowest layer, and their roofs on the bridge.
-pub fn check(bridge: &Bridge, extrados: &Extrados) -> Result<(), DiscretiseError> {
+pub(super) fn check(bridge: &Bridge, extrados: &Extrados) -> Result<(), DiscretiseError> {
     let column = Column::of(bridge, extrados);
     for (k, void) in extrados.voids.iter().enumerate() {
         let [from, to] = void.range;

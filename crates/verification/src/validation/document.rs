@@ -45,7 +45,7 @@ impl Level {
 const BLOCK_WEIGHT: &str = "1 kN/m";
 
 /// The bridge file of a test for a method, with priors and remembered dimensions as said.
-pub fn document(
+pub(super) fn document(
     test: &Test,
     priors: &Priors,
     by: Predictor,
@@ -116,7 +116,7 @@ pub fn document(
 }
 
 /// A document as a bridge; what is wrong with it in one line.
-pub fn bridge_of(document: &Table) -> Result<Bridge, String> {
+pub(super) fn bridge_of(document: &Table) -> Result<Bridge, String> {
     let text = toml::to_string(document).map_err(|error| error.to_string())?;
     let read = bridge::read(text.as_bytes());
     read.bridge.ok_or_else(|| said(&read.diagnostics))
@@ -127,7 +127,7 @@ fn table<'a>(entries: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
 }
 
 /// Remembered dimensions at an end of their intervals; every dimension must be one of the bridge file.
-pub fn dimensions(test: &Test, side: Option<Side>) -> Result<Changes, String> {
+pub(super) fn dimensions(test: &Test, side: Option<Side>) -> Result<Changes, String> {
     let mut changes = Changes::new();
     for one in &test.field.dimension {
         let own = find(&test.bridge, &one.key);

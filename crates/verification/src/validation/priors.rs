@@ -143,7 +143,7 @@ impl Priors {
 }
 
 /// The number of a value, whatever its unit; the three values of a prior have the same one.
-pub fn number(value: &toml::Value) -> Option<f64> {
+pub(super) fn number(value: &toml::Value) -> Option<f64> {
     match value {
         toml::Value::Float(number) => Some(*number),
         toml::Value::Integer(number) => Some(*number as f64),

@@ -10,7 +10,7 @@ use structure::discretise::bridge_length;
 
 /// A question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Question {
+pub(crate) enum Question {
     /// What the loads may be multiplied by.
     Load,
     /// The same at the worst of many places.
@@ -27,7 +27,7 @@ pub enum Question {
 
 /// An answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Found {
+pub(crate) enum Found {
     /// More is better; infinite where nothing makes the bridge fall.
     Size(f64),
     /// Nothing is known.
@@ -37,7 +37,7 @@ pub enum Found {
 }
 
 impl Question {
-    pub const ALL: [Question; 6] = [
+    pub(crate) const ALL: [Question; 6] = [
         Question::Load,
         Question::Sweep,
         Question::Vehicles,
@@ -59,17 +59,17 @@ impl Question {
 const PLACES: usize = 9;
 
 /// The answer of a bridge by the method of its plan.
-pub fn asked(question: Question, bridge: &Bridge) -> Found {
+pub(crate) fn asked(question: Question, bridge: &Bridge) -> Found {
     answered(question, bridge, PLACES, false)
 }
 
 /// The answer of a bridge that is seen from its other side.
-pub fn mirrored(question: Question, bridge: &Bridge) -> Found {
+pub(crate) fn mirrored(question: Question, bridge: &Bridge) -> Found {
     answered(question, bridge, PLACES, true)
 }
 
 /// The same with places at half the distance; none of questions without places.
-pub fn finer(question: Question, bridge: &Bridge) -> Option<Found> {
+pub(crate) fn finer(question: Question, bridge: &Bridge) -> Option<Found> {
     match question {
         Question::Sweep => Some(answered(question, bridge, 2 * PLACES - 1, false)),
         Question::Vehicles => {
@@ -83,7 +83,7 @@ pub fn finer(question: Question, bridge: &Bridge) -> Option<Found> {
 
 /// By how large a share, and by how much, an answer may be above another one that it is said not to be above: steps of a method, and places
 /// that are sought between others.
-pub fn no_more(question: Question, bridge: &Bridge) -> [f64; 2] {
+pub(crate) fn no_more(question: Question, bridge: &Bridge) -> [f64; 2] {
     let step = match (question, bridge.plan.method) {
         (Question::Load, Method::Dem) => bridge.plan.load_step.unwrap_or(f64::INFINITY),
         _ => 0.0,
@@ -98,7 +98,7 @@ pub fn no_more(question: Question, bridge: &Bridge) -> [f64; 2] {
 }
 
 /// The same of answers that are said to be the same.
-pub fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
+pub(crate) fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
     let [share, step] = no_more(question, bridge);
     match bridge.plan.method {
         Method::Limit => [share.max(if question == Question::Sweep { 1e-3 } else { 1e-6 }), step],
@@ -108,7 +108,7 @@ pub fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
 
 /// Whether a bridge and its mirror image go the same way. As a support moves, rings on one another have several motions that their programs cannot
 /// tell apart, and which one is followed is not unique: the movement that they survive differs by some per cent.
-pub fn is_followed_alike(question: Question, bridge: &Bridge) -> bool {
+pub(crate) fn is_followed_alike(question: Question, bridge: &Bridge) -> bool {
     question != Question::Movement || bridge.spans.iter().all(|span| span.rings.len() == 1)
 }
 

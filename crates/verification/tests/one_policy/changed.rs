@@ -9,7 +9,7 @@ use outcome::help::Help;
 use structure::discretise::bridge_length;
 
 /// The bridge by a method.
-pub fn by(bridge: &Bridge, method: Method) -> Bridge {
+pub(crate) fn by(bridge: &Bridge, method: Method) -> Bridge {
     let mut own = bridge.clone();
     if own.plan.method != method {
         (own.plan.load_step, own.plan.load_limit) = (None, None);
@@ -27,7 +27,7 @@ pub fn by(bridge: &Bridge, method: Method) -> Bridge {
 }
 
 /// The bridge with a help, or none where it has it already or cannot have it.
-pub fn helped(bridge: &Bridge, help: Help, question: Question) -> Option<Bridge> {
+pub(crate) fn helped(bridge: &Bridge, help: Help, question: Question) -> Option<Bridge> {
     let mut own = bridge.clone();
     match help {
         Help::Water => {
@@ -89,7 +89,7 @@ fn each_joint(bridge: &mut Bridge, change: impl Fn(&mut Joint)) {
 }
 
 /// The bridge seen from its other side; none where what it has is not mirrored here.
-pub fn mirrored(bridge: &Bridge) -> Option<Bridge> {
+pub(crate) fn mirrored(bridge: &Bridge) -> Option<Bridge> {
     let is_level = bridge.spans.iter().all(|span| span.right_springing == 0.0);
     let has_other = bridge.cover.road.is_some()
         || bridge.particles.is_some()
@@ -135,7 +135,7 @@ pub fn mirrored(bridge: &Bridge) -> Option<Bridge> {
 }
 
 /// The bridge with one axle more behind the last of its loads that has axles: an axle may help, and is left out where it does.
-pub fn with_an_axle_more(bridge: &Bridge, question: Question) -> Option<Bridge> {
+pub(crate) fn with_an_axle_more(bridge: &Bridge, question: Question) -> Option<Bridge> {
     if question != Question::Sweep {
         return None;
     }

@@ -3,7 +3,7 @@
 use crate::random::{Arch, Dice, pier, quantities};
 use std::fmt::Write;
 
-pub fn draw(seed: u64) -> String {
+pub(crate) fn draw(seed: u64) -> String {
     let dice = &mut Dice(seed);
     let mut page = String::new();
     let _ = writeln!(page, "[bridge]\nname = \"random {seed}\"\nwidth = \"4 m\"\n");

@@ -4,7 +4,7 @@ use crate::random::{Arch, Dice, pier, quantities};
 use std::fmt::Write;
 
 /// A bridge of one to three spans under soil, with a load on it and a mesh of no more than `elements` triangles.
-pub fn draw(seed: u64, elements: usize) -> String {
+pub(crate) fn draw(seed: u64, elements: usize) -> String {
     let dice = &mut Dice(seed);
     let mut page = String::new();
     let _ = writeln!(page, "[bridge]\nname = \"random {seed}\"\nwidth = \"{:.2} m\"\n", dice.between(2.0, 10.0));

@@ -4,7 +4,7 @@ use crate::random::{Arch, Dice, pier, quantities};
 use std::fmt::Write;
 
 /// Half of the bridges have one ring, half of them one span, one in sixteen a strip of its walls, whose paths are long.
-pub fn draw(seed: u64) -> String {
+pub(crate) fn draw(seed: u64) -> String {
     let dice = &mut Dice(seed);
     let mut page = String::new();
     let _ = writeln!(page, "[bridge]\nname = \"random {seed}\"\nwidth = \"4 m\"\n");

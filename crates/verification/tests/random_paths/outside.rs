@@ -8,7 +8,7 @@ use mechanics::plane::Vec2;
 
 /// What is wrong with a state, as shares of all forces that act.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Wrong {
+pub(crate) struct Wrong {
     /// Largest force or moment over the blocks' size that is left over in a block.
     pub unbalanced: f64,
     /// Largest shear beyond friction and cohesion, and tension beyond the bond.
@@ -18,7 +18,7 @@ pub struct Wrong {
 }
 
 impl Wrong {
-    pub fn or(self, other: Wrong) -> Wrong {
+    pub(crate) fn or(self, other: Wrong) -> Wrong {
         Wrong {
             unbalanced: self.unbalanced.max(other.unbalanced),
             beyond_strength: self.beyond_strength.max(other.beyond_strength),
@@ -31,7 +31,7 @@ impl Wrong {
 const STRIPS: usize = 4000;
 
 /// Looks at a state of these blocks, and where asked for at the pressure in its joints.
-pub fn look(
+pub(crate) fn look(
     (model, loading): (&BlockModel, &Loading),
     joints: &[Interface],
     frame: &Frame,

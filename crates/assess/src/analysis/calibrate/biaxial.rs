@@ -26,7 +26,7 @@ const GIVEN_WAY: f64 = 0.05;
 /// the lid as the sample is confined.
 const GAP: f64 = 0.5;
 
-pub struct Box2 {
+pub(super) struct Box2 {
     settings: dem::Settings,
     laws: Laws,
     pressures: Vec<f64>,
@@ -34,7 +34,7 @@ pub struct Box2 {
 
 impl Box2 {
     /// For samples of a fill with these laws.
-    pub fn new(bridge: &Bridge, laws: &Laws) -> Box2 {
+    pub(super) fn new(bridge: &Bridge, laws: &Laws) -> Box2 {
         Box2 {
             settings: settings(bridge),
             laws: laws.clone(),
@@ -43,13 +43,13 @@ impl Box2 {
     }
 
     /// How many tests one sample takes.
-    pub fn tests(&self) -> usize {
+    pub(super) fn tests(&self) -> usize {
         self.pressures.len()
     }
 
     /// The stress on the lid [Pa] that one sample still carries under one of the confining pressures; none where it does not
     /// rest, or carries all that is tried.
-    pub fn peak(
+    pub(super) fn peak(
         &self,
         sample: &Sample,
         contact: Contact,
@@ -135,7 +135,7 @@ impl Box2 {
 }
 
 /// The laws with other contacts between particles.
-pub fn contacts(laws: &Laws, contact: Contact) -> Laws {
+pub(super) fn contacts(laws: &Laws, contact: Contact) -> Laws {
     let mut laws = laws.clone();
     for &a in &laws.layers {
         for &b in &laws.layers {
@@ -148,7 +148,12 @@ pub fn contacts(laws: &Laws, contact: Contact) -> Laws {
 }
 
 /// What peaks [Pa] of all samples amount to, test by test of each sample; none where fewer than one sample has all.
-pub fn strength(contact: Contact, samples: &[Sample], pressures: &[f64], peaks: &[Option<f64>]) -> Option<Strength> {
+pub(super) fn strength(
+    contact: Contact,
+    samples: &[Sample],
+    pressures: &[f64],
+    peaks: &[Option<f64>],
+) -> Option<Strength> {
     let whole: Vec<(u64, Vec<f64>)> = samples
         .iter()
         .zip(peaks.chunks(pressures.len()))

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 
 /// The onlooker, and how much of the work is done.
-pub struct Crowd<'a> {
+pub(super) struct Crowd<'a> {
     watch: &'a mut dyn Watch,
     done: f64,
     all: f64,
@@ -23,17 +23,17 @@ enum Said<R> {
 
 impl<'a> Crowd<'a> {
     /// For so much work in all, in the unit of `weight` below.
-    pub fn new(watch: &'a mut dyn Watch, all: f64) -> Crowd<'a> {
+    pub(super) fn new(watch: &'a mut dyn Watch, all: f64) -> Crowd<'a> {
         Crowd { watch, done: 0.0, all, steps: 0 }
     }
 
     /// Corrects how much work there is in all.
-    pub fn plan(&mut self, all: f64) {
+    pub(super) fn plan(&mut self, all: f64) {
         self.all = all;
     }
 
     /// Does `work` on every item; each counts as `weight`. None where the onlooker wants to stop.
-    pub fn each<T: Sync, R: Send>(
+    pub(super) fn each<T: Sync, R: Send>(
         &mut self,
         stage: &str,
         weight: f64,

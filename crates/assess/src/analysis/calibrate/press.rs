@@ -13,7 +13,7 @@ use mechanics::watch::Watch;
 use outcome::calibration::AtRest;
 
 /// Everything about the press that is the same for all samples.
-pub struct Rig {
+pub(super) struct Rig {
     plan: Calibration,
     settings: dem::Settings,
     laws: Laws,
@@ -21,7 +21,7 @@ pub struct Rig {
 
 /// What a press of one sample gave.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Pressed {
+pub(super) struct Pressed {
     /// How it ended.
     pub status: dem::Status,
     /// Height of the block's underside above the floor where it first rested, under its own weight [m].
@@ -35,17 +35,22 @@ pub struct Pressed {
 
 impl Rig {
     /// For samples of a fill with these laws.
-    pub fn new(bridge: &Bridge, laws: &Laws) -> Rig {
+    pub(super) fn new(bridge: &Bridge, laws: &Laws) -> Rig {
         Rig { plan: bridge.calibration.clone(), settings: settings(bridge), laws: laws.clone() }
     }
 
-    pub fn plan(&self) -> &Calibration {
+    pub(super) fn plan(&self) -> &Calibration {
         &self.plan
     }
 
     /// Presses a sample whose contacts among particles are `multiple` times as stiff as those of the file; everything else
     /// is as in the file.
-    pub fn press(&self, sample: &Sample, multiple: f64, watch: &mut dyn Watch) -> Result<Pressed, AnalysisError> {
+    pub(super) fn press(
+        &self,
+        sample: &Sample,
+        multiple: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Pressed, AnalysisError> {
         let built = self.build(sample, multiple)?;
         let model = Model::new(&built.model, &built.loading)?;
         let program =
@@ -119,7 +124,7 @@ impl Rig {
     }
 
     /// Normal and shear stiffness [Pa/m] of contacts between particles at a multiple, for centres `distance` [m] apart.
-    pub fn stiffness(&self, multiple: f64, distance: f64) -> [f64; 2] {
+    pub(super) fn stiffness(&self, multiple: f64, distance: f64) -> [f64; 2] {
         let Some(&layer) = self.laws.layers.first() else { return [0.0; 2] };
         let law = stiffer_law(self.laws.table.between(layer, layer), multiple);
         [law.normal.at(distance), law.shear.at(distance)]

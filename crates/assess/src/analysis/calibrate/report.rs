@@ -8,7 +8,7 @@ use outcome::calibration::moduli::{Moduli, scatter};
 use outcome::calibration::{AtRest, CalibrationReport, Confined, Curve, CurvePoint, Drawn, Measured, Spread};
 
 /// What presses of all samples amount to.
-pub fn measured(multiple: f64, samples: &[Sample], pressed: &[Pressed], plan: &Calibration) -> Measured {
+pub(super) fn measured(multiple: f64, samples: &[Sample], pressed: &[Pressed], plan: &Calibration) -> Measured {
     let curves: Vec<Curve> = pressed.iter().map(|p| Curve::new(&p.path, p.height)).collect();
     let whole = |k: &usize| {
         let rests = pressed[*k].status == dem::Status::StableToLastLoad && curves[*k].points.len() == plan.steps + 1;
@@ -58,7 +58,7 @@ fn drawn(measured: &Measured, samples: &[Sample]) -> Option<Drawn> {
 }
 
 /// Says what the samples are.
-pub fn describe(report: &mut CalibrationReport, samples: &[Sample]) {
+pub(super) fn describe(report: &mut CalibrationReport, samples: &[Sample]) {
     report.squares = samples.len();
     report.particles = samples.iter().map(|s| s.particles.len()).sum();
     report.solid_fraction = scatter(samples.iter().map(Sample::solid_fraction)).unwrap_or_default().0;
@@ -67,7 +67,7 @@ pub fn describe(report: &mut CalibrationReport, samples: &[Sample]) {
 }
 
 /// Takes in the moduli at the multiples of the file, and a sample to draw.
-pub fn tabulate(report: &mut CalibrationReport, table: Vec<Measured>, samples: &[Sample]) {
+pub(super) fn tabulate(report: &mut CalibrationReport, table: Vec<Measured>, samples: &[Sample]) {
     for measured in &table {
         report.leave_out(measured);
     }

@@ -9,7 +9,7 @@ use outcome::calibration::Cut;
 
 /// Particles of a square, seen from its lower left corner.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sample {
+pub(super) struct Sample {
     /// Seed of the packing that it was cut from.
     pub seed: u64,
     /// Which of its squares, from 0.
@@ -30,7 +30,7 @@ pub struct Sample {
 
 impl Sample {
     /// Cuts the square at `corner` out of the fill; `name` is its seed and number.
-    pub fn cut(bridge: &Bridge, fill: &SettledFill, name: (u64, usize), corner: Vec2) -> Sample {
+    pub(super) fn cut(bridge: &Bridge, fill: &SettledFill, name: (u64, usize), corner: Vec2) -> Sample {
         let size = bridge.calibration.sample_size;
         let (mut inside, mut through) = (Vec::new(), Vec::new());
         for particle in &fill.particles {
@@ -62,7 +62,7 @@ impl Sample {
     }
 
     /// Share of the square that particles cover.
-    pub fn solid_fraction(&self) -> f64 {
+    pub(super) fn solid_fraction(&self) -> f64 {
         let covered: f64 = self.particles.iter().map(|p| std::f64::consts::PI * p.radius * p.radius).sum();
         covered / (self.size * self.size)
     }

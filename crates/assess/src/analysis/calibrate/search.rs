@@ -7,7 +7,7 @@ use bridge::Modulus;
 use outcome::calibration::{At, Measured};
 
 /// How a search ended.
-pub enum Found {
+pub(super) enum Found {
     /// The multiple with the wanted modulus.
     Multiple(Box<Measured>),
     /// Lowest and highest modulus that stiffness reaches.
@@ -23,7 +23,7 @@ const BEYOND: u32 = 3;
 const MOST: u32 = 12;
 
 /// Finds the multiple by pressing at more of them than the table has.
-pub fn search(
+pub(super) fn search(
     wanted: f64,
     tolerance: f64,
     modulus: Modulus,

@@ -13,7 +13,7 @@ use structure::discretise::fill::FillRegion;
 use structure::discretise::{Origin, discretise};
 
 /// Fill at rest.
-pub struct SettledFill {
+pub(super) struct SettledFill {
     /// The region it was packed into.
     pub region: FillRegion,
     /// The particles where they rest.
@@ -24,7 +24,7 @@ pub struct SettledFill {
 
 /// Who touches whom how.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Laws {
+pub(super) struct Laws {
     pub table: LawTable,
     /// Names of the groups.
     pub groups: Table<GroupId, String>,
@@ -38,21 +38,21 @@ pub struct Laws {
 
 impl SettledFill {
     /// Radius of the largest particle [m].
-    pub fn largest(&self) -> f64 {
+    pub(super) fn largest(&self) -> f64 {
         self.particles.iter().map(|p| p.radius).fold(0.0, f64::max)
     }
     /// Mean diameter of the particles [m].
-    pub fn mean_diameter(&self) -> f64 {
+    pub(super) fn mean_diameter(&self) -> f64 {
         2.0 * self.particles.iter().map(|p| p.radius).sum::<f64>() / self.particles.len().max(1) as f64
     }
     /// Radius of the smallest particle [m].
-    pub fn smallest(&self) -> f64 {
+    pub(super) fn smallest(&self) -> f64 {
         self.particles.iter().map(|p| p.radius).fold(f64::INFINITY, f64::min)
     }
 }
 
 /// Packs the fill for a seed, lets ring and fill come to rest under their weight. None where it was stopped.
-pub fn settled(
+pub(super) fn settled(
     bridge: &Bridge,
     particles: &Particles,
     seed: u64,

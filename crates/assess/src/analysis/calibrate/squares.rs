@@ -5,7 +5,7 @@ use structure::discretise::fill::FillRegion;
 
 /// Lower left corners [m] of squares of side `size` that lie at least `margin` inside the region: particles beside smooth
 /// walls stand in rows and are no sample of the fill. From both ends towards the middle, and upwards.
-pub fn squares(region: &FillRegion, size: f64, margin: f64) -> Vec<Vec2> {
+pub(super) fn squares(region: &FillRegion, size: f64, margin: f64) -> Vec<Vec2> {
     let (left, right) = bounds(region.outline.iter().map(|p| p.x));
     let top = region.layers.last().map_or(f64::NEG_INFINITY, |layer| layer.top) - margin;
     let middle = 0.5 * (left + right);

@@ -9,7 +9,7 @@ use outcome::calibration::{Contact, Strength, TargetStrength};
 
 /// How a search for strength ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Fitted {
+pub(super) enum Fitted {
     /// Contacts with the wanted strength.
     Contacts(Strength),
     /// The strongest fill that contacts make, weaker than wanted; or the weakest, stronger than wanted.
@@ -28,10 +28,10 @@ const MOST: usize = 8;
 const ROUNDS: usize = 2;
 
 /// A measurement; none where the onlooker stopped it.
-pub type Measure<'a> = dyn FnMut(Contact) -> Result<Option<Option<Strength>>, AnalysisError> + 'a;
+pub(super) type Measure<'a> = dyn FnMut(Contact) -> Result<Option<Option<Strength>>, AnalysisError> + 'a;
 
 /// Finds contacts with the wanted strength, from those of the file on.
-pub fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<'_>) -> Result<Fitted, AnalysisError> {
+pub(super) fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<'_>) -> Result<Fitted, AnalysisError> {
     let mut contact = first;
     let mut found = None;
     for _ in 0..ROUNDS {

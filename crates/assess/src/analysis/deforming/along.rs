@@ -25,7 +25,7 @@ const ROUNDS: usize = 3;
 const SHARES: [f64; 2] = [0.7, 0.8];
 
 /// The places of what moves over the bridge, in order.
-pub struct Places<'a> {
+pub(crate) struct Places<'a> {
     /// The bridge under its own weight, by every combination of factors on it.
     pub deforming: &'a [Deforming],
     /// How far loads are followed at each; none where nothing bounds them.
@@ -38,7 +38,7 @@ pub struct Places<'a> {
 }
 
 /// What moves over the bridge, and what may stand there.
-pub trait Moves: Sync {
+pub(crate) trait Moves: Sync {
     /// What stands on the bridge, and where.
     type Case: Clone + PartialEq + Send + Sync;
 
@@ -66,13 +66,13 @@ pub trait Moves: Sync {
 
 /// A case on deformable joints.
 #[derive(Debug, Clone)]
-pub struct Answer<C> {
+pub(crate) struct Answer<C> {
     pub case: C,
     pub found: Followed,
 }
 
 /// What is known of one that moves.
-pub struct Found<C> {
+pub(crate) struct Found<C> {
     /// The least answer at every place, and at the worst one between the places behind them; none where nothing was found.
     pub answers: Vec<Option<Answer<C>>>,
     pub service: Service,
@@ -80,12 +80,12 @@ pub struct Found<C> {
 
 impl<C> Found<C> {
     /// The least of all.
-    pub fn worst(&self) -> Option<&Answer<C>> {
+    pub(crate) fn worst(&self) -> Option<&Answer<C>> {
         worst(&self.answers)
     }
 
     /// At how many places the path broke off: the last state in balance counts there.
-    pub fn broken_off(&self) -> usize {
+    pub(crate) fn broken_off(&self) -> usize {
         self.answers.iter().flatten().filter(|answer| answer.found.broken_off).count()
     }
 }
@@ -95,7 +95,7 @@ fn worst<C>(answers: &[Option<Answer<C>>]) -> Option<&Answer<C>> {
 }
 
 /// Follows everything that moves over the bridge; tells whether all of it was done.
-pub fn along<M: Moves>(all: &[M], watch: &mut dyn Watch) -> (Vec<Found<M::Case>>, bool) {
+pub(crate) fn along<M: Moves>(all: &[M], watch: &mut dyn Watch) -> (Vec<Found<M::Case>>, bool) {
     let mut found: Vec<Found<M::Case>> = all.iter().map(begun).collect();
     let mut whole = everywhere(all, &mut found, watch) && over_borders(all, &mut found, watch);
     for (count, (one, found)) in all.iter().zip(&mut found).enumerate() {

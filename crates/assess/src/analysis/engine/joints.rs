@@ -6,7 +6,7 @@ use mechanics::contact;
 use structure::discretise::laws;
 
 /// Where joints press, by the plan, or by a method's own choice where that does not say.
-pub fn contact_length(plan: &Plan, own: JointContact) -> contact::ContactLength {
+pub(crate) fn contact_length(plan: &Plan, own: JointContact) -> contact::ContactLength {
     match (plan.contact.unwrap_or(own), plan.contact_length) {
         (JointContact::Distributed, _) => contact::ContactLength::Distributed,
         (JointContact::Points, ContactLength::Fixed) => contact::ContactLength::Fixed,
@@ -15,7 +15,7 @@ pub fn contact_length(plan: &Plan, own: JointContact) -> contact::ContactLength 
 }
 
 /// Refuses joints without stiffness.
-pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
+pub(crate) fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
     if !laws::has_stiffness(&laws::law(bridge, &bridge.joint)) {
         return Err(AnalysisError::NoStiffness { joint: "joints" });
     }

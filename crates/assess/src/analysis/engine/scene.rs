@@ -9,12 +9,12 @@ use structure::blocks::Scene;
 use structure::discretise::Discretised;
 
 /// Whether a material has a strength at which joints crush.
-pub fn crushes(scene: &Scene) -> bool {
+pub(crate) fn crushes(scene: &Scene) -> bool {
     scene.materials.iter().any(|material| material.masonry.compressive_strength.is_some())
 }
 
 /// The name of a block; particles are counted from 1.
-pub fn named(scene: &Scene, body: Body) -> String {
+pub(crate) fn named(scene: &Scene, body: Body) -> String {
     match body {
         Body::Block(block) => scene.bodies[block.index()].name.clone(),
         Body::Particle(particle) => format!("particle {}", particle.index() + 1),
@@ -22,13 +22,13 @@ pub fn named(scene: &Scene, body: Body) -> String {
 }
 
 /// A result with nothing found yet.
-pub fn blank(scene: &Scene, d: &Discretised, by: By, status: Status, picture: Picture) -> Collapse {
+pub(crate) fn blank(scene: &Scene, d: &Discretised, by: By, status: Status, picture: Picture) -> Collapse {
     let name = scene.name.clone();
     Collapse { bridge: name, width: scene.width, status, ..template::of_blocks(&scene.plan, d, by, picture) }
 }
 
 /// The blocks as they are drawn, under a title.
-pub fn built(scene: &Scene, title: &str) -> Picture {
+pub(crate) fn built(scene: &Scene, title: &str) -> Picture {
     let shape = |body: &structure::blocks::Body| Shape {
         outline: body.outline.clone(),
         role: "block".to_owned(),

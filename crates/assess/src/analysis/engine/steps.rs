@@ -8,7 +8,7 @@ use structure::discretise::Discretised;
 
 /// The steps of a run and the size of one [N/m]. What the plan leaves open is chosen from the limit load factor
 /// `bound`, and said.
-pub fn program(
+pub(super) fn program(
     plan: &Plan,
     d: &Discretised,
     bound: Option<f64>,

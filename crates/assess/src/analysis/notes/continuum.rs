@@ -9,7 +9,7 @@ use outcome::warning::{Warning, Yielding};
 use structure::discretise::{Discretised, continuum};
 
 /// Notes on bounds of the load.
-pub fn continuum(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+pub(crate) fn continuum(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     super::common(bridge, d, c);
     let (Some(report), Some(plan)) = (c.limit().and_then(|l| l.continuum.clone()), &bridge.continuum) else { return };
     let warnings = [
@@ -37,7 +37,7 @@ pub fn continuum(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
 }
 
 /// What a method says that knows no continuum.
-pub fn as_weight(bridge: &Bridge) -> Option<Note> {
+pub(super) fn as_weight(bridge: &Bridge) -> Option<Note> {
     continuum::wanted(bridge).map(|_| note::Soil::AsWeight.into())
 }
 

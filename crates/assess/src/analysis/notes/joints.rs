@@ -9,12 +9,12 @@ use outcome::warning::{self, Warning};
 const BRICK: f64 = 0.25;
 
 /// Joints that are held against sliding by the method alone.
-pub fn would_slide(Sliding { from, at, joints, most, place }: Sliding) -> Warning {
+pub(crate) fn would_slide(Sliding { from, at, joints, most, place }: Sliding) -> Warning {
     warning::Joints::Held { from, at, joints, most, place }.into()
 }
 
 /// Cohesion and tension of joints in limit analysis [Pa], with the strength of the masonry, where there is any.
-pub fn bond(bridge: &Bridge) -> Option<(f64, f64, Option<f64>)> {
+pub(crate) fn bond(bridge: &Bridge) -> Option<(f64, f64, Option<f64>)> {
     let joints = [Some(&bridge.joint), (most_rings(bridge) > 1).then_some(&bridge.ring_joint)];
     let of = |value: fn(&Joint) -> f64| joints.iter().flatten().map(|joint| value(joint)).fold(0.0, f64::max);
     let (cohesion, tension) = (of(|joint| joint.cohesion), of(|joint| joint.tensile_strength));
@@ -27,7 +27,7 @@ fn most_rings(bridge: &Bridge) -> usize {
 }
 
 /// Joints between rings that were not described, and a thick ring that has none.
-pub fn between_rings(bridge: &Bridge) -> Vec<warning::Joints> {
+pub(crate) fn between_rings(bridge: &Bridge) -> Vec<warning::Joints> {
     let mut told = Vec::new();
     let bonded = bridge.ring_joint.cohesion > 0.0 || bridge.ring_joint.tensile_strength > 0.0;
     if most_rings(bridge) > 1 && bonded && bridge.ring_joint == bridge.joint {

@@ -6,7 +6,7 @@ use outcome::warning;
 use structure::discretise::springings::are_level;
 
 /// Whether the spandrels between the walls are what is analysed, and not a wall.
-pub fn warnings(bridge: &Bridge, is_fill: bool) -> Vec<warning::Cover> {
+pub(super) fn warnings(bridge: &Bridge, is_fill: bool) -> Vec<warning::Cover> {
     let mut found = Vec::new();
     let cover = &bridge.cover;
     if is_fill {
@@ -29,7 +29,7 @@ pub fn warnings(bridge: &Bridge, is_fill: bool) -> Vec<warning::Cover> {
 }
 
 /// What was assumed of supports.
-pub fn assumptions(bridge: &Bridge) -> Vec<note::Barrel> {
+pub(super) fn assumptions(bridge: &Bridge) -> Vec<note::Barrel> {
     let level = are_level(bridge);
     let mut list = Vec::new();
     if bridge.spans.len() > 1 {

@@ -18,7 +18,7 @@ const PENALTY: f64 = 20.0;
 const ROUNDING: f64 = 500.0;
 
 /// The model of a meshed bridge.
-pub fn model(bridge: &Bridge, meshed: &Meshed, kinematics: Kinematics) -> Result<Model, PassageError> {
+pub(super) fn model(bridge: &Bridge, meshed: &Meshed, kinematics: Kinematics) -> Result<Model, PassageError> {
     let missing = bridge.service.missing(&bridge.masonry, bridge.cover.backing.as_ref());
     if !missing.is_empty() {
         let keys: Vec<String> = missing.iter().map(|m| format!("`{}` in [{}]", m.key, m.table)).collect();
@@ -140,7 +140,7 @@ fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
 }
 
 /// What the model assumes.
-pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<Note> {
+pub(super) fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<Note> {
     let JointLaw::Contact(contact) = contact(bridge, meshed) else { return Vec::new() };
     let (stiffness, friction, parts) = (contact.normal, contact.friction, contact.separation);
     let mut told = vec![

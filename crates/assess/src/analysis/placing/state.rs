@@ -44,12 +44,12 @@ pub(super) struct Put {
 
 impl State {
     /// The bridge with its own loads.
-    pub fn of_loads(bridge: &Bridge) -> Result<State, AnalysisError> {
+    pub(super) fn of_loads(bridge: &Bridge) -> Result<State, AnalysisError> {
         State::on(std::slice::from_ref(bridge))
     }
 
     /// The bridge with a vehicle under the factors of a rule.
-    pub fn of_vehicle(bridge: &Bridge, driven: &Driven) -> Result<State, AnalysisError> {
+    pub(super) fn of_vehicle(bridge: &Bridge, driven: &Driven) -> Result<State, AnalysisError> {
         let driven = driven.on(bridge)?;
         let mut state = State::on(&driven.bridges(bridge))?;
         let driving = Driving::new(&driven, &state.bridge, &state.built[0]);
@@ -72,24 +72,24 @@ impl State {
     }
 
     /// Whether the blocks carry their own weight.
-    pub fn stands(&self) -> bool {
+    pub(super) fn stands(&self) -> bool {
         self.grounds.iter().all(Ground::stands)
     }
 
     /// Whether places are answered by the quick method.
-    pub fn is_quick(&self) -> bool {
+    pub(super) fn is_quick(&self) -> bool {
         self.grounds.iter().all(Ground::is_fast)
     }
 
     /// The loads of the file, moved on by an offset [m].
-    pub fn loads(&self, offset: f64, friction: Friction) -> Put {
+    pub(super) fn loads(&self, offset: f64, friction: Friction) -> Put {
         let strips: Vec<Strip> = self.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect();
         let forces = self.forces(0, &self.bridge, &strips);
         Put { strips, forces, weights: 0, friction, carried: None, case: None, is_open: false }
     }
 
     /// The least of what a sweep tries of the vehicle with its first axle at a place [m].
-    pub fn governing(&mut self, position: f64, asked: Asked) -> Put {
+    pub(super) fn governing(&mut self, position: f64, asked: Asked) -> Put {
         let mut put = Put {
             strips: Vec::new(),
             forces: Vec::new(),
@@ -136,7 +136,7 @@ impl State {
     }
 
     /// What is carried under the loads of the file.
-    pub fn carried(&mut self, put: &Put, starts: Starts) -> Carried {
+    pub(super) fn carried(&mut self, put: &Put, starts: Starts) -> Carried {
         if !self.stands() {
             return Carried::nothing(Status::UnstableUnderSelfWeight);
         }
@@ -154,7 +154,7 @@ impl State {
     }
 
     /// Forces and mechanism of what stands at a place.
-    pub fn outcome(&mut self, put: &Put) -> Outcome {
+    pub(super) fn outcome(&mut self, put: &Put) -> Outcome {
         let k = put.weights;
         let mut sweeper = self.grounds[k].sweeper_with(std::mem::take(&mut self.learnt[k]));
         let effect = sweeper.effect(&put.forces);

@@ -6,12 +6,12 @@ use bridge::{Analysis, Bridge, Joint, Method, Strip};
 use outcome::help::Help;
 
 /// The helps that a bridge's file describes and its plan's method can see, in the order of [`Help::ALL`].
-pub fn helps(bridge: &Bridge) -> Vec<Help> {
+pub(super) fn helps(bridge: &Bridge) -> Vec<Help> {
     Help::ALL.iter().copied().filter(|help| has(bridge, *help)).collect()
 }
 
 /// The bridge with only some of its helps.
-pub fn with_only(bridge: &Bridge, all: &[Help], kept: &[Help]) -> Bridge {
+pub(super) fn with_only(bridge: &Bridge, all: &[Help], kept: &[Help]) -> Bridge {
     let lost: Vec<Change> = all.iter().filter(|help| !kept.contains(help)).map(|help| Change::Without(*help)).collect();
     state::with(bridge, &lost)
 }
@@ -20,7 +20,7 @@ pub fn with_only(bridge: &Bridge, all: &[Help], kept: &[Help]) -> Bridge {
 const EVERY_SET: usize = 3;
 
 /// The bridge with some places of lost stone and not all: one may help where another harms. With no more than one there is none such.
-pub fn with_some_lost_stone(bridge: &Bridge) -> Vec<Bridge> {
+pub(super) fn with_some_lost_stone(bridge: &Bridge) -> Vec<Bridge> {
     let places: Vec<(usize, usize)> = bridge
         .spans
         .iter()

@@ -15,7 +15,7 @@ use structure::blocks::Scene;
 type Method<'a, T> = &'a dyn Fn(&T, Option<&[u8]>, &mut dyn Watch) -> Result<Collapse, AnalysisError>;
 
 /// What a bridge comes to by a method, with what helps it left out.
-pub fn collapse(
+pub(crate) fn collapse(
     bridge: &Bridge,
     resume: Option<&[u8]>,
     watch: &mut dyn Watch,
@@ -31,7 +31,7 @@ pub fn collapse(
 }
 
 /// The same for blocks of a file or a drawing.
-pub fn of_blocks(
+pub(crate) fn of_blocks(
     scene: &Scene,
     resume: Option<&[u8]>,
     watch: &mut dyn Watch,

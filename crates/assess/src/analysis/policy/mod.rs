@@ -35,7 +35,7 @@ pub(super) struct State<T> {
 
 impl<T> State<T> {
     /// Whether it counts strength that may be lost, which only adds to a load.
-    pub fn counts_strength(&self) -> bool {
+    pub(super) fn counts_strength(&self) -> bool {
         self.helps.iter().any(|help| help.is_strength())
     }
 }

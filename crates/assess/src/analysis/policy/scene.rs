@@ -7,7 +7,7 @@ use outcome::help::Help;
 use structure::blocks::Scene;
 
 /// Every state of the blocks that may lead.
-pub fn states(scene: &Scene) -> Vec<State<Scene>> {
+pub(super) fn states(scene: &Scene) -> Vec<State<Scene>> {
     let crushes = scene.materials.iter().any(|material| material.masonry.compressive_strength.is_some());
     let limit = scene.plan.method == bridge::Method::Limit;
     let laws = || pairs(scene).into_iter().map(|[a, b]| scene.laws.between(a, b));

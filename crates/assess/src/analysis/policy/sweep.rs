@@ -22,7 +22,7 @@ type Method<'a> = &'a dyn Fn(&Bridge, Places, &mut dyn Watch) -> Result<Sweep, A
 const SAME_PLACE: f64 = 1e-9;
 
 /// Moves loads over a bridge with what helps it left out.
-pub fn swept(
+pub(crate) fn swept(
     bridge: &Bridge,
     places: Places,
     watch: &mut dyn Watch,

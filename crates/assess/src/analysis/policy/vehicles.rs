@@ -19,7 +19,7 @@ use outcome::warning;
 type Method<'a> = &'a dyn Fn(&Bridge, &mut dyn Watch) -> Result<VehicleSweep, AnalysisError>;
 
 /// Moves vehicles over a bridge with what helps it left out.
-pub fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) -> Result<VehicleSweep, AnalysisError> {
+pub(crate) fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) -> Result<VehicleSweep, AnalysisError> {
     let states = states_of_moving(bridge);
     if states.len() == 1 {
         return method(bridge, watch);

@@ -46,7 +46,7 @@ fn tables(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Tables {
 }
 
 /// Whether any channel of a sensor can be used as far as the tables alone tell; if none can, what was found in them.
-pub fn worth_a_passage(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Result<(), Vec<String>> {
+pub(super) fn worth_a_passage(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Result<(), Vec<String>> {
     let Tables { runs, named, findings } = tables(asked, setup, files);
     let series = examine(runs, &Scrutiny::default());
     let known = |name: &str| setup.sensors.iter().any(|sensor| sensor.name == name);
@@ -67,7 +67,7 @@ pub fn worth_a_passage(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Re
 }
 
 /// Channels in the order of the sensors, in the units in which they are shown, and how they came about.
-pub fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
+pub(super) fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
     let asked = task.asked;
     let Tables { runs, named, mut findings } = tables(asked, setup, task.files);
     let series = prepare(examine(runs, &scrutiny(asked, setup, start)), &preparation(task, setup, start));

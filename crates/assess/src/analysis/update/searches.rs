@@ -18,7 +18,7 @@ const SURROGATE: [usize; 2] = [150, 30];
 
 /// All that the searches gave.
 #[derive(Debug, Default)]
-pub struct Searches {
+pub(super) struct Searches {
     pub lines: Vec<SearchLine>,
     pub paper: Vec<PaperSearch>,
     pub modern: Option<modern::Outcome>,
@@ -38,7 +38,7 @@ enum End {
 
 impl Searches {
     /// Makes them, until one is stopped.
-    pub fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
+    pub(super) fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
         let mut all = Searches::default();
         let wants = |search| [search, update::Search::All].contains(&plan.search);
         if wants(update::Search::Hierarchical) {
@@ -167,7 +167,7 @@ impl Searches {
     }
 
     /// The search that ended with the least norm of a full passage.
-    pub fn best(&self) -> Option<usize> {
+    pub(super) fn best(&self) -> Option<usize> {
         let norm = |k: &usize| self.lines[*k].found.as_ref().map(|found| found.norm).filter(|norm| norm.is_finite());
         let ended = (0..self.lines.len()).filter_map(|k| norm(&k).map(|norm| (k, norm)));
         ended.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(k, _)| k)
@@ -197,12 +197,12 @@ fn of_status(status: &modern::Status) -> End {
 }
 
 /// What the data can tell at a point: by differences as wide as the modern search's.
-pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Identifiability, Halt> {
+pub(super) fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Identifiability, Halt> {
     calibrate::identify::identify(evaluator, basis, point, STEP)
 }
 
 /// Common gain and model error as the file asks for them.
-pub fn likelihood(plan: &Plan) -> Likelihood {
+pub(super) fn likelihood(plan: &Plan) -> Likelihood {
     let model_error = if plan.model_error > 0.0 { ModelError::Sought(plan.model_error) } else { ModelError::None };
     Likelihood { model_error, common_gain: plan.common_gain_deviation, ..Likelihood::default() }
 }
@@ -211,7 +211,7 @@ pub fn likelihood(plan: &Plan) -> Likelihood {
 const LINE_POINTS: usize = 11;
 
 /// What the records leave open with the model as a straight line about the answer; `problem` has the noise to take.
-pub fn linearised(
+pub(super) fn linearised(
     plan: &Plan,
     evaluator: &mut Evaluator,
     basis: &Basis,
@@ -226,7 +226,7 @@ pub fn linearised(
 }
 
 /// The posterior, sampled on a polynomial whose error is checked, stated and joined to the uncertainties of `noise`.
-pub fn posterior(
+pub(super) fn posterior(
     plan: &Plan,
     evaluator: &mut Evaluator,
     basis: &Basis,

@@ -17,7 +17,7 @@ pub const ROAD_LANE: f64 = 2.5;
 const TRACKS: f64 = 3.4;
 
 /// How many vehicles may stand abreast, and how far their middles are apart [m].
-pub fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
+pub(super) fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
     let asked = bridge.carriageway.clone().unwrap_or_default();
     let usual = if ways == Ways::Road { ROAD_LANE } else { TRACKS };
     let apart = asked.lane_width.unwrap_or(usual);
@@ -26,7 +26,7 @@ pub fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
 }
 
 /// How many vehicles of a kind may stand abreast, or one of it with so many lanes beside, and how far their middles are apart [m].
-pub fn room(bridge: &Bridge, chosen: &Chosen) -> (usize, f64) {
+pub(super) fn room(bridge: &Bridge, chosen: &Chosen) -> (usize, f64) {
     let (most, apart) = lanes(bridge, chosen.ways);
     let (vehicle, given) = (&chosen.vehicle, bridge.carriageway.as_ref().and_then(|asked| asked.lanes));
     let fits = bridge.width >= vehicle.wheel_track_m + BODY + ROAD_LANE;
@@ -42,7 +42,7 @@ pub fn room(bridge: &Bridge, chosen: &Chosen) -> (usize, f64) {
 const BODY: f64 = 0.5;
 
 /// What is done with forces across the bridge.
-pub fn sideways(bridge: &Bridge) -> note::Sideways {
+pub(super) fn sideways(bridge: &Bridge) -> note::Sideways {
     let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
     match sideways.eccentricity(bridge.gravity).0 > 0.0 {
         true => note::Sideways::Counted,
@@ -221,7 +221,7 @@ impl Arrangement<'_> {
 }
 
 /// The worst arrangement of a vehicle.
-pub fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
+pub(super) fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
     let (most, apart) = room(bridge, chosen);
     let edge = bridge.carriageway.as_ref().and_then(|asked: &Carriageway| asked.edge_distance);
     let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);

@@ -26,7 +26,7 @@ fn asked(one: &Swept) -> Option<f64> {
 }
 
 /// The vehicles, each with what stands in the lanes beside it where its rule asks for that and the carriageway has room.
-pub fn loaded(
+pub(super) fn loaded(
     bridge: &Bridge,
     (rule, plan): (&Rule, &SweepPlan),
     mut vehicles: Vec<Chosen>,
@@ -76,7 +76,7 @@ pub fn loaded(
 }
 
 /// What is assumed of lanes beside, in words.
-pub fn told(vehicles: &[Chosen]) -> impl Iterator<Item = note::Moving> {
+pub(super) fn told(vehicles: &[Chosen]) -> impl Iterator<Item = note::Moving> {
     vehicles.iter().filter_map(|chosen| {
         let (lane, rule) = (chosen.beside.as_ref()?, chosen.acting.beside.as_ref()?);
         Some(note::Moving::LanesBeside {

@@ -6,7 +6,7 @@ use outcome::vehicles::VehicleSweep;
 use outcome::warning;
 
 /// The run that governs, by its number, with each vehicle from the run that is worst for it; a run that was stopped stands by itself.
-pub fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
+pub(crate) fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
     let least = |run: &VehicleSweep| run.vehicles.iter().map(|one| one.size()).fold(f64::INFINITY, f64::min);
     let stopped = runs.iter().position(|run| run.status() == Ended::Cancelled);
     let base = stopped.unwrap_or_else(|| {
@@ -26,7 +26,7 @@ pub fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
 }
 
 /// Of runs with and without braking and traction, the worst for each vehicle.
-pub fn worst(share: f64, sideways: Sideways, runs: &[VehicleSweep]) -> VehicleSweep {
+pub(super) fn worst(share: f64, sideways: Sideways, runs: &[VehicleSweep]) -> VehicleSweep {
     let (_, mut found) = worst_of(runs);
     found.warnings.retain(|warning| warning.code() != warning::NO_LONGITUDINAL);
     found.assumptions.push(note::Moving::Braking { share, sideways }.into());

@@ -6,7 +6,7 @@ use rules::{Pattern, Vehicle};
 use structure::discretise::Discretised;
 
 /// A vehicle in one arrangement, driving one way.
-pub struct Drive {
+pub(super) struct Drive {
     pub vehicle: usize,
     /// The arrangement, as the vehicle drives: its first axle first.
     pub pattern: Pattern,
@@ -19,7 +19,7 @@ pub struct Drive {
 }
 
 /// What the arches and their cover reach over [m]: where a load acts on them.
-pub fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
+pub(super) fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
     let free = || d.extrados.stretches.iter().filter(|s| !s.ground);
     let from = free().map(|s| s.left.x).fold(f64::INFINITY, f64::min);
     let to = free().map(|s| s.right.x).fold(f64::NEG_INFINITY, f64::max);
@@ -29,13 +29,13 @@ pub fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
 }
 
 /// Distance between the positions of a sweep [m].
-pub fn places_apart(bridge: &Bridge, plan: &SweepPlan) -> f64 {
+pub(super) fn places_apart(bridge: &Bridge, plan: &SweepPlan) -> f64 {
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     plan.step.unwrap_or(shortest / 60.0)
 }
 
 /// Every drive of a vehicle. A vehicle that looks the same from both ends drives one way only.
-pub fn drives(index: usize, vehicle: &Vehicle, plan: &SweepPlan, [from, to]: [f64; 2], step: f64) -> Vec<Drive> {
+pub(super) fn drives(index: usize, vehicle: &Vehicle, plan: &SweepPlan, [from, to]: [f64; 2], step: f64) -> Vec<Drive> {
     let mut drives = Vec::new();
     for pattern in vehicle.patterns() {
         let ways: &[Direction] = match plan.directions {
@@ -65,7 +65,7 @@ pub fn drives(index: usize, vehicle: &Vehicle, plan: &SweepPlan, [from, to]: [f6
 
 impl Drive {
     /// Position of an axle when the first one stands at `position` [m].
-    pub fn axle_at(&self, position: f64, axle: usize) -> f64 {
+    pub(super) fn axle_at(&self, position: f64, axle: usize) -> f64 {
         let behind = self.pattern.axles[axle].offset;
         match self.direction {
             Direction::Right => position - behind,
@@ -75,7 +75,7 @@ impl Drive {
 }
 
 /// Borders of half spans, and of what lies beside the spans [m].
-pub fn borders(bridge: &Bridge, [from, to]: [f64; 2]) -> Vec<f64> {
+pub(super) fn borders(bridge: &Bridge, [from, to]: [f64; 2]) -> Vec<f64> {
     let mut borders = vec![from];
     let mut x = 0.0;
     for (k, span) in bridge.spans.iter().enumerate() {
@@ -91,7 +91,7 @@ pub fn borders(bridge: &Bridge, [from, to]: [f64; 2]) -> Vec<f64> {
 }
 
 /// Every run of neighbours among `count`.
-pub fn runs(count: usize, all: bool) -> Vec<[usize; 2]> {
+pub(super) fn runs(count: usize, all: bool) -> Vec<[usize; 2]> {
     match (count, all) {
         (0, _) => Vec::new(),
         (_, false) => vec![[0, count - 1]],

@@ -8,7 +8,7 @@ use rules::{EffectiveWidth, Rule};
 
 /// Lines of wheels or of rails across the bridge, of all vehicles abreast.
 #[derive(Debug, Clone)]
-pub struct Lines {
+pub(super) struct Lines {
     /// Where each is, from the middle of the first vehicle [m], and its share of the force of that vehicle's axle.
     pub lines: Vec<(f64, f64)>,
     /// Half the width on which one stands [m].
@@ -23,7 +23,7 @@ pub struct Lines {
 
 /// The strip that is loaded most.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Loaded {
+pub(super) struct Loaded {
     /// From one edge of the barrel [m].
     pub strip: [f64; 2],
     /// Where the middle of the first vehicle stands [m].
@@ -35,7 +35,7 @@ pub struct Loaded {
 }
 
 /// The strip that is loaded most, and how.
-pub fn most_loaded(rule: &Rule, barrel: f64, strips: &[[f64; 2]], lines: &Lines) -> Option<Loaded> {
+pub(super) fn most_loaded(rule: &Rule, barrel: f64, strips: &[[f64; 2]], lines: &Lines) -> Option<Loaded> {
     let mirrored = Lines { lines: lines.lines.iter().map(|(at, share)| (-at, *share)).collect(), ..lines.clone() };
     let all = [(lines, false), (&mirrored, true)].into_iter().flat_map(|(lines, turned)| {
         let places = places(barrel, strips, lines);

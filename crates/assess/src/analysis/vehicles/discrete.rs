@@ -18,7 +18,7 @@ use rules::Rule;
 const STEPS: f64 = 40.0;
 
 /// Raises the loads of a case in steps until it collapses. `by_limit` is the same case by limit analysis.
-pub fn carried(
+pub(super) fn carried(
     case: &Bridge,
     by_limit: &Collapse,
     rule: &Rule,

@@ -155,14 +155,14 @@ pub(in crate::analysis) enum Asked {
 
 impl Asked {
     /// From where loads of the file start without dilation.
-    pub fn starts(self) -> Starts {
+    pub(crate) fn starts(self) -> Starts {
         if self == Asked::Carefully { Starts::Every } else { Starts::Doubtful }
     }
 }
 
 impl Driving {
     /// A vehicle on a bridge with a rule's factors, and its blocks.
-    pub fn new(driven: &Driven, bridge: &Bridge, d: &Discretised) -> Driving {
+    pub(crate) fn new(driven: &Driven, bridge: &Bridge, d: &Discretised) -> Driving {
         let (mut feet, mut all) = (Vec::new(), Vec::new());
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for (k, (plan, vehicle)) in driven.runs.iter().enumerate() {
@@ -190,7 +190,7 @@ impl Driving {
 
     /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground, one sweeper and one end of an
     /// iteration without dilation, against which places are held where nothing slides, for each combination of weights.
-    pub fn governing(
+    pub(crate) fn governing(
         &self,
         d: &Discretised,
         (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),

@@ -10,7 +10,7 @@ use outcome::vehicles::{Case, Direction};
 use rules::{Pattern, Pressure, Rule};
 
 /// The bridge with the rule's factors on strengths, and one combination of those on weights.
-pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
+pub(super) fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
     let f = &rule.factors;
     let mut b = bridge.clone();
     weights::put(weights, &mut b);
@@ -42,7 +42,7 @@ pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
 
 /// Factors on what stands over one span.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OfSpan {
+pub(super) struct OfSpan {
     /// From springing to springing [m].
     pub range: [f64; 2],
     /// Factor on axles.
@@ -53,7 +53,7 @@ pub struct OfSpan {
 
 /// How an axle stands on the surface and spreads below it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Footprint {
+pub(super) struct Footprint {
     /// How it spreads.
     pub dispersal: Dispersal,
     /// Length on the surface [m].
@@ -82,12 +82,12 @@ impl Footprint {
     }
 
     /// Factor on an axle at a place [m].
-    pub fn axle_at(&self, x: f64) -> f64 {
+    pub(super) fn axle_at(&self, x: f64) -> f64 {
         self.at(x)[0]
     }
 
     /// Pieces of a stretch with one factor on uniform loads each: from, to [m], factor.
-    pub fn pieces(&self, from: f64, to: f64) -> Vec<(f64, f64, f64)> {
+    pub(super) fn pieces(&self, from: f64, to: f64) -> Vec<(f64, f64, f64)> {
         let inner = self.spans.iter().flat_map(|span| span.range);
         let mut borders: Vec<f64> = inner.filter(|x| *x > from + 1e-9 && *x < to - 1e-9).collect();
         borders.sort_by(f64::total_cmp);
@@ -105,13 +105,13 @@ impl Footprint {
     }
 
     /// The largest factor on axles of any span.
-    pub fn all(&self) -> f64 {
+    pub(super) fn all(&self) -> f64 {
         self.spans.iter().map(|span| span.axles).fold(0.0, f64::max)
     }
 }
 
 /// How a vehicle's axles stand and spread by a plan and a rule.
-pub fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen) -> Footprint {
+pub(super) fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen) -> Footprint {
     let depth = bridge.cover.depth;
     let mut x = 0.0;
     let mut spans = Vec::with_capacity(bridge.spans.len());
@@ -143,7 +143,7 @@ pub fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
 }
 
 /// The bridge with one case as its loads: each axle and each stretch of uniform load by itself, with its factors.
-pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen, case: &Case) -> Bridge {
+pub(super) fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen, case: &Case) -> Bridge {
     let foot = footprint(bridge, plan, rule, chosen);
     let vehicle = &chosen.vehicle;
     let mut b = bridge.clone();
@@ -184,7 +184,7 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
 }
 
 /// Where the pattern's uniform loads stand within a range: from, to [m], and pressure with its factors on its own width [Pa].
-pub fn clipped(pattern: &Pattern, foot: &Footprint, case: &Case, range: [f64; 2]) -> Vec<(f64, f64, f64)> {
+pub(super) fn clipped(pattern: &Pattern, foot: &Footprint, case: &Case, range: [f64; 2]) -> Vec<(f64, f64, f64)> {
     let place = |behind: f64| match case.direction {
         Direction::Right => case.position - behind,
         Direction::Left => case.position + behind,

@@ -8,7 +8,7 @@ const TIES: f64 = 1e-7;
 
 /// An answered case.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
+pub(super) struct Answer {
     pub key: Key,
     /// Factor of forces within strength.
     pub factor: f64,
@@ -17,7 +17,7 @@ pub struct Answer {
 }
 
 /// The least factor of answers, with the first case of those that tie for it: which one governs does not hang on round-off.
-pub fn least(answers: &[Answer]) -> Option<Answer> {
+pub(super) fn least(answers: &[Answer]) -> Option<Answer> {
     let least = answers.iter().min_by(|a, b| a.factor.total_cmp(&b.factor))?;
     let first = answers.iter().find(|answer| answer.factor <= least.factor * (1.0 + TIES))?;
     Some(Answer { key: first.key, ..*least })

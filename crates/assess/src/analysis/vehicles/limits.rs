@@ -8,7 +8,12 @@ use outcome::warning::{self, Braking, Lanes, TooLong, Warning};
 use rules::{Confidence, Source, Ways};
 
 /// Warnings of what vehicles rest on and of what is left out. `beyond`: load models left out because of their spans.
-pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[TooLong]) -> Vec<Warning> {
+pub(super) fn of_vehicles(
+    bridge: &Bridge,
+    vehicles: &[Chosen],
+    found: &VehicleSweep,
+    beyond: &[TooLong],
+) -> Vec<Warning> {
     let mut list = Vec::new();
     // Vehicles with the same source together.
     let mut sources: Vec<(Vec<String>, Source)> = Vec::new();

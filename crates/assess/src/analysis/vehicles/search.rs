@@ -25,20 +25,20 @@ use structure::discretise::Discretised;
 const CHUNK: usize = 24;
 /// Where cases are slow, one is left out whose upper bound by the mechanisms met before is this many times above the least factor
 /// at its position, and as many times more as such bounds lay above the answers at the position before.
-pub const FAR_ABOVE: f64 = 1.25;
+pub(crate) const FAR_ABOVE: f64 = 1.25;
 /// How many times too high bounds are taken to be before any was held against an answer.
 const LOOSE: f64 = 2.0;
 /// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
 const NEAR: f64 = 2.0;
 /// Cases in which joints slide that are answered again without dilation, for each vehicle; and as many in which none does.
-pub const SLIDING: usize = 3;
+pub(super) const SLIDING: usize = 3;
 /// Positions, the lowest, at which nothing slides that are held against the end of the iteration without dilation at the worst one.
 const STILL: usize = 24;
 /// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
 /// associated load in walls of blocks (docs/theory/limit-analysis.md), less in arches.
-pub const DILATANCY: f64 = 2.0;
+pub(crate) const DILATANCY: f64 = 2.0;
 /// Refinements of the worst position, each to a tenth.
-pub const REFINEMENTS: usize = 2;
+pub(crate) const REFINEMENTS: usize = 2;
 
 /// Result of one load case.
 enum CaseResult {
@@ -105,7 +105,7 @@ const POSITIONS: f64 = 0.8;
 
 /// Answers every case of every vehicle under every combination of factors on weights, with or without cases left out by a `screen`.
 /// Where the onlooker wishes to stop, vehicles that were not finished say so.
-pub fn all(
+pub(super) fn all(
     bridge: &Bridge,
     (rule, plan): (&Rule, &SweepPlan),
     (vehicles, weights): (&[Chosen], &[Weights]),

@@ -11,7 +11,7 @@ use structure::discretise::dispersal::{Strip, spread};
 const SEEDS: usize = 12;
 
 /// Mechanisms under an axle at many places, to begin with: wherever a vehicle stands, one of them lies near.
-pub fn seeds(
+pub(super) fn seeds(
     bridge: &Bridge,
     d: &Discretised,
     ground: &Ground,

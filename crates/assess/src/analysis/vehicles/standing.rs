@@ -12,7 +12,7 @@ use structure::discretise::dispersal::{Strip, spread};
 
 /// One case, by numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Key {
+pub(super) struct Key {
     pub drive: usize,
     /// Which combination of factors on weights.
     pub weights: usize,
@@ -27,7 +27,7 @@ pub struct Key {
 }
 
 /// What all cases share.
-pub struct Scene<'a> {
+pub(super) struct Scene<'a> {
     /// The bridge; its shape is the same under all weights.
     pub d: &'a Discretised,
     /// One for each combination of factors on weights.
@@ -54,7 +54,7 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     /// Everything that may stand with the first axle at a position. A sweeper of the first ground finds the effects.
-    pub fn cases(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Key, Effect)> {
+    pub(super) fn cases(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Key, Effect)> {
         let drive = &self.drives[index];
         let foot = &self.feet[drive.vehicle];
         // Axles that reach the arches; they are neighbours, for axles follow one another.
@@ -187,14 +187,14 @@ impl Scene<'_> {
     }
 
     /// A case by its places, without its load.
-    pub fn placed(&self, key: &Key) -> Case {
+    pub(super) fn placed(&self, key: &Key) -> Case {
         let (axles, critical_axle, weights) = (key.axles, key.critical, self.weights[key.weights]);
         let uniform = key.uniform.map(|[a, b]| [self.borders[a], self.borders[b + 1]]);
         Case { axles, critical_axle, weights, uniform, ..self.bare(key.drive, key.position) }
     }
 
     /// A case in words.
-    pub fn told(&self, key: &Key) -> Case {
+    pub(super) fn told(&self, key: &Key) -> Case {
         let drive = &self.drives[key.drive];
         let foot = &self.feet[drive.vehicle];
         let mut case = self.placed(key);
@@ -212,7 +212,7 @@ impl Scene<'_> {
     }
 
     /// The effect of one case at another position.
-    pub fn again(&self, sweepers: &mut [Sweeper], key: &Key, position: f64) -> Option<(Key, Effect)> {
+    pub(super) fn again(&self, sweepers: &mut [Sweeper], key: &Key, position: f64) -> Option<(Key, Effect)> {
         let wanted = Key { position, ..*key };
         let cases = self.cases(&mut sweepers[0], key.drive, position);
         let (_, effect) = cases.into_iter().find(|(other, _)| Key { weights: key.weights, ..*other } == wanted)?;
@@ -220,7 +220,7 @@ impl Scene<'_> {
     }
 
     /// An effect as the ground of other weights counts it.
-    pub fn under(&self, effect: &Effect, weights: usize) -> Effect {
+    pub(super) fn under(&self, effect: &Effect, weights: usize) -> Effect {
         self.grounds[weights].taken(effect, &self.grounds[0])
     }
 }

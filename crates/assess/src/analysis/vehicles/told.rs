@@ -7,7 +7,7 @@ use outcome::vehicles::{Case, Direction, Swept};
 use outcome::warning::{self, BrokenPath, Warning};
 
 /// Vehicle, adequacy factor, direction and the places of what stands on the bridge `loaded` with the case.
-pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
+pub(super) fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
     let factor = swept.adequacy.map_or(String::new(), |a| format!(" \u{d7} {a:.3}"));
     let way = match case.direction {
         Direction::Right => "travelling to the right",
@@ -21,7 +21,7 @@ pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
 }
 
 /// Braking or traction of a case, in words.
-pub fn along(horizontal: f64) -> Option<String> {
+pub(super) fn along(horizontal: f64) -> Option<String> {
     let way = if horizontal > 0.0 { "right" } else { "left" };
     (horizontal != 0.0)
         .then(|| format!("{:.0} % of the loads act along the bridge, to the {way}", 100.0 * horizontal.abs()))

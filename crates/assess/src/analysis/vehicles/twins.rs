@@ -6,7 +6,7 @@ use rules::Pattern;
 
 /// A vehicle whose loads are a multiple of those of an earlier one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Twin {
+pub(super) struct Twin {
     /// The earlier one.
     pub of: usize,
     /// How many times its loads.
@@ -14,7 +14,7 @@ pub struct Twin {
 }
 
 /// For each vehicle the first one that it is a multiple of: units of HB, numbers of RA.
-pub fn twins(vehicles: &[Chosen], feet: &[Footprint]) -> Vec<Option<Twin>> {
+pub(super) fn twins(vehicles: &[Chosen], feet: &[Footprint]) -> Vec<Option<Twin>> {
     let patterns: Vec<Vec<Pattern>> = vehicles.iter().map(|chosen| chosen.vehicle.patterns()).collect();
     let mut twins: Vec<Option<Twin>> = Vec::with_capacity(vehicles.len());
     for k in 0..vehicles.len() {

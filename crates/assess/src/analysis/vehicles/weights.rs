@@ -15,7 +15,7 @@ fn is_surfacing(layer: LayerKind) -> bool {
 
 /// Every combination of adverse and favourable factors on the weights that a bridge has; the one that is adverse throughout
 /// comes first.
-pub fn combinations(bridge: &Bridge, rule: &Rule) -> Vec<Weights> {
+pub(super) fn combinations(bridge: &Bridge, rule: &Rule) -> Vec<Weights> {
     let (f, favourable) = (&rule.factors, rule.factors.weight_favourable.value);
     let of = |adverse: f64| match adverse == favourable {
         true => vec![adverse],
@@ -38,7 +38,7 @@ pub fn combinations(bridge: &Bridge, rule: &Rule) -> Vec<Weights> {
 }
 
 /// Puts the factors on the weights of a bridge.
-pub fn put(weights: &Weights, on: &mut Bridge) {
+pub(super) fn put(weights: &Weights, on: &mut Bridge) {
     on.masonry.density *= weights.masonry;
     if let Some(wall) = &mut on.spandrel_wall {
         wall.density *= weights.masonry;

@@ -26,7 +26,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every bridge file of the folder, in the order of their names.
-pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let paths = bridge_files(&arguments.file)?;
     let shard = arguments.sharing.shard;
     let out = arguments.out.clone().unwrap_or_else(|| shards::folder_of(default_for(&arguments.file), shard));

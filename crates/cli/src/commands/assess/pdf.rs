@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The report as PDF, or code and words of the warning that stands in its place.
-pub fn pdf(material: &Material<'_>) -> Result<Vec<u8>, [String; 2]> {
+pub(super) fn pdf(material: &Material<'_>) -> Result<Vec<u8>, [String; 2]> {
     let Some(typesetter) = beside() else {
         let words = "report.pdf is not written, report.html holds the same; to have both: cargo install --path crates/report-pdf";
         return Err([warning::WITHOUT_PDF.to_owned(), words.to_owned()]);

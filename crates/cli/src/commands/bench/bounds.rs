@@ -15,7 +15,7 @@ const CLOSE: (f64, usize) = (1.02, 12_000);
 
 /// Repeats the bounds and gives the least and the middle time, once more for close ones; pictures and the range of strength are not
 /// part of it.
-pub fn run(arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
     let bridge = of_bridgemill("continuum.toml")?;
     let mut finer = bridge.clone();
     finer.continuum.iter_mut().for_each(|plan| (plan.bound_ratio, plan.elements) = CLOSE);

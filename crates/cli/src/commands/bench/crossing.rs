@@ -17,7 +17,7 @@ const UNLIMITED: &str = "\"unlimited\"";
 const VEHICLE: &str = include_str!("crossing/vehicle.toml");
 
 /// Repeats each sweep and gives its least time, from the bridge to the envelope of every position; pictures and pages are not part of it.
-pub fn run(arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
     let mut report = Report::new(Status::Completed).with("name", "crossing").with("repeats", arguments.repeats);
     let mut page = String::new();
     for (strength, about, key) in

@@ -30,7 +30,7 @@ struct Stepped {
 }
 
 /// One repeat after the other: the box on all threads and, where it is wanted, copies of it side by side.
-pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let count = arguments.count.unwrap_or(DISCS).max(LEAST) as usize;
     if let Some(steps) = arguments.steps {
         return from_the_packing(desk, arguments, count, u64::from(steps));

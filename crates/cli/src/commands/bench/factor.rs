@@ -28,7 +28,7 @@ impl Seconds {
 }
 
 /// Repeats all of it; each part's least time.
-pub fn run(arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
     let refused = |error: FootingError| Failure::input("F108", error.to_string(), "ask for fewer elements");
     let ground = footing(columns, Ground::Elastic, Element::Q4).map_err(refused)?;

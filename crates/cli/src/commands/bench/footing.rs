@@ -17,7 +17,7 @@ const COLUMNS: u32 = 142;
 const TOLERANCE: f64 = 1e-6;
 
 /// Repeats the push and gives the least and the middle time.
-pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
     let ground = arguments.material.unwrap_or(Ground::VonMises);
     let refused =

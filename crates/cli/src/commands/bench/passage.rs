@@ -22,7 +22,7 @@ const SIZE: f64 = 0.045;
 const COMPARED: usize = 50;
 
 /// Repeats the passage, then compares it with the plain path at some of its positions.
-pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let mut bridge = railway_arch()?;
     // A count is one of elements along a metre.
     bridge.service.mesh.size = Some(arguments.count.map_or(SIZE, |count| 1.0 / f64::from(count)));
@@ -164,7 +164,7 @@ impl Watch for Timed {
 }
 
 /// The example.
-pub fn railway_arch() -> Result<Bridge, Failure> {
+pub(super) fn railway_arch() -> Result<Bridge, Failure> {
     let example = examples::named("railway-arch");
     let text = example.and_then(|example| example.files.iter().find(|file| file.name == example.main));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);

@@ -17,7 +17,7 @@ use outcome::passage::PassageStatus;
 const SLICES: usize = 6;
 
 /// Evaluates models whose fill and mortar differ a little from one another, and gives the time of one.
-pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let bridge = railway_arch()?;
     let base = setup(&bridge).map_err(|error| results::not_set_up(&error))?;
     let count = base.positions.len();

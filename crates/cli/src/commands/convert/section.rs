@@ -18,7 +18,7 @@ const NAMED: usize = 5;
 const GAP: f64 = 0.05;
 
 /// Reads the section, fits its curve and writes what the extension `to` asks for.
-pub fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Failure> {
     if arguments.chord_tolerance.is_some() || arguments.gap_tolerance.is_some() || arguments.cut_concave {
         let message = "--chord-tolerance, --gap-tolerance and --cut-concave are for drawings (.dxf)";
         return Err(Failure::input("F107", message, "leave them out"));

@@ -11,7 +11,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Where a record goes and how it is taken, both settled before anything is computed.
-pub struct Recorder {
+pub(super) struct Recorder {
     path: PathBuf,
     logger: Logger,
     file: String,
@@ -19,7 +19,7 @@ pub struct Recorder {
 
 impl Recorder {
     /// What the command line asks for; None without `--records`.
-    pub fn new(arguments: &Respond) -> Result<Option<Recorder>, Failure> {
+    pub(super) fn new(arguments: &Respond) -> Result<Option<Recorder>, Failure> {
         let Some(path) = &arguments.records else { return Ok(None) };
         let logger = logger(&arguments.logger)?;
         free(path)?;
@@ -28,7 +28,7 @@ impl Recorder {
     }
 
     /// Writes the record, named after its file.
-    pub fn write(&self, passage: &Passage) -> Result<Written, Failure> {
+    pub(super) fn write(&self, passage: &Passage) -> Result<Written, Failure> {
         let name = self.path.file_stem().unwrap_or_default().to_string_lossy();
         let made_by = format!("extrados respond {}", self.file);
         let run = record(passage, &name, &made_by, &self.logger);
@@ -39,7 +39,7 @@ impl Recorder {
 }
 
 /// A record in its file.
-pub struct Written {
+pub(super) struct Written {
     /// The file.
     pub path: String,
     /// What it holds.
@@ -47,12 +47,12 @@ pub struct Written {
 }
 
 impl Written {
-    pub fn label(&self) -> &str {
+    pub(super) fn label(&self) -> &str {
         self.run.synthetic.as_deref().unwrap_or_default()
     }
 
     /// For the summary.
-    pub fn words(&self) -> String {
+    pub(super) fn words(&self) -> String {
         format!("synthetic record in {}: {}\n", self.path, self.label())
     }
 }

@@ -9,7 +9,7 @@ use serde_json::json;
 use std::fmt::Write;
 
 /// Path, value and meaning of every quantity.
-pub fn list(source: &Source) -> Result<Report, Failure> {
+pub(super) fn list(source: &Source) -> Result<Report, Failure> {
     let all = known(&source.project.document_without_ranges()?);
     let width = |of: fn(&bridge::vary::Known) -> &str| all.iter().map(|one| of(one).chars().count()).max().unwrap_or(0);
     let (paths, values) = (width(|one| &one.path), width(|one| &one.value).min(40));

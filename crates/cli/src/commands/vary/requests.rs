@@ -11,7 +11,7 @@ use extrados::files::LONGEST_TEXT;
 
 /// The ranges, or everything that is wrong with them. Findings about another file of ranges are shown with their places and stand in
 /// the report.
-pub fn gather(
+pub(super) fn gather(
     desk: &mut Desk,
     arguments: &Arguments,
     source: &Source,

@@ -3,7 +3,7 @@
 use crate::ladder::BASE;
 
 /// One thing that somebody changes.
-pub struct Change {
+pub(super) struct Change {
     /// Its kind, and what it is.
     pub kind: &'static str,
     pub name: String,
@@ -18,19 +18,19 @@ pub struct Change {
 }
 
 /// The base with a ring that CS 454 turns down by half, and a light load with a factor and a source beside its vehicles.
-pub fn failing() -> String {
+pub(super) fn failing() -> String {
     BASE.replace("thickness = \"0.45 m\"", "thickness = \"0.30 m\"")
         .replace("axle_force = \"100 kN\"", "axle_force = \"20 kN\"")
         .replace("source = \"CS 454\"", "source = \"CS 454\"\nadequacy_factor = 1.9\nadequacy_source = \"CS 454, 7.3\"")
 }
 
-pub fn change(kind: &'static str, name: impl Into<String>, text: String, named: &[&str]) -> Change {
+pub(super) fn change(kind: &'static str, name: impl Into<String>, text: String, named: &[&str]) -> Change {
     let named = named.iter().map(|word| (*word).to_owned()).collect();
     Change { kind, name: name.into(), text, beside: None, skip: &[], named }
 }
 
 /// Every change.
-pub fn changes() -> Vec<Change> {
+pub(super) fn changes() -> Vec<Change> {
     let base = failing();
     let mut list = Vec::new();
     omissions(&base, &mut list);

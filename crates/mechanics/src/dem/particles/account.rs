@@ -18,7 +18,7 @@ const SLIDES: f64 = 1.0 - 1e-12;
 
 impl Particles {
     /// Sum over the particles of the out-of-balance force [N/m], moments counted at the radius of gyration.
-    pub fn unbalanced(&self) -> f64 {
+    pub(crate) fn unbalanced(&self) -> f64 {
         let mut sum = 0.0;
         for chunk in &self.chunks {
             with_forces(chunk, &self.chunks, |_, force| {
@@ -29,7 +29,7 @@ impl Particles {
     }
 
     /// Work of gravity since the particles were built and elastic energy, both `half` a step [s] back.
-    pub fn energy(&self, model: &ParticleModel, half: f64) -> ParticleEnergy {
+    pub(crate) fn energy(&self, model: &ParticleModel, half: f64) -> ParticleEnergy {
         let mut sum = ParticleEnergy::default();
         for ((disc, built), weight) in self.discs.iter().zip(&model.built).zip(&model.weights) {
             let moved = vec2(disc.x - disc.vx * half - built[0], disc.y - disc.vy * half - built[1]);
@@ -57,7 +57,7 @@ impl Particles {
 
     /// Calls `each` with the compression [N/m] of every near pair, the distance [m] over which it acts inside the particles,
     /// and the rows of its particles.
-    pub fn each_force(&self, mut each: impl FnMut(f64, f64, (usize, Option<usize>))) {
+    pub(crate) fn each_force(&self, mut each: impl FnMut(f64, f64, (usize, Option<usize>))) {
         for chunk in &self.chunks {
             for c in &chunk.contacts {
                 let (i, j) = (chunk.first as usize + c.one as usize, c.other());
@@ -74,7 +74,7 @@ impl Particles {
     }
 
     /// Closed contacts, in the order of memory.
-    pub fn contacts(&self, model: &Model, poses: &[Pose]) -> Vec<ParticleContact> {
+    pub(crate) fn contacts(&self, model: &Model, poses: &[Pose]) -> Vec<ParticleContact> {
         let mut found = Vec::new();
         let id = |row: usize| ParticleId(model.particles.ids[row]);
         for chunk in &self.chunks {
@@ -124,7 +124,11 @@ impl Particles {
     }
 
     /// The particles one by one; stresses from the forces on their rims, `1/A sum x (x) f`.
-    pub fn states(&self, model: &ParticleModel, contacts: &[ParticleContact]) -> Table<ParticleId, ParticleState> {
+    pub(crate) fn states(
+        &self,
+        model: &ParticleModel,
+        contacts: &[ParticleContact],
+    ) -> Table<ParticleId, ParticleState> {
         let state = |row: &u32| {
             let d = &self.discs[*row as usize];
             ParticleState {

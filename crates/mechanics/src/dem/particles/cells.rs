@@ -22,7 +22,7 @@ const MOST_CELLS: usize = 4;
 
 impl Cells {
     /// Sorts `discs` into cells of at least `side` [m].
-    pub fn fill(&mut self, discs: &[Disc], side: f64) {
+    pub(crate) fn fill(&mut self, discs: &[Disc], side: f64) {
         let mut low = Vec2 { x: f64::INFINITY, y: f64::INFINITY };
         let mut high = -low;
         for d in discs {
@@ -70,7 +70,7 @@ impl Cells {
     }
     /// Calls `each` with the particles in the cells that the box from `low` to `high` touches, row by row.
     #[inline]
-    pub fn within(&self, low: Vec2, high: Vec2, mut each: impl FnMut(u32)) {
+    pub(crate) fn within(&self, low: Vec2, high: Vec2, mut each: impl FnMut(u32)) {
         if self.members.is_empty() {
             return;
         }
@@ -84,7 +84,7 @@ impl Cells {
         }
     }
     /// Bytes held.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         4 * (self.starts.capacity() + self.members.capacity() + self.homes.capacity())
     }
 }

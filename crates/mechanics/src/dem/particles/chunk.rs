@@ -34,7 +34,7 @@ pub(in crate::dem) struct Contact {
 pub(in crate::dem) const MOST_PARTICLES: usize = 1 << 24;
 
 impl Contact {
-    pub fn new(other: u32, law: u8, rows: (u16, u16), shear: f64, stiffness: (f64, f64)) -> Contact {
+    pub(crate) fn new(other: u32, law: u8, rows: (u16, u16), shear: f64, stiffness: (f64, f64)) -> Contact {
         Contact {
             tagged: other | u32::from(law) << 24,
             one: rows.0,
@@ -45,11 +45,11 @@ impl Contact {
         }
     }
     #[inline(always)]
-    pub fn other(&self) -> usize {
+    pub(crate) fn other(&self) -> usize {
         (self.tagged & 0x00FF_FFFF) as usize
     }
     #[inline(always)]
-    pub fn law(&self) -> usize {
+    pub(crate) fn law(&self) -> usize {
         (self.tagged >> 24) as usize
     }
 }
@@ -102,7 +102,7 @@ pub(in crate::dem) struct Chunk {
 impl Chunk {
     /// Forces of all pairs of particles of this chunk after a step of `dt` [s].
     /// What acts on each particle begins with its weight.
-    pub fn resist(&mut self, discs: &[Disc], weights: &[[f64; 2]], laws: &[PairLaw], dt: f64) {
+    pub(crate) fn resist(&mut self, discs: &[Disc], weights: &[[f64; 2]], laws: &[PairLaw], dt: f64) {
         let range = self.first as usize..(self.first + self.count) as usize;
         let (own, guests) = self.forces.split_at_mut(self.count as usize);
         own.iter_mut().zip(&weights[range]).for_each(|(force, w)| *force = Row([w[0], w[1], 0.0, 0.0]));
@@ -232,7 +232,7 @@ fn resist<'a, Q: Quad>(
 
 impl Chunk {
     /// Adds the forces of the leans; those on blocks are kept in `on_blocks`.
-    pub fn lean(&mut self, discs: &[Disc], blocks: Blocks<'_>, velocities: &[[f64; 3]], dt: f64) {
+    pub(crate) fn lean(&mut self, discs: &[Disc], blocks: Blocks<'_>, velocities: &[[f64; 3]], dt: f64) {
         self.on_blocks.fill([0.0; 3]);
         for lean in &mut self.leans {
             let disc = &discs[(self.first + lean.local) as usize];
@@ -249,7 +249,7 @@ impl Chunk {
         }
     }
     /// Bytes held.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         use std::mem::size_of;
         size_of::<Contact>() * self.contacts.capacity()
             + size_of::<Lean>() * self.leans.capacity()

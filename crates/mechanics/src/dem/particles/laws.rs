@@ -41,7 +41,7 @@ pub(in crate::dem) struct PairLaws {
 
 impl PairLaws {
     /// Laws between `groups`.
-    pub fn new(groups: Vec<GroupId>, laws: &LawTable) -> PairLaws {
+    pub(super) fn new(groups: Vec<GroupId>, laws: &LawTable) -> PairLaws {
         let pair = |a: GroupId, b: GroupId| {
             let law = laws.between(a, b);
             let (cohesion, cohesion_share) = match law.fixed_length {
@@ -54,11 +54,11 @@ impl PairLaws {
         PairLaws { groups, pairs }
     }
     /// The number of the law between two kinds of particles.
-    pub fn index(&self, a: u8, b: u8) -> u8 {
+    pub(super) fn index(&self, a: u8, b: u8) -> u8 {
         a * self.groups.len() as u8 + b
     }
     /// The number of a group.
-    pub fn kind(&self, group: GroupId) -> Option<u8> {
+    pub(super) fn kind(&self, group: GroupId) -> Option<u8> {
         self.groups.iter().position(|g| g.index() == group.index()).map(|k| k as u8)
     }
 }

@@ -110,7 +110,7 @@ fn nearest_of_all(core: &Core, q: Vec2, start: usize) -> (Vec2, f64, usize) {
 impl Lean {
     /// Where the particle leans now; remembers the edge.
     #[inline]
-    pub fn look(&mut self, disc: &Disc, core: &Core, pose: &Pose) -> Leaning {
+    pub(crate) fn look(&mut self, disc: &Disc, core: &Core, pose: &Pose) -> Leaning {
         let q = pose.rotation.turn_back(disc.centre() - pose.position);
         let (normal, distance, edge) = nearest(core, q, self.edge as usize);
         self.edge = edge as u32;
@@ -119,7 +119,14 @@ impl Lean {
 
     /// What the lean does after a step of `dt` [s].
     #[inline]
-    pub fn resist(&mut self, disc: &Disc, core: &Core, pose: &Pose, velocity: &[f64; 3], dt: f64) -> Option<Push> {
+    pub(crate) fn resist(
+        &mut self,
+        disc: &Disc,
+        core: &Core,
+        pose: &Pose,
+        velocity: &[f64; 3],
+        dt: f64,
+    ) -> Option<Push> {
         let at = self.look(disc, core, pose);
         if at.overlap <= 0.0 {
             if self.shear == 0.0 {

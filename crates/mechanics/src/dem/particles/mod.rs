@@ -74,7 +74,7 @@ pub(super) struct Particles {
 
 impl ParticleModel {
     /// Sets particles up that have been checked: at most [`MOST_PARTICLES`] in at most [`MOST_GROUPS`] groups.
-    pub fn new(particles: &Table<ParticleId, Particle>, laws: &LawTable, gravity: Vec2) -> ParticleModel {
+    pub(super) fn new(particles: &Table<ParticleId, Particle>, laws: &LawTable, gravity: Vec2) -> ParticleModel {
         let mut groups: Vec<GroupId> = particles.iter().map(|p| p.group).collect();
         groups.sort_unstable();
         groups.dedup();
@@ -96,24 +96,24 @@ impl ParticleModel {
         }
     }
     /// Number of particles.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.ids.len()
     }
     /// Group of a row.
-    pub fn group(&self, row: u32) -> GroupId {
+    pub(super) fn group(&self, row: u32) -> GroupId {
         self.laws.groups[self.kinds[row as usize] as usize]
     }
     /// Mass of a row as built [kg/m].
-    pub fn mass(&self, row: usize) -> f64 {
+    pub(super) fn mass(&self, row: usize) -> f64 {
         let r = self.built[row][2];
         self.densities[row] * std::f64::consts::PI * r * r
     }
     /// Weight of all particles [N/m], positive.
-    pub fn weight(&self) -> f64 {
+    pub(super) fn weight(&self) -> f64 {
         (0..self.len()).map(|row| self.mass(row)).sum::<f64>() * (self.gravity.x.abs() + self.gravity.y.abs())
     }
     /// A contact of the rows `i` and `j`, `i < j`.
-    pub fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
+    pub(super) fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
         let sum = discs[i as usize].radius + discs[j as usize].radius;
         let law = self.laws.index(self.kinds[i as usize], self.kinds[j as usize]);
         let k = stiffness(laws.between(self.group(i), self.group(j)), sum, sum);
@@ -121,7 +121,7 @@ impl ParticleModel {
     }
     /// Square of the largest angular frequency [1/s^2] of a row's particle and another like it that touch: both give way
     /// to the normal spring, and to the shear spring with three times their masses' reciprocal, for their rims turn.
-    pub fn of_its_like(&self, laws: &LawTable, row: u32, disc: &Disc) -> f64 {
+    pub(super) fn of_its_like(&self, laws: &LawTable, row: u32, disc: &Disc) -> f64 {
         let k = stiffness(laws.between(self.group(row), self.group(row)), 2.0 * disc.radius, 2.0 * disc.radius);
         2.0 * disc.inverse_mass * k.normal.max(3.0 * k.shear)
     }
@@ -130,7 +130,7 @@ impl ParticleModel {
         laws.between(self.group(i), self.group(j)).fixed_length.unwrap_or(sum)
     }
     /// The particles at rest where they are built, without contacts.
-    pub fn begin(&self) -> Particles {
+    pub(super) fn begin(&self) -> Particles {
         let disc = |row: usize| {
             let [x, y, radius] = self.built[row];
             Disc { x, y, radius, inverse_mass: 1.0 / self.mass(row), ..Disc::default() }
@@ -160,7 +160,7 @@ fn each_chunk(chunks: &mut [Chunk], work: &(dyn Fn(&mut Chunk) + Sync)) {
 
 impl Particles {
     /// Searches anew if anything may have moved far enough. Returns whether it did.
-    pub fn search(&mut self, model: &ParticleModel, blocks: Blocks<'_>, cells: &mut Cells, step: u64) -> bool {
+    pub(super) fn search(&mut self, model: &ParticleModel, blocks: Blocks<'_>, cells: &mut Cells, step: u64) -> bool {
         let idle = self.travel <= 0.5 * self.skin && step < self.searched + SEARCHES.1;
         if self.discs.is_empty() || idle {
             return false;
@@ -185,7 +185,7 @@ impl Particles {
 
     /// Forces of all contacts after a step of `dt` [s]; those on blocks are added to `on_blocks`, in the order of the
     /// chunks. Returns the energy lost [J/m].
-    pub fn resist(
+    pub(super) fn resist(
         &mut self,
         model: &ParticleModel,
         blocks: Blocks<'_>,
@@ -212,7 +212,7 @@ impl Particles {
 
     /// Moves all particles on: velocities by the first time [s], places by the second. Returns the largest distance moved [m], not finite if a number broke, and the energy
     /// taken out by damping [J/m].
-    pub fn integrate(&mut self, damping: Damping, viscosity: f64, (between, dt): (f64, f64)) -> (f64, f64) {
+    pub(super) fn integrate(&mut self, damping: Damping, viscosity: f64, (between, dt): (f64, f64)) -> (f64, f64) {
         let (local, share) = match damping {
             Damping::Local(share) => (true, share),
             _ => (false, 0.0),
@@ -243,7 +243,7 @@ impl Particles {
 
     /// Sums for the Rayleigh quotient of the present motion: change of force times velocity [W/m] and twice the kinetic
     /// energy [J/m]. Remembers the forces.
-    pub fn rayleigh(&mut self) -> (f64, f64) {
+    pub(super) fn rayleigh(&mut self) -> (f64, f64) {
         self.previous.resize(self.discs.len(), [0.0; 3]);
         let (chunks, discs) = (&self.chunks[..], &self.discs[..]);
         let one = |chunk: &Chunk, previous: &mut [Force]| {
@@ -268,7 +268,7 @@ impl Particles {
     }
 
     /// Sets the inertia of every particle to its mass and gives what was there [m/kg].
-    pub fn true_inertia(&mut self, model: &ParticleModel) -> Vec<f64> {
+    pub(super) fn true_inertia(&mut self, model: &ParticleModel) -> Vec<f64> {
         let true_mass =
             |(row, disc): (usize, &mut Disc)| std::mem::replace(&mut disc.inverse_mass, 1.0 / model.mass(row));
         self.discs.iter_mut().enumerate().map(true_mass).collect()
@@ -277,7 +277,7 @@ impl Particles {
     /// Gives particles on which springs of more than the middle one's frequency pull as much more inertia as brings them
     /// down to it. `squares` are bounds on the squared frequencies [1/s^2] with the true masses. Returns the kinetic energy
     /// gained by it [J/m].
-    pub fn scale_inertia(&mut self, before: &[f64], squares: &[f64]) -> f64 {
+    pub(super) fn scale_inertia(&mut self, before: &[f64], squares: &[f64]) -> f64 {
         if squares.is_empty() {
             return 0.0;
         }
@@ -294,7 +294,7 @@ impl Particles {
     }
 
     /// Bytes held for each particle, the model's share included.
-    pub fn bytes(&self, model: &ParticleModel, cells: &Cells) -> usize {
+    pub(super) fn bytes(&self, model: &ParticleModel, cells: &Cells) -> usize {
         let chunks: usize = self.chunks.iter().map(Chunk::bytes).sum();
         let rows = 64 * self.discs.capacity() + 24 * self.previous.capacity();
         chunks + rows + cells.bytes() + model.len() * (4 + 4 + 24 + 1 + 8 + 16)

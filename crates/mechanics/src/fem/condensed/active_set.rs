@@ -64,7 +64,7 @@ impl std::fmt::Debug for ActiveSet {
 impl ActiveSet {
     /// Sets the active parts. Parts that are active already stay so unless more than a quarter of them would be deactivated: to
     /// gather `G` anew costs more than a few linear rows.
-    pub fn update(&mut self, active: impl Iterator<Item = usize> + Clone, parts: &[Part], rows: &Rows) {
+    pub(super) fn update(&mut self, active: impl Iterator<Item = usize> + Clone, parts: &[Part], rows: &Rows) {
         let unchanged = active.clone().filter(|&part| self.contains(part)).count();
         if 4 * unchanged < 3 * self.parts.len() {
             self.parts.clear();
@@ -81,7 +81,7 @@ impl ActiveSet {
     }
 
     /// Activates more parts.
-    pub fn add(&mut self, more: impl Iterator<Item = usize>, parts: &[Part], rows: &Rows) {
+    pub(super) fn add(&mut self, more: impl Iterator<Item = usize>, parts: &[Part], rows: &Rows) {
         self.is_active.resize(parts.len(), false);
         self.local_index.resize(rows.len(), NO_INDEX);
         let (known, before) = (self.parts.len(), self.rows.len());
@@ -115,13 +115,13 @@ impl ActiveSet {
     }
 
     /// Whether a part is active.
-    pub fn contains(&self, part: usize) -> bool {
+    pub(super) fn contains(&self, part: usize) -> bool {
         self.is_active.get(part).copied().unwrap_or(false)
     }
 
     /// Gives the index of a retained row among the active ones.
     #[inline]
-    pub fn local_index(&self, row: usize) -> Option<usize> {
+    pub(super) fn local_index(&self, row: usize) -> Option<usize> {
         self.local_index
             .get(row)
             .filter(|local_index| **local_index != NO_INDEX)
@@ -129,14 +129,14 @@ impl ActiveSet {
     }
 
     /// Gives the changes of the active rows' values by `forces` on them, `G f` [m].
-    pub fn row_changes(&self, forces: &[f64]) -> Vec<f64> {
+    pub(super) fn row_changes(&self, forces: &[f64]) -> Vec<f64> {
         let mut row_changes = vec![0.0; self.rows.len()];
         add_multiples(&mut row_changes, self.flexibility.iter().map(Vec::as_slice).zip(forces.iter().copied()));
         row_changes
     }
 
     /// Gives the change of each active row's value by the force on itself alone, `G_rr f_r` [m]: of the size of `G f`, and cheap.
-    pub fn diagonal_row_changes(&self, forces: &[f64]) -> impl Iterator<Item = f64> {
+    pub(super) fn diagonal_row_changes(&self, forces: &[f64]) -> impl Iterator<Item = f64> {
         self.flexibility
             .iter()
             .zip(forces)
@@ -145,13 +145,13 @@ impl ActiveSet {
     }
 
     /// Discards the tangent, which belongs to another state than the current one.
-    pub fn discard_tangent(&mut self) {
+    pub(super) fn discard_tangent(&mut self) {
         (self.has_tangent, self.can_predict) = (false, false);
     }
 
     /// Predicts the change of the forces [N/m] for changes `values` of the active rows by the loads alone [m], with the last
     /// tangent; gives also the changes of the rows by these forces [m]. Zeros where there is no tangent.
-    pub fn predict(&mut self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn predict(&mut self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut right = vec![0.0; self.rows.len()];
         if !(self.has_tangent && self.can_predict) {
             return (right.clone(), right);
@@ -164,7 +164,7 @@ impl ActiveSet {
 
     /// Updates the tangent to the excess stiffness of the last evaluation: by a low-rank update where few rows have changed, by a
     /// new factorisation otherwise or if `refactorise`.
-    pub fn update_tangent(&mut self, parts: &[Part], refactorise: bool) {
+    pub(super) fn update_tangent(&mut self, parts: &[Part], refactorise: bool) {
         self.can_predict = true;
         if refactorise || !self.has_tangent || !self.update_low_rank(parts) {
             self.factorised.clear();
@@ -254,7 +254,7 @@ impl ActiveSet {
 
     /// Solves `(1 - S G) step = right` with the last tangent. Gives the step of the forces [N/m] and the changes of the rows by
     /// it [m].
-    pub fn solve(&mut self, right: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn solve(&mut self, right: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut known_step = right.to_vec();
         self.tangent.nonlinear_rows.iter().for_each(|&p| known_step[p] = 0.0);
         let mut row_step = self.row_changes(&known_step);

@@ -57,7 +57,7 @@ pub(super) struct Dense<D> {
 
 impl<D: Precision> Dense<D> {
     /// Sets `A` to the identity of a given size; gives its entries by rows for the caller to add to.
-    pub fn set_identity(&mut self, size: usize) -> &mut [D] {
+    pub(super) fn set_identity(&mut self, size: usize) -> &mut [D] {
         self.size = size;
         self.values.clear();
         self.values.resize(size * size, D::default());
@@ -66,7 +66,7 @@ impl<D: Precision> Dense<D> {
     }
 
     /// Factorises `A` in place, with partial pivoting.
-    pub fn factorise(&mut self) {
+    pub(super) fn factorise(&mut self) {
         let size = self.size;
         self.row_order.resize(size, 0);
         self.inverse_order.resize(size, 0);
@@ -78,7 +78,7 @@ impl<D: Precision> Dense<D> {
     }
 
     /// Solves `A x = right` in place, for one or more right-hand sides that follow one another.
-    pub fn solve(&mut self, right: &mut [f64]) {
+    pub(super) fn solve(&mut self, right: &mut [f64]) {
         let size = self.size;
         if size == 0 {
             return;

@@ -71,7 +71,7 @@ fn stress_norm(law: &DruckerPrager, [x, y, z, xy]: &Four) -> f64 {
 
 impl HourglassBound {
     /// Finds the bound of a quadrilateral; `None` for laws other than Drucker-Prager in plane strain without a tension cut-off.
-    pub fn new(quad: &QuadCheck<'_>) -> Option<HourglassBound> {
+    pub(super) fn new(quad: &QuadCheck<'_>) -> Option<HourglassBound> {
         let law = match (&quad.solid.material, quad.solid.plane) {
             (Material::DruckerPrager(law), Plane::Strain) if law.tension_cutoff.is_none() => law,
             _ => return None,
@@ -135,7 +135,7 @@ impl HourglassBound {
 
     /// Whether no point yields in any of the first solutions of `block`. `false` proves nothing.
     #[inline(always)]
-    pub fn proves_linear<const FUSED: bool>(&self, block: &Block, solutions: usize) -> bool {
+    pub(super) fn proves_linear<const FUSED: bool>(&self, block: &Block, solutions: usize) -> bool {
         let mut u = [equation_values(block, self.equations[0]); 8];
         for i in 1..8 {
             u[i] = equation_values(block, self.equations[i]);

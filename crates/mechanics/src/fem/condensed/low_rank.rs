@@ -38,19 +38,19 @@ pub(super) struct LowRankUpdate {
 
 impl LowRankUpdate {
     /// Drops the update and its columns: another tangent is factorised now.
-    pub fn reset(&mut self) {
+    pub(super) fn reset(&mut self) {
         let (capacitance, columns) = (std::mem::take(&mut self.capacitance), std::mem::take(&mut self.columns));
         *self = LowRankUpdate { capacitance, columns, ..LowRankUpdate::default() };
         self.columns.clear();
     }
 
     /// Whether the update changes nothing.
-    pub fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.columns_in_use.is_empty()
     }
 
     /// Takes the entries `changes` as `D`. Gives `false`, and leaves the update as it was, if they are in more than `most` rows.
-    pub fn build(
+    pub(super) fn build(
         &mut self,
         changes: &[StiffnessEntry],
         most: usize,
@@ -117,7 +117,7 @@ impl LowRankUpdate {
     }
 
     /// Corrects a step of the factorised tangent [N/m] to that of the updated one.
-    pub fn correct_step(&mut self, step: &mut [f64], flexibility: &[Vec<f64>]) {
+    pub(super) fn correct_step(&mut self, step: &mut [f64], flexibility: &[Vec<f64>]) {
         if self.is_empty() {
             return;
         }

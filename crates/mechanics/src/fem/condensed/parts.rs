@@ -90,7 +90,7 @@ struct History {
 
 impl Part {
     /// Makes the part of a spring as it stands in `state`.
-    pub fn spring(model: &Model, state: &State, index: usize) -> Part {
+    pub(super) fn spring(model: &Model, state: &State, index: usize) -> Part {
         let spring = &model.springs()[index];
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
         let mut part = Part::at_rest(Kind::Spring(index));
@@ -106,7 +106,7 @@ impl Part {
     }
 
     /// Makes the part of a quadrilateral as it stands in `state`; `None` where it has no linear stiffness.
-    pub fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
+    pub(super) fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
         let mut part = Part::at_rest(Kind::Quad(id));
         part.equations = quad_components(model, id).map(|component| model.dofs().equation(component));
         let samples = sample(&model.corners(id));
@@ -146,7 +146,7 @@ impl Part {
 
     /// Evaluates the part in the state in which the run begins, from which its excess force is counted. `None` where the law has
     /// no answer.
-    pub fn set_initial_excess(&mut self, model: &Model) -> Option<()> {
+    pub(super) fn set_initial_excess(&mut self, model: &Model) -> Option<()> {
         let at = self.base;
         self.initial_excess = [0.0; ROWS];
         self.evaluate_law(model, &at)?;
@@ -159,13 +159,13 @@ impl Part {
     /// Evaluates excess force and excess stiffness at the values [m] that `value` gives for retained rows. `None` where the law
     /// has no answer.
     #[inline]
-    pub fn evaluate(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
+    pub(super) fn evaluate(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
         let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
         self.evaluate_at(model, &at)
     }
 
     /// Whether the part would be linear at these values of its rows [m]. The trial history is overwritten.
-    pub fn is_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> bool {
+    pub(super) fn is_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> bool {
         let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
         self.check_linear(model, &at)
     }
@@ -181,7 +181,7 @@ impl Part {
     }
 
     /// Evaluates the part, retained or eliminated, in one solution of the linear system.
-    pub fn evaluate_in(&mut self, model: &Model, block: &Block, lane: usize) -> Option<()> {
+    pub(super) fn evaluate_in(&mut self, model: &Model, block: &Block, lane: usize) -> Option<()> {
         let mut at = self.base;
         for (at, opening) in at.iter_mut().zip(&self.openings) {
             *at += opening.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum::<f64>();
@@ -234,7 +234,7 @@ impl Part {
     }
 
     /// Gives the tension of an unbroken spring by the last evaluation, over its strength; 0 for quadrilaterals.
-    pub fn overstress(&self, model: &Model) -> f64 {
+    pub(super) fn overstress(&self, model: &Model) -> f64 {
         let Kind::Spring(index) = self.kind else { return 0.0 };
         let spring = &model.springs()[index];
         model.joints[spring.kind].overstress(
@@ -245,7 +245,7 @@ impl Part {
     }
 
     /// Marks the spring as broken in the committed history.
-    pub fn break_spring(&mut self) {
+    pub(super) fn break_spring(&mut self) {
         self.committed.history.bond.memory.broken = true;
     }
 
@@ -274,7 +274,7 @@ impl Part {
     }
 
     /// Calls `push` with each entry of the excess stiffness between retained rows: row, column, derivative [N/m²].
-    pub fn for_each_stiffness_entry(&self, mut push: impl FnMut(usize, usize, f64)) {
+    pub(super) fn for_each_stiffness_entry(&self, mut push: impl FnMut(usize, usize, f64)) {
         for i in 0..ROWS {
             for j in 0..ROWS {
                 if let (Some(p), Some(q), true) = (self.rows[i], self.rows[j], self.excess_stiffness[i][j] != 0.0) {
@@ -285,7 +285,7 @@ impl Part {
     }
 
     /// Whether the excess force is larger than rounding.
-    pub fn has_excess(&self) -> bool {
+    pub(super) fn has_excess(&self) -> bool {
         // Rounding of the difference of two equal forces.
         const ROUNDING: f64 = 1e-13;
         let size = |i: usize| self.stiffness[i][i].abs();
@@ -297,7 +297,7 @@ impl Part {
 
     /// Whether the linear system is wrong for this part by the last evaluation: it has an excess force, its history changes, or
     /// it is beyond its strength.
-    pub fn needs_retaining(&self, model: &Model) -> bool {
+    pub(super) fn needs_retaining(&self, model: &Model) -> bool {
         let points = self.trial.points.iter().zip(&self.committed.history.points);
         !self.linear
             && (self.has_excess()
@@ -307,7 +307,7 @@ impl Part {
     }
 
     /// Restores the state in which the run began.
-    pub fn revert_to_start(&mut self, state: &State) {
+    pub(super) fn revert_to_start(&mut self, state: &State) {
         self.committed.excess = [0.0; ROWS];
         self.committed.linear = true;
         match self.kind {
@@ -321,7 +321,7 @@ impl Part {
     }
 
     /// Commits the last evaluation; gives the state before, where it was another one.
-    pub fn commit(&mut self) -> Option<Committed> {
+    pub(super) fn commit(&mut self) -> Option<Committed> {
         if self.linear && self.committed.linear {
             return None;
         }
@@ -331,12 +331,12 @@ impl Part {
     }
 
     /// Gives the change of the excess force since it was last committed [N/m].
-    pub fn excess_change(&self) -> [f64; ROWS] {
+    pub(super) fn excess_change(&self) -> [f64; ROWS] {
         std::array::from_fn(|i| self.excess[i] - self.committed.excess[i])
     }
 
     /// Gives the pointwise test of a quadrilateral without incompatible modes.
-    pub fn quad_check<'a>(&'a self, model: &'a Model) -> Option<QuadCheck<'a>> {
+    pub(super) fn quad_check<'a>(&'a self, model: &'a Model) -> Option<QuadCheck<'a>> {
         let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return None };
         let (solid, points) = (&model.section(id).solid, &self.committed.history.points);
         let quad = QuadCheck { solid, samples, points, base: &self.base, equations: &self.equations };
@@ -345,7 +345,7 @@ impl Part {
 
     /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed, and the number of that
     /// law.
-    pub fn spring_check<'a>(&'a self, model: &'a Model) -> Option<(usize, SpringCheck<'a>)> {
+    pub(super) fn spring_check<'a>(&'a self, model: &'a Model) -> Option<(usize, SpringCheck<'a>)> {
         let Kind::Spring(index) = self.kind else { return None };
         let (kind, area) = (model.springs()[index].kind, model.springs()[index].area);
         let law = &model.joints[kind];
@@ -365,7 +365,7 @@ impl Part {
 
     /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
     /// nothing: the law has to be evaluated.
-    pub fn proves_linear(&self, model: &Model, block: &Block, solutions: usize) -> bool {
+    pub(super) fn proves_linear(&self, model: &Model, block: &Block, solutions: usize) -> bool {
         struct Wide<'a>(&'a Part, &'a Model, &'a Block, usize);
         impl pulp::NullaryFnOnce for Wide<'_> {
             type Output = bool;
@@ -384,7 +384,7 @@ impl Part {
     /// Whether the part is provably linear at both row values that `value` gives for a row, and was linear when last committed.
     /// Its excess force is then the committed one. `false` proves nothing: the law has to be evaluated.
     #[inline]
-    pub fn proves_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> [f64; 2]) -> bool {
+    pub(super) fn proves_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> [f64; 2]) -> bool {
         let at = std::array::from_fn(|i| self.rows[i].map_or([self.base[i]; 2], &value));
         let linear = self.committed.linear
             && match self.quad_check(model) {
@@ -400,17 +400,17 @@ impl Part {
     }
 
     /// Gives the committed state.
-    pub fn committed(&self) -> Committed {
+    pub(super) fn committed(&self) -> Committed {
         self.committed
     }
 
     /// Restores a committed state.
-    pub fn restore(&mut self, committed: &Committed) {
+    pub(super) fn restore(&mut self, committed: &Committed) {
         self.committed = *committed;
     }
 
     /// Writes the part to a state: the trial history where the part is linear, the committed one where it is not.
-    pub fn write_to(&self, state: &mut State) {
+    pub(super) fn write_to(&self, state: &mut State) {
         let now = if self.linear { &self.trial } else { &self.committed.history };
         match self.kind {
             Kind::Spring(index) => state.bonds[index] = now.bond,
@@ -422,12 +422,12 @@ impl Part {
     }
 
     /// Gives the committed pair of a spring; `None` for a quadrilateral.
-    pub fn committed_bond(&self) -> Option<&Bond> {
+    pub(super) fn committed_bond(&self) -> Option<&Bond> {
         matches!(self.kind, Kind::Spring(_)).then_some(&self.committed.history.bond)
     }
 
     /// Counts the points that yield in the committed state.
-    pub fn yielding_points(&self) -> usize {
+    pub(super) fn yielding_points(&self) -> usize {
         match self.kind {
             Kind::Quad(_) => self.committed.history.points.iter().filter(|point| point.yields).count(),
             Kind::Spring(_) => 0,
@@ -435,7 +435,7 @@ impl Part {
     }
 
     /// Whether the part is a plain quadrilateral all of whose points yield.
-    pub fn locks(&self, model: &Model) -> bool {
+    pub(super) fn locks(&self, model: &Model) -> bool {
         matches!(self.kind, Kind::Quad(id) if model.may_lock(id))
             && self.committed.history.points.iter().all(|point| point.yields)
     }

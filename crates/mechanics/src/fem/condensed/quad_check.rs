@@ -37,7 +37,7 @@ pub(super) struct QuadCheck<'a> {
 impl QuadCheck<'_> {
     /// Whether no point yields in any of the first solutions of `block`. `false` proves nothing: the law has to be evaluated.
     #[inline(always)]
-    pub fn proves_linear(&self, block: &Block, solutions: usize) -> bool {
+    pub(super) fn proves_linear(&self, block: &Block, solutions: usize) -> bool {
         for k in 0..solutions.div_ceil(LANES) {
             let mut u = [[0.0; LANES]; 8];
             for i in 0..8 {
@@ -55,7 +55,7 @@ impl QuadCheck<'_> {
 
     /// Whether no point yields at any of `L` displacements of the corners [m], by components.
     #[inline(always)]
-    pub fn proves_linear_at<const L: usize>(&self, u: &[[f64; L]; 8]) -> bool {
+    pub(super) fn proves_linear_at<const L: usize>(&self, u: &[[f64; L]; 8]) -> bool {
         (0..4).all(|point| self.proves_point_linear_at(point, u))
     }
 

@@ -52,7 +52,7 @@ pub(super) struct Row {
 
 impl Row {
     /// Makes the row of a functional; `displacements` are those of all components when the run began [m].
-    pub fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
+    pub(super) fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
         let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
         Row {
             terms: functional.0.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect(),
@@ -61,13 +61,13 @@ impl Row {
     }
 
     /// Gives the equations of the row and their weights.
-    pub fn terms(&self) -> &[(u32, f64)] {
+    pub(super) fn terms(&self) -> &[(u32, f64)] {
         &self.terms
     }
 
     /// Gives the change of the row's value in one solution of a block [m].
     #[inline]
-    pub fn change_in(&self, block: &Block, lane: usize) -> f64 {
+    pub(super) fn change_in(&self, block: &Block, lane: usize) -> f64 {
         self.terms.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum()
     }
 
@@ -85,7 +85,7 @@ impl Row {
     }
 
     /// Appends a force on the row [N/m] to a right-hand side.
-    pub fn append_force(&self, right: &mut Vec<(u32, f64)>, force: f64) {
+    pub(super) fn append_force(&self, right: &mut Vec<(u32, f64)>, force: f64) {
         right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
     }
 }
@@ -110,34 +110,34 @@ const WIDE_PATTERN: usize = 100;
 
 impl Rows {
     /// Makes an empty set of rows for a number of patterns.
-    pub fn new(patterns: usize) -> Rows {
+    pub(super) fn new(patterns: usize) -> Rows {
         Rows { influence: vec![Vec::new(); patterns], ..Rows::default() }
     }
 
     /// Gives the number of rows.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.list.len()
     }
 
     /// Gives the rows in the order in which they were retained.
-    pub fn list(&self) -> &[Row] {
+    pub(super) fn list(&self) -> &[Row] {
         &self.list
     }
 
     /// Gives one row of `G` [m²/N]; `G` is symmetric.
     #[inline]
-    pub fn flexibility_row(&self, row: usize) -> &[f64] {
+    pub(super) fn flexibility_row(&self, row: usize) -> &[f64] {
         &self.flexibility[row]
     }
 
     /// Gives `G` by rows [m²/N].
-    pub fn flexibility_rows(&self) -> &[Vec<f64>] {
+    pub(super) fn flexibility_rows(&self) -> &[Vec<f64>] {
         &self.flexibility
     }
 
     /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
     /// give the entries of `G` and `H` between new and old rows, and patterns. Where `asking` stops, entries are left out.
-    pub fn append(
+    pub(super) fn append(
         &mut self,
         fresh: Vec<Row>,
         patterns: &[Vec<(u32, f64)>],
@@ -210,20 +210,20 @@ impl Rows {
     }
 
     /// Gives the change of one row's value [m] under loads of given `amplitudes` and `forces` on all rows [N/m].
-    pub fn row_change(&self, row: usize, amplitudes: &[f64], forces: &[f64]) -> f64 {
+    pub(super) fn row_change(&self, row: usize, amplitudes: &[f64], forces: &[f64]) -> f64 {
         let loads = self.influence.iter().zip(amplitudes).map(|(influence, amplitude)| amplitude * influence[row]);
         loads.sum::<f64>() + dot(&self.flexibility[row], forces)
     }
 
     /// Gives the changes of all row values under loads alone, `H a` [m].
-    pub fn load_changes(&self, amplitudes: &[f64]) -> Vec<f64> {
+    pub(super) fn load_changes(&self, amplitudes: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.list.len()];
         add_multiples(&mut sums, self.influence.iter().map(Vec::as_slice).zip(amplitudes.iter().copied()));
         sums
     }
 
     /// Adds to `values` the changes of all row values under forces on some rows, `G f` [m].
-    pub fn add_row_changes(&self, values: &mut [f64], forces: impl Iterator<Item = (usize, f64)>) {
+    pub(super) fn add_row_changes(&self, values: &mut [f64], forces: impl Iterator<Item = (usize, f64)>) {
         add_multiples(values, forces.map(|(row, force)| (self.flexibility[row].as_slice(), force)));
     }
 }

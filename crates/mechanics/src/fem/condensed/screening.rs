@@ -45,7 +45,7 @@ struct SpringData {
 
 impl Screening {
     /// Collects the tests of parts with the memory that they have now.
-    pub fn new(model: &Model, parts: &[Part]) -> Screening {
+    pub(super) fn new(model: &Model, parts: &[Part]) -> Screening {
         let mut screening = Screening::default();
         for part in parts {
             let test = match (part.quad_check(model), part.spring_check(model)) {
@@ -71,7 +71,7 @@ impl Screening {
 
     /// Finds the parts that are not proven linear in all of the first solutions of `block`, in ascending order; passes over those
     /// marked in `skip`.
-    pub fn unproven(&self, model: &Model, block: &Block, solutions: usize, skip: &[bool]) -> Vec<usize> {
+    pub(super) fn unproven(&self, model: &Model, block: &Block, solutions: usize, skip: &[bool]) -> Vec<usize> {
         let all = Screen { screening: self, model, block, solutions, skip };
         if has_fma() { widest(WithFma(all)) } else { all.unproven::<false>() }
     }

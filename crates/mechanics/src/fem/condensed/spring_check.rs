@@ -22,7 +22,7 @@ impl SpringCheck<'_> {
     /// Whether the spring stays closed in all of the first solutions of `block`. `false` proves nothing: the law has to be
     /// evaluated.
     #[inline(always)]
-    pub fn proves_linear(&self, block: &Block, solutions: usize) -> bool {
+    pub(super) fn proves_linear(&self, block: &Block, solutions: usize) -> bool {
         let mut linear = true;
         for k in 0..solutions.div_ceil(LANES) {
             let mut opening = [[0.0; LANES]; 2];

@@ -26,7 +26,7 @@ pub(super) struct Tangent<D> {
 
 impl<D: Precision> Tangent<D> {
     /// Builds and factorises `1 - S G` for the entries `stiffness` of `S` and the rows `flexibility` of `G`.
-    pub fn factorise_for(&mut self, stiffness: &[StiffnessEntry], flexibility: &[Vec<f64>]) {
+    pub(super) fn factorise_for(&mut self, stiffness: &[StiffnessEntry], flexibility: &[Vec<f64>]) {
         self.nonlinear_rows.clear();
         self.nonlinear_rows.extend(stiffness.iter().map(|(p, _, _)| *p));
         self.nonlinear_rows.sort_unstable();
@@ -50,7 +50,7 @@ impl<D: Precision> Tangent<D> {
 
     /// Solves `(1 - S G) step = right` for the change `step` of the forces [N/m]. `row_changes` are the changes of all row values
     /// [m] by the part of the step on rows with an empty row of `S`, which is known, and by whatever else changes them.
-    pub fn solve(&mut self, right: &[f64], row_changes: &[f64]) -> Vec<f64> {
+    pub(super) fn solve(&mut self, right: &[f64], row_changes: &[f64]) -> Vec<f64> {
         let mut rest: Vec<f64> = self.nonlinear_rows.iter().map(|&p| right[p]).collect();
         for &(p, q, s) in &self.stiffness {
             rest[self.index_of[p]] += s * row_changes[q];
@@ -62,7 +62,7 @@ impl<D: Precision> Tangent<D> {
     }
 
     /// Solves `(1 - S G) step = e_r` for each row `r` of `rows` in turn.
-    pub fn unit_steps(&mut self, rows: &[usize], flexibility: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    pub(super) fn unit_steps(&mut self, rows: &[usize], flexibility: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let size = self.nonlinear_rows.len();
         let mut right = vec![0.0; size * rows.len()];
         let is_nonlinear = |row: usize| self.nonlinear_rows.binary_search(&row).is_ok();

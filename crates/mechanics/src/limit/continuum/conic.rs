@@ -45,26 +45,26 @@ pub(super) struct Affine {
 
 impl Affine {
     /// One variable.
-    pub fn of(variable: usize) -> Affine {
+    pub(super) fn of(variable: usize) -> Affine {
         Affine { terms: vec![(variable, 1.0)], constant: 0.0 }
     }
     /// `coefficient` times this added to `sum`.
-    pub fn add_to(&self, sum: &mut Affine, coefficient: f64) {
+    pub(super) fn add_to(&self, sum: &mut Affine, coefficient: f64) {
         sum.terms.extend(self.terms.iter().map(|&(i, v)| (i, v * coefficient)));
         sum.constant += coefficient * self.constant;
     }
     /// So many times this.
-    pub fn times(&self, coefficient: f64) -> Affine {
+    pub(super) fn times(&self, coefficient: f64) -> Affine {
         Affine::sum(&[(coefficient, self)])
     }
     /// The sum of several, each times its coefficient.
-    pub fn sum(parts: &[(f64, &Affine)]) -> Affine {
+    pub(super) fn sum(parts: &[(f64, &Affine)]) -> Affine {
         let mut sum = Affine::default();
         parts.iter().for_each(|(c, part)| part.add_to(&mut sum, *c));
         sum
     }
     /// Its value.
-    pub fn at(&self, variables: &[f64]) -> f64 {
+    pub(super) fn at(&self, variables: &[f64]) -> f64 {
         self.terms.iter().fold(self.constant, |sum, &(i, v)| sum + v * variables[i])
     }
 }
@@ -112,20 +112,20 @@ pub(super) const EFFORTS: [Accuracy; 2] = [
 
 impl Conic {
     /// A new equation with its right side.
-    pub fn equation(&mut self, right: f64) -> usize {
+    pub(super) fn equation(&mut self, right: f64) -> usize {
         self.right.push(right);
         self.right.len() - 1
     }
     /// A new variable of any sign.
-    pub fn free(&mut self) -> usize {
+    pub(super) fn free(&mut self) -> usize {
         self.variable(Kind::Free)
     }
     /// A new variable that is not negative.
-    pub fn positive(&mut self) -> usize {
+    pub(super) fn positive(&mut self) -> usize {
         self.variable(Kind::Positive)
     }
     /// Three new variables, the first no less than the length of the others.
-    pub fn cone(&mut self) -> usize {
+    pub(super) fn cone(&mut self) -> usize {
         let first = self.variable(Kind::Cone);
         self.variable(Kind::Member);
         self.variable(Kind::Member);
@@ -138,7 +138,7 @@ impl Conic {
         self.kinds.len() - 1
     }
     /// Adds to an equation what depends on the variables.
-    pub fn add(&mut self, equation: usize, coefficient: f64, what: &Affine) {
+    pub(super) fn add(&mut self, equation: usize, coefficient: f64, what: &Affine) {
         if coefficient == 0.0 {
             return;
         }
@@ -148,16 +148,16 @@ impl Conic {
         self.right[equation] -= coefficient * what.constant;
     }
     /// How many variables and equations there are.
-    pub fn size(&self) -> [usize; 2] {
+    pub(super) fn size(&self) -> [usize; 2] {
         [self.kinds.len(), self.right.len()]
     }
     /// What some variables put into equations, each times its multiplier, but for equations that are their own.
-    pub fn power(&self, variables: &Range<usize>, own: &Range<usize>, found: &Solved) -> f64 {
+    pub(super) fn power(&self, variables: &Range<usize>, own: &Range<usize>, found: &Solved) -> f64 {
         let of = |j: usize| self.columns[j].iter().filter(|(i, _)| !own.contains(i)).map(move |&(i, v)| (i, v, j));
         variables.clone().flat_map(of).map(|(i, v, j)| v * found.variables[j] * found.multipliers[i]).sum::<f64>().abs()
     }
     /// Demands that a number is not negative. Gives the equation.
-    pub fn at_least_zero(&mut self, what: &Affine) -> usize {
+    pub(super) fn at_least_zero(&mut self, what: &Affine) -> usize {
         let slack = self.positive();
         let equation = self.equation(0.0);
         self.add(equation, 1.0, what);
@@ -165,17 +165,17 @@ impl Conic {
         equation
     }
     /// Demands that a number is zero.
-    pub fn zero(&mut self, what: &Affine) {
+    pub(super) fn zero(&mut self, what: &Affine) {
         let equation = self.equation(0.0);
         self.add(equation, 1.0, what);
     }
     /// What a variable costs.
-    pub fn cost(&mut self, variable: usize, cost: f64) {
+    pub(super) fn cost(&mut self, variable: usize, cost: f64) {
         self.cost[variable] = cost;
     }
 
     /// Solves it until what is made of the solution is an answer.
-    pub fn answer<T>(&self, token: &CancelToken, of: impl Fn(Solved) -> Result<T, Ending>) -> Result<T, Ending> {
+    pub(super) fn answer<T>(&self, token: &CancelToken, of: impl Fn(Solved) -> Result<T, Ending>) -> Result<T, Ending> {
         let mut found = Err(Ending::Unknown);
         for accuracy in EFFORTS {
             found = of(self.solve(accuracy, token));

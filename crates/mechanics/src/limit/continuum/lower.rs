@@ -227,17 +227,17 @@ pub(super) struct Ends {
 }
 
 impl Ends {
-    pub fn of(mesh: &Mesh, edge: usize) -> Ends {
+    pub(super) fn of(mesh: &Mesh, edge: usize) -> Ends {
         let points = mesh.ends(edge);
         let run = points[1] - points[0];
         Ends { points, ids: mesh.edges[edge].ends, length: run.norm(), normal: run.right().unit() }
     }
     /// The corners of a triangle at the two ends.
-    pub fn corners(&self, mesh: &Mesh, triangle: usize) -> [usize; 2] {
+    pub(super) fn corners(&self, mesh: &Mesh, triangle: usize) -> [usize; 2] {
         self.ids.map(|id| mesh.triangles[triangle].iter().position(|&p| p == id).unwrap_or(0))
     }
     /// Where the resultants of tractions act that fall from one at an end to zero at the other.
-    pub fn thirds(&self) -> [Vec2; 2] {
+    pub(super) fn thirds(&self) -> [Vec2; 2] {
         let [a, b] = self.points;
         [(a * 2.0 + b) * (1.0 / 3.0), (a + b * 2.0) * (1.0 / 3.0)]
     }

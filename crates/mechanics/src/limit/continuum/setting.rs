@@ -42,7 +42,7 @@ pub(super) enum Question {
 }
 
 impl<'a> Setting<'a> {
-    pub fn new(
+    pub(super) fn new(
         model: &BlockModel,
         loading: &Loading,
         settings: &Settings,
@@ -90,7 +90,7 @@ impl<'a> Setting<'a> {
     }
 
     /// What permanent and variable loads are multiplied by, in the units of the program, under a question.
-    pub fn loads_of(&self, question: Question) -> [Share; 2] {
+    pub(super) fn loads_of(&self, question: Question) -> [Share; 2] {
         match question {
             Question::Factor => [
                 Share { constant: 1.0 / self.force, factor: 0.0 },
@@ -103,7 +103,7 @@ impl<'a> Setting<'a> {
     }
 
     /// The factor, the equations of the blocks, the forces of their joints within strength.
-    pub fn begin(&self, program: &mut Conic, question: Question) -> Base {
+    pub(super) fn begin(&self, program: &mut Conic, question: Question) -> Base {
         let eq = &self.equilibrium;
         for _ in 0..eq.rows {
             program.equation(0.0);
@@ -170,7 +170,7 @@ impl<'a> Setting<'a> {
     }
 
     /// The equations of a block that a force (1, 0), (0, 1) at a point takes part in, with its coefficients.
-    pub fn rows_of(&self, block: BlockId, at: Vec2) -> [Vec<(usize, f64)>; 2] {
+    pub(super) fn rows_of(&self, block: BlockId, at: Vec2) -> [Vec<(usize, f64)>; 2] {
         let arm = at - self.centroids[block];
         let rows = self.equilibrium.row[block];
         let of = |values: [f64; 3]| rows.iter().zip(values).filter_map(|(r, v)| r.map(|i| (i, v))).collect();
@@ -179,29 +179,29 @@ impl<'a> Setting<'a> {
     }
 
     /// The velocity of a point of a block, of what multiplies its equations.
-    pub fn velocity(&self, block: Option<BlockId>, at: Vec2, velocities: &[f64]) -> Vec2 {
+    pub(super) fn velocity(&self, block: Option<BlockId>, at: Vec2, velocities: &[f64]) -> Vec2 {
         let Some(block) = block else { return Vec2::ZERO };
         let [x, y] = self.rows_of(block, at).map(|rows| rows.iter().map(|&(i, v)| v * velocities[i]).sum::<f64>());
         crate::plane::vec2(x, y)
     }
 
     /// The soil of a triangle.
-    pub fn soil_of(&self, mesh: &Mesh, triangle: usize) -> Soil {
+    pub(super) fn soil_of(&self, mesh: &Mesh, triangle: usize) -> Soil {
         self.soil.regions[mesh.regions[triangle]].soil
     }
 
     /// What holds the soil out of its plane.
-    pub fn panels(&self) -> &[Panel] {
+    pub(super) fn panels(&self) -> &[Panel] {
         self.soil.confinement.as_ref().map_or(&[], |confinement| &confinement.panels)
     }
 
     /// Pore pressure at a point [Pa].
-    pub fn pore(&self, at: Vec2) -> f64 {
+    pub(super) fn pore(&self, at: Vec2) -> f64 {
         self.soil.water.map_or(0.0, |w| w.pressure(at))
     }
 
     /// The body that an edge of the boundary touches.
-    pub fn body(&self, mesh: &Mesh, edge: usize) -> Option<(Option<BlockId>, Contact)> {
+    pub(super) fn body(&self, mesh: &Mesh, edge: usize) -> Option<(Option<BlockId>, Contact)> {
         match self.soil.sides[mesh.edges[edge].side?].bears {
             Bears::Body { block, contact } => Some((block, contact)),
             Bears::Load { .. } => None,
@@ -209,7 +209,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Tractions on an edge of the boundary that touches nothing [Pa]: permanent and variable.
-    pub fn tractions(&self, mesh: &Mesh, edge: usize) -> [Vec2; 2] {
+    pub(super) fn tractions(&self, mesh: &Mesh, edge: usize) -> [Vec2; 2] {
         match mesh.edges[edge].side.map(|s| self.soil.sides[s].bears) {
             Some(Bears::Load { permanent, variable }) => [permanent, variable],
             _ => [Vec2::ZERO; 2],
@@ -226,7 +226,7 @@ pub(super) struct Share {
 
 impl Share {
     /// As a number that depends on the factor.
-    pub fn of(self, factor: usize) -> Affine {
+    pub(super) fn of(self, factor: usize) -> Affine {
         let terms = if self.factor == 0.0 { Vec::new() } else { vec![(factor, self.factor)] };
         Affine { terms, constant: self.constant }
     }

@@ -24,7 +24,7 @@ pub(super) struct Sideways {
 pub(super) type Weights = [[f64; 2]; 3];
 
 impl Sideways {
-    pub fn of(setting: &Setting<'_>, mesh: &Mesh, triangle: usize, soil: &Soil) -> Option<Sideways> {
+    pub(super) fn of(setting: &Setting<'_>, mesh: &Mesh, triangle: usize, soil: &Soil) -> Option<Sideways> {
         let corners = mesh.corners(triangle);
         let middle = corners.iter().map(|p| p.x).sum::<f64>() / 3.0;
         let panel = setting.soil.confinement.as_ref()?.beside(middle)?;
@@ -32,13 +32,13 @@ impl Sideways {
     }
 
     /// Beside the same panel with another soil.
-    pub fn with(&self, soil: &Soil) -> Sideways {
+    pub(super) fn with(&self, soil: &Soil) -> Sideways {
         let (sin, cos) = soil.friction_angle.sin_cos();
         Sideways { ratio: (1.0 + sin) / (1.0 - sin), cohesive: 2.0 * soil.cohesion * cos / (1.0 - sin), ..*self }
     }
 
     /// By how much a stress (xx, yy, xy) [Pa] exceeds the strength beside a pressure on the panel [Pa].
-    pub fn excess(&self, [xx, yy, xy]: [f64; 3], pore: f64, pressure: f64) -> f64 {
+    pub(super) fn excess(&self, [xx, yy, xy]: [f64; 3], pore: f64, pressure: f64) -> f64 {
         let (sum, radius) = (xx + yy + 2.0 * pore, (xx - yy).hypot(2.0 * xy));
         radius - sum - 2.0 * (self.ratio * pressure + self.cohesive)
     }

@@ -15,7 +15,7 @@ pub(super) struct Strengths {
 
 impl Strengths {
     /// As given.
-    pub fn of(setting: &Setting<'_>, mesh: &Mesh) -> Strengths {
+    pub(super) fn of(setting: &Setting<'_>, mesh: &Mesh) -> Strengths {
         let soils: Vec<Soil> = (0..mesh.triangles.len()).map(|t| setting.soil_of(mesh, t)).collect();
         Strengths {
             sideways: soils.iter().enumerate().map(|(t, soil)| Sideways::of(setting, mesh, t, soil)).collect(),
@@ -25,7 +25,7 @@ impl Strengths {
     }
 
     /// Reduced after Davis for a dilatancy angle [rad].
-    pub fn reduced(&self, dilatancy: f64) -> Strengths {
+    pub(super) fn reduced(&self, dilatancy: f64) -> Strengths {
         let of = |soil: &Soil| soil.reduced(1.0, dilatancy);
         let contact = |c: &Contact| {
             let factor = davis(c.friction.atan(), dilatancy.min(c.friction.atan()));

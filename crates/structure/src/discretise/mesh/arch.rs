@@ -28,7 +28,7 @@ impl End {
 }
 
 /// The rings of a span where they stand in the bridge. Places along them are shares of the intrados' arc length.
-pub struct Arch<'a> {
+pub(super) struct Arch<'a> {
     /// The span as the file has it.
     pub span: &'a Span,
     /// Its intrados.
@@ -37,31 +37,31 @@ pub struct Arch<'a> {
 
 impl Arch<'_> {
     /// A point of ring `ring`, at a share of its depth from its intrados.
-    pub fn at(&self, share: f64, ring: usize, depth: f64) -> Vec2 {
+    pub(super) fn at(&self, share: f64, ring: usize, depth: f64) -> Vec2 {
         let (point, normal) = self.curve.at(share);
         let [lower, upper] = faces(self.span, ring, share);
         point + normal * (lower + depth * (upper - lower))
     }
 
     /// A point of the intrados.
-    pub fn intrados(&self, share: f64) -> Vec2 {
+    pub(super) fn intrados(&self, share: f64) -> Vec2 {
         self.at(share, 0, 0.0)
     }
 
     /// A point of the extrados.
-    pub fn extrados(&self, share: f64) -> Vec2 {
+    pub(super) fn extrados(&self, share: f64) -> Vec2 {
         self.at(share, self.span.rings.len() - 1, 1.0)
     }
 
     /// Length of the extrados between two shares [m].
-    pub fn extrados_length(&self, from: f64, to: f64) -> f64 {
+    pub(super) fn extrados_length(&self, from: f64, to: f64) -> f64 {
         const CHORDS: usize = 8;
         let at = |k: usize| self.extrados(from + (to - from) * k as f64 / CHORDS as f64);
         (0..CHORDS).map(|k| (at(k + 1) - at(k)).norm()).sum()
     }
 
     /// Unit tangent of the extrados away from a springing, by the intrados' normal.
-    pub fn rising(&self, end: End, from_springing: f64) -> Vec2 {
+    pub(super) fn rising(&self, end: End, from_springing: f64) -> Vec2 {
         let (_, normal) = self.curve.at(end.share(from_springing));
         match end {
             End::Left => normal.right(),
@@ -70,7 +70,7 @@ impl Arch<'_> {
     }
 
     /// The first share from the springing, up to `most`, at which `met` turns true.
-    pub fn first(&self, end: End, most: f64, met: impl Fn(Vec2, Vec2) -> bool) -> Option<f64> {
+    pub(super) fn first(&self, end: End, most: f64, met: impl Fn(Vec2, Vec2) -> bool) -> Option<f64> {
         let holds = |d: f64| met(self.extrados(end.share(d)), self.rising(end, d));
         let k = (0..=STEPS).find(|&k| holds(most * k as f64 / STEPS as f64))?;
         if k == 0 {

@@ -36,7 +36,7 @@ const WAYS: [Rows; 4] = [
 /// A way whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
 const FAIR: f64 = 0.15;
 
-pub fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
+pub(super) fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
     let arches = arches(bridge)?;
     room_on_piers(&arches, options.size)?;
     let (surface, ballast_pressure) = surface(bridge, &arches)?;

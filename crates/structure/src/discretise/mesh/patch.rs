@@ -3,11 +3,11 @@
 use mechanics::plane::Vec2;
 
 /// Points of a region, row by row from the bottom, each from left to right.
-pub type Points = Vec<Vec<Vec2>>;
+pub(super) type Points = Vec<Vec<Vec2>>;
 
 /// Points between four sides by transfinite interpolation (Gordon and Hall). Bottom and top run to the right and have as many
 /// points, left and right run up and have as many; corners are on two sides.
-pub fn between(bottom: &[Vec2], top: &[Vec2], left: &[Vec2], right: &[Vec2]) -> Points {
+pub(super) fn between(bottom: &[Vec2], top: &[Vec2], left: &[Vec2], right: &[Vec2]) -> Points {
     let (columns, rows) = (bottom.len() - 1, left.len() - 1);
     let along = |side: &[Vec2], of: fn(Vec2) -> f64| -> Vec<f64> {
         let (first, last) = (of(side[0]), of(side[side.len() - 1]));
@@ -39,13 +39,13 @@ pub fn between(bottom: &[Vec2], top: &[Vec2], left: &[Vec2], right: &[Vec2]) -> 
 }
 
 /// Points at equal steps from one to another, both included.
-pub fn line(from: Vec2, to: Vec2, parts: usize) -> Vec<Vec2> {
+pub(super) fn line(from: Vec2, to: Vec2, parts: usize) -> Vec<Vec2> {
     let at = |k: usize| if k == parts { to } else { from + (to - from) * (k as f64 / parts as f64) };
     (0..=parts).map(at).collect()
 }
 
 /// Distances from 0 to `length` in steps that start with about `first` and grow by `growth` up to `most` [m].
-pub fn growing(length: f64, first: f64, growth: f64, most: f64) -> Vec<f64> {
+pub(super) fn growing(length: f64, first: f64, growth: f64, most: f64) -> Vec<f64> {
     let mut steps: Vec<f64> = Vec::new();
     let (mut sum, mut step) = (0.0, first);
     while sum < length * (1.0 - 1e-9) {
@@ -75,7 +75,7 @@ pub fn growing(length: f64, first: f64, growth: f64, most: f64) -> Vec<f64> {
 }
 
 /// Points at these distances from one point to another; the last distance is that of the other.
-pub fn spaced(from: Vec2, to: Vec2, distances: &[f64]) -> Vec<Vec2> {
+pub(super) fn spaced(from: Vec2, to: Vec2, distances: &[f64]) -> Vec<Vec2> {
     let length = distances.last().copied().unwrap_or(1.0);
     distances.iter().map(|d| if *d == length { to } else { from + (to - from) * (d / length) }).collect()
 }

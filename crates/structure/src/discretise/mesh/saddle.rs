@@ -18,7 +18,7 @@ const GOOD: f64 = 0.55;
 
 /// Tops of the layers of rows: shares of the arc length from the springing, on both sides of a support.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Layers {
+pub(super) struct Layers {
     /// Up the right end of the span on the left.
     pub left: Vec<f64>,
     /// Up the left end of the span on the right.
@@ -28,7 +28,7 @@ pub struct Layers {
 }
 
 /// One side of a support: the arch that springs there, or the line over an abutment's back at this x.
-pub enum Side<'a> {
+pub(super) enum Side<'a> {
     Arch(&'a Arch<'a>, End),
     /// An abutment's back [m].
     Back(f64),
@@ -68,7 +68,7 @@ const POOR: f64 = 0.25;
 
 /// The layers over a support. `levels` [m] are those at which materials change, from below; `size` [m] is the least
 /// height of a layer. `steep` says whether rows reach further where the extrados is steep.
-pub fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, size: f64) -> Layers {
+pub(super) fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, size: f64) -> Layers {
     let mut found = Layers::default();
     let mut from = [0.0, 0.0];
     let mut foot = left.at(0.0, f64::NEG_INFINITY).y.max(right.at(0.0, f64::NEG_INFINITY).y);

@@ -22,7 +22,7 @@ struct Break {
 
 /// The stations of a span while they are counted.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Breaks {
+pub(super) struct Breaks {
     breaks: Vec<Break>,
     /// For each ring, the breaks at which its joints stand.
     joints: Vec<Vec<usize>>,
@@ -34,7 +34,7 @@ pub struct Breaks {
 
 /// The stations of a span.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Stations {
+pub(super) struct Stations {
     /// Shares of the arc length, from the left springing.
     pub shares: Vec<f64>,
     /// For each ring, the stations at which its joints stand, springings included.
@@ -47,7 +47,7 @@ pub struct Stations {
 
 impl Breaks {
     /// The breaks of `arch`, with the tops of layers at its left and its right end, and elements of about `size` [m].
-    pub fn new(arch: &Arch<'_>, left: &[f64], right: &[f64], size: f64) -> Breaks {
+    pub(super) fn new(arch: &Arch<'_>, left: &[f64], right: &[f64], size: f64) -> Breaks {
         let mut shares: Vec<f64> = Vec::new();
         let rings = &arch.span.rings;
         let mut wanted: Vec<Vec<f64>> = Vec::new();
@@ -114,7 +114,7 @@ impl Breaks {
         }
     }
 
-    pub fn stations(&self) -> Stations {
+    pub(super) fn stations(&self) -> Stations {
         let mut shares = Vec::new();
         let mut first = Vec::with_capacity(self.breaks.len());
         for (k, b) in self.breaks.iter().enumerate() {
@@ -133,7 +133,7 @@ impl Breaks {
 }
 
 /// Makes the layers over a pier the same in number and rows, on both sides.
-pub fn match_rows(left: &mut Breaks, right: &mut Breaks) {
+pub(super) fn match_rows(left: &mut Breaks, right: &mut Breaks) {
     let layers = left.layers[1].len().min(right.layers[0].len());
     left.layers[1].truncate(layers);
     right.layers[0].truncate(layers);
@@ -145,7 +145,7 @@ pub fn match_rows(left: &mut Breaks, right: &mut Breaks) {
 }
 
 /// The breaks of all spans.
-pub fn count(arches: &[Arch<'_>], layers: &[Layers], size: f64) -> Vec<Breaks> {
+pub(super) fn count(arches: &[Arch<'_>], layers: &[Layers], size: f64) -> Vec<Breaks> {
     let mut all: Vec<Breaks> = arches
         .iter()
         .enumerate()

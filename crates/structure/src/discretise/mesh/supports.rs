@@ -10,7 +10,7 @@ use mechanics::plane::{Vec2, vec2};
 const STEEP: f64 = 50.0 / 180.0 * std::f64::consts::PI;
 
 /// One flank of a support.
-pub enum Flank {
+pub(super) enum Flank {
     /// A ring springs here: nodes of its skewback from the intrados to the extrados; the flank stands on the base at this x.
     Skewback(Vec<Vec2>, f64),
     /// The vertical back of an abutment, up to this level, at this x.
@@ -53,7 +53,7 @@ impl Flank {
 }
 
 /// A support as points, and where on its sides the skewbacks lie.
-pub struct Support {
+pub(super) struct Support {
     pub points: Points,
     /// Of the left and the right flank: steps of the skewback in the flank, and in the upper side.
     steps: [[usize; 2]; 2],
@@ -61,7 +61,7 @@ pub struct Support {
 
 /// A pier or an abutment between two flanks on a base at level `low`, with `across` elements on its top and elements of about
 /// `size` [m] below.
-pub fn support(left: &Flank, right: &Flank, low: f64, across: usize, size: f64) -> Support {
+pub(super) fn support(left: &Flank, right: &Flank, low: f64, across: usize, size: f64) -> Support {
     let flanks = [left, right];
     let steps = flanks.map(Flank::steps);
     let height = flanks.map(|f| f.shoulder().y - low);
@@ -117,7 +117,7 @@ fn mix(a: Vec2, b: Vec2, t: f64) -> Vec2 {
 
 impl Support {
     /// What stands on a skewback, from the intrados to the extrados; `side` is 0 for the left flank and 1 for the right one.
-    pub fn skewback<T: Copy>(&self, grid: &[Vec<T>], side: usize) -> Vec<T> {
+    pub(super) fn skewback<T: Copy>(&self, grid: &[Vec<T>], side: usize) -> Vec<T> {
         let (rows, columns) = (grid.len() - 1, grid[0].len() - 1);
         let [flank, top] = self.steps[side];
         match (side, flank > 0) {
@@ -129,7 +129,7 @@ impl Support {
     }
 
     /// What stands on the upper face between the flanks' heads, from left to right.
-    pub fn top<T: Copy>(&self, grid: &[Vec<T>]) -> Vec<T> {
+    pub(super) fn top<T: Copy>(&self, grid: &[Vec<T>]) -> Vec<T> {
         let row = &grid[grid.len() - 1];
         row[self.steps[0][1]..row.len() - self.steps[1][1]].to_vec()
     }

@@ -31,7 +31,7 @@ struct Below {
 }
 
 /// The pieces of every course.
-pub fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallError> {
+pub(super) fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallError> {
     let mut here: Vec<Stretch> =
         line.iter().enumerate().map(|(segment, s)| Stretch { segment, from: s.left.x, to: s.right.x }).collect();
     let corners = line.iter().flat_map(|s| [s.left, s.right]);

@@ -5,7 +5,7 @@ use super::{Layout, Piece, WallError, outline};
 use mechanics::plane::{Vec2, vec2};
 
 /// One side of a stack of stones, from its foot to its head.
-pub struct Chain {
+pub(crate) struct Chain {
     points: Vec<Vec2>,
     /// Whether beds must start at its corners: those of backs, but not of a plumb face.
     cornered: bool,
@@ -13,11 +13,11 @@ pub struct Chain {
 
 impl Chain {
     /// A plumb face from `foot` up to `level` [m].
-    pub fn plumb(foot: Vec2, level: f64) -> Chain {
+    pub(crate) fn plumb(foot: Vec2, level: f64) -> Chain {
         Chain { points: vec![foot, vec2(foot.x, level)], cornered: false }
     }
     /// Backs of voussoirs, from the springing up.
-    pub fn backs(corners: &[Vec2]) -> Chain {
+    pub(crate) fn backs(corners: &[Vec2]) -> Chain {
         Chain { points: corners.to_vec(), cornered: true }
     }
     fn corners(&self) -> &[Vec2] {
@@ -27,7 +27,7 @@ impl Chain {
         self.points[0]
     }
     /// The upper end [m].
-    pub fn head(&self) -> Vec2 {
+    pub(crate) fn head(&self) -> Vec2 {
         self.points[self.points.len() - 1]
     }
     /// The point at a level [m].
@@ -43,7 +43,7 @@ impl Chain {
 type Bed = [Vec2; 2];
 
 /// Stones between two chains.
-pub fn stones(left: &Chain, right: &Chain, layout: &Layout) -> Result<Vec<Piece>, WallError> {
+pub(crate) fn stones(left: &Chain, right: &Chain, layout: &Layout) -> Result<Vec<Piece>, WallError> {
     let mut beds = vec![[left.foot(), right.foot()]];
     let (mut a, mut b) = (left.corners().iter().peekable(), right.corners().iter().peekable());
     loop {
@@ -70,7 +70,7 @@ pub fn stones(left: &Chain, right: &Chain, layout: &Layout) -> Result<Vec<Piece>
 }
 
 /// Stones that fill the space between the haunches on both sides of a pier.
-pub fn between(left: &[Vec2], right: &[Vec2], layout: &Layout) -> Result<Vec<Piece>, WallError> {
+pub(crate) fn between(left: &[Vec2], right: &[Vec2], layout: &Layout) -> Result<Vec<Piece>, WallError> {
     stones(&Chain::backs(left), &Chain::backs(right), layout)
 }
 

@@ -6,7 +6,7 @@ use mechanics::plane::{Vec2, vec2};
 
 /// A straight part of the line, from left to right.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Segment {
+pub(super) struct Segment {
     /// Left end [m].
     pub left: Vec2,
     /// Right end [m].
@@ -15,22 +15,22 @@ pub struct Segment {
 
 impl Segment {
     /// Level at `x` [m].
-    pub fn at(&self, x: f64) -> f64 {
+    pub(super) fn at(&self, x: f64) -> f64 {
         let run = self.right.x - self.left.x;
         self.left.y + (self.right.y - self.left.y) * ((x - self.left.x) / run)
     }
     /// Rise per unit of x.
-    pub fn slope(&self) -> f64 {
+    pub(super) fn slope(&self) -> f64 {
         (self.right.y - self.left.y) / (self.right.x - self.left.x)
     }
     /// Horizontal length [m].
-    pub fn width(&self) -> f64 {
+    pub(super) fn width(&self) -> f64 {
         self.right.x - self.left.x
     }
 }
 
 /// What the courses stand on.
-pub struct Ground {
+pub(super) struct Ground {
     /// Segments that follow one another in x; levels may jump between them.
     pub line: Vec<Segment>,
     /// Stones of the haunches below the line.
@@ -49,7 +49,7 @@ struct Valley {
 const NOTHING: f64 = 1e-9;
 
 /// The line between the ends of the wall, and the stones on steep haunches.
-pub fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallError> {
+pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallError> {
     let mut ground = Ground { line: Vec::new(), stones: Vec::new() };
     let mut groups = seats.chunk_by(|a, b| a.span == b.span).peekable();
     // Steep backs of the right springing that the last span left for the valley behind it.

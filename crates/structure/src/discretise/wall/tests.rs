@@ -8,7 +8,7 @@ use bridge::{Ring, Span, Strip};
 use mechanics::blocks::interfaces;
 
 /// Bricks of 0.40 x 0.60 m in half bond, from the road down.
-pub fn wall() -> SpandrelWall {
+pub(super) fn wall() -> SpandrelWall {
     SpandrelWall {
         brick_length: 0.6,
         brick_height: 0.4,

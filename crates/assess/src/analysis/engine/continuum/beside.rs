@@ -11,7 +11,7 @@ use structure::discretise::continuum::{Earth, Strength};
 use structure::discretise::dispersal::Strip;
 
 /// The share of the soil's strength at the lower end of the range that is reported with every load: a stated choice, which no source gives.
-pub const LEAST_SHARE: f64 = 0.5;
+pub(super) const LEAST_SHARE: f64 = 0.5;
 
 /// What is found beside the bounds, on their meshes: the same body with other strengths.
 pub(super) struct Beside<'a> {
@@ -28,7 +28,7 @@ const BY_FRICTION: f64 = std::f64::consts::FRAC_PI_2;
 
 impl Beside<'_> {
     /// Puts it into the report.
-    pub fn reported(&self, report: ContinuumReport) -> Result<ContinuumReport, AnalysisError> {
+    pub(super) fn reported(&self, report: ContinuumReport) -> Result<ContinuumReport, AnalysisError> {
         let plan = &self.earth.plan;
         let own = Strength::of(plan);
         let dilating = Strength { dilatancy: BY_FRICTION, ..own };

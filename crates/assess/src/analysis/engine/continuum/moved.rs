@@ -37,19 +37,19 @@ pub(in crate::analysis) struct Answer {
 }
 
 impl Answer {
-    pub fn of(found: Bracket) -> Answer {
+    pub(crate) fn of(found: Bracket) -> Answer {
         Answer { found, elsewhere: None, is_spent: false }
     }
     /// How its bounds ended.
-    pub fn status(&self) -> Status {
+    pub(crate) fn status(&self) -> Status {
         self.found.status
     }
     /// What is carried.
-    pub fn lower(&self) -> Option<f64> {
+    pub(crate) fn lower(&self) -> Option<f64> {
         self.found.lower
     }
     /// What is not.
-    pub fn upper(&self) -> Option<f64> {
+    pub(crate) fn upper(&self) -> Option<f64> {
         [self.found.upper, self.elsewhere].into_iter().flatten().min_by(f64::total_cmp)
     }
     /// Whether its own motion is known.

@@ -15,7 +15,7 @@ const TOUCHING: f64 = 1e-6;
 
 /// A state in balance.
 #[derive(Debug, Clone)]
-pub struct Shown {
+pub(super) struct Shown {
     /// Motions and contacts.
     pub snapshot: Snapshot,
     /// Resultants of the joints.
@@ -23,7 +23,7 @@ pub struct Shown {
 }
 
 /// What is to be kept of a state.
-pub fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, factor: f64) -> Shown {
+pub(super) fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, factor: f64) -> Shown {
     let contacts = contacts(ring, model, state);
     let loads: Vec<_> =
         d.loading.permanent.iter().map(|f| (*f, 1.0)).chain(d.loading.variable.iter().map(|f| (*f, factor))).collect();
@@ -40,7 +40,7 @@ pub fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, fact
 }
 
 /// Motion of each block: that of its corners in the mean, turned as they are as a whole.
-pub fn motions(d: &Discretised, ring: &RingMesh, model: &Model, displacements: &[f64]) -> Vec<Motion> {
+pub(super) fn motions(d: &Discretised, ring: &RingMesh, model: &Model, displacements: &[f64]) -> Vec<Motion> {
     let moved = |node: NodeId| vec2(displacements[2 * node.index()], displacements[2 * node.index() + 1]);
     let mut all = vec![Motion::default(); d.model.blocks.len()];
     for stone in &ring.stones {
@@ -119,7 +119,7 @@ fn thrust_line(d: &Discretised, contacts: &[ContactForce]) -> Vec<Vec<ThrustPoin
 }
 
 /// Puts states and mechanism into a picture.
-pub fn draw(d: &Discretised, shown: &[Shown], onset: Option<&[Motion]>, picture: &mut Picture) {
+pub(super) fn draw(d: &Discretised, shown: &[Shown], onset: Option<&[Motion]>, picture: &mut Picture) {
     picture.last_stable = shown.len().checked_sub(1);
     picture.thrust_lines = shown.last().map_or_else(Vec::new, |last| last.thrust_line.clone());
     picture.snapshots = shown.iter().map(|shown| shown.snapshot.clone()).collect();

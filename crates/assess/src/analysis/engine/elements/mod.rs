@@ -24,7 +24,7 @@ use outcome::collapse::By;
 use outcome::collapse::{Collapse, FiniteReport, Status};
 use outcome::picture::{Motion, Step};
 use outcome::warning::Warning;
-pub use slides::Sliding;
+pub(crate) use slides::Sliding;
 use structure::discretise::ring_mesh::{RingMesh, ring_mesh};
 use structure::discretise::{Discretised, discretise};
 
@@ -39,7 +39,7 @@ const CUTS: u32 = 10;
 const SOFT: f64 = 10.0;
 
 /// Finite elements of one ring.
-pub struct Elements;
+pub(crate) struct Elements;
 
 impl Engine for Elements {
     fn method(&self) -> Method {

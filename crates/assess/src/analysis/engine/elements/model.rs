@@ -17,7 +17,7 @@ const RIGID: f64 = 100.0;
 
 /// Materials of a ring.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Parts {
+pub(super) struct Parts {
     stone: Elastic,
     density: f64,
     joint: Mortar,
@@ -26,7 +26,7 @@ pub struct Parts {
 }
 
 /// Joints and stones from the file's contact law. A stiffness of joint and blocks together leaves the joint what the stones do not take.
-pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
+pub(super) fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
     let law = laws::law(bridge, &bridge.joint);
     let length = spacing(d);
     let ratio = bridge.masonry.poisson_ratio.unwrap_or(0.0);
@@ -72,7 +72,7 @@ fn spacing(d: &Discretised) -> f64 {
 }
 
 /// The model: plane stress, as contact stiffness over a modulus is; large displacements, as in discrete elements.
-pub fn model(ring: &RingMesh, parts: &Parts) -> Result<Model, AnalysisError> {
+pub(super) fn model(ring: &RingMesh, parts: &Parts) -> Result<Model, AnalysisError> {
     let solid = Solid { material: Material::Elastic(parts.stone), plane: Plane::Stress };
     let section = Section { solid, element: Element::QM6, density: parts.density };
     let sections = (0..ring.mesh.zones.len()).map(|_| section).collect();

@@ -10,7 +10,7 @@ const HOLDS: f64 = 1.0 + 1e-6;
 
 /// Joints that carry more shear than friction and cohesion hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sliding {
+pub(crate) struct Sliding {
     /// The least load of a state in balance at which a joint does [N/m].
     pub from: f64,
     /// Load of the last state in balance [N/m].
@@ -24,7 +24,7 @@ pub struct Sliding {
 }
 
 /// What slides in states of growing load; none where every joint holds in all of them.
-pub fn sliding(model: &BlockModel, shown: &[Shown]) -> Option<Sliding> {
+pub(super) fn sliding(model: &BlockModel, shown: &[Shown]) -> Option<Sliding> {
     let first = shown.iter().find(|state| used(model, state).any(|(share, _)| share > HOLDS))?;
     let last = shown.last()?;
     let joints = used(model, last).filter(|(share, _)| *share > HOLDS).count();

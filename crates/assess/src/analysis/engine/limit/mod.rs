@@ -16,7 +16,7 @@ use structure::blocks::Scene;
 use structure::discretise::{Discretised, pressure};
 
 /// The load factor at which rigid blocks become a mechanism.
-pub struct Limit;
+pub(super) struct Limit;
 
 impl Engine for Limit {
     fn method(&self) -> Method {

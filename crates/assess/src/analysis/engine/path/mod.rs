@@ -30,7 +30,7 @@ const BEYOND: f64 = 1.5;
 const MOST_PICTURES: usize = 24;
 
 /// Static path following.
-pub struct Path;
+pub(crate) struct Path;
 
 impl Engine for Path {
     fn method(&self) -> Method {
@@ -175,7 +175,7 @@ fn ended(outcome: &path::Outcome) -> Ended {
 }
 
 /// Least crushing strength of the joints [Pa].
-pub fn strength(d: &Discretised) -> f64 {
+pub(crate) fn strength(d: &Discretised) -> f64 {
     d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min)
 }
 

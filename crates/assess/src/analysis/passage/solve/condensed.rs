@@ -11,7 +11,7 @@ use outcome::passage::{Influence, Part, PassageStatus, StepLog};
 use std::sync::Arc;
 
 /// All patterns: the weight, then those of the sleepers.
-pub fn loads(setup: &Setup, weight: &[f64]) -> Vec<LoadPattern> {
+pub(super) fn loads(setup: &Setup, weight: &[f64]) -> Vec<LoadPattern> {
     let surface = &setup.meshed.sets.surface;
     let down = |&(node, share): &(usize, f64)| (2 * surface[node].index() + 1, -share);
     let sleepers = setup.loads.patterns.iter().map(|pattern| LoadPattern(pattern.iter().map(down).collect()));
@@ -20,7 +20,7 @@ pub fn loads(setup: &Setup, weight: &[f64]) -> Vec<LoadPattern> {
 
 /// What the path keeps from one position to the next. The weight is the first pattern, brought on in the load steps of the file and
 /// then held.
-pub struct Way {
+pub(super) struct Way {
     condensed: Condensed,
     at_rest: Snapshot,
     /// The positions; it may have come further than the passage, for they are solved in batches.
@@ -33,7 +33,7 @@ fn failed(error: CondensedError) -> AnalysisError {
 
 impl Way {
     /// Brings the self-weight on.
-    pub fn new(
+    pub(super) fn new(
         rest: &AtRest<'_>,
         solution: &mut Solution,
         expected: &[usize],
@@ -57,7 +57,7 @@ impl Way {
     }
 
     /// The position `k` of the last batch, or the bridge under its own weight.
-    pub fn state(&mut self, k: Option<usize>) -> Result<State, AnalysisError> {
+    pub(super) fn state(&mut self, k: Option<usize>) -> Result<State, AnalysisError> {
         match k {
             Some(k) => self.condensed.state_at(&self.run, k),
             None => self.condensed.state(),
@@ -66,7 +66,7 @@ impl Way {
     }
 
     /// Solves position `k`, the next one, with those of its batch where it is the first of one.
-    pub fn visit(
+    pub(super) fn visit(
         &mut self,
         rest: &AtRest<'_>,
         k: usize,
@@ -103,7 +103,7 @@ impl Way {
     }
 
     /// Makes the pictures and the influence lines.
-    pub fn finish(
+    pub(super) fn finish(
         mut self,
         rest: &AtRest<'_>,
         solution: &mut Solution,
@@ -197,12 +197,12 @@ impl Way {
 const INFLUENCE_STEP: f64 = 0.25;
 
 /// Amplitudes of all patterns: the whole weight and what stands on the sleepers.
-pub fn with_weight(reactions: Vec<f64>) -> Vec<f64> {
+pub(super) fn with_weight(reactions: Vec<f64>) -> Vec<f64> {
     std::iter::once(1.0).chain(reactions).collect()
 }
 
 /// Brings the self-weight on, step by step; `None` where it finds no balance or the onlooker stops it.
-pub fn stand(
+pub(super) fn stand(
     condensed: &mut Condensed,
     setup: &Setup,
     log: &mut Vec<StepLog>,

@@ -9,7 +9,7 @@ use outcome::passage::{Moment, Pair, PairState, Row, RowKind};
 use structure::discretise::mesh::Seam;
 
 /// What stands where in a state; `at` is time [s] and place of the first axle [m] while a train is there.
-pub fn moment(setup: &Setup, model: &Model, state: &State, name: &str, at: Option<(f64, f64)>) -> Moment {
+pub(super) fn moment(setup: &Setup, model: &Model, state: &State, name: &str, at: Option<(f64, f64)>) -> Moment {
     let mesh = &model.mesh;
     let surface = |k: Option<&mechanics::ids::NodeId>| k.map_or(0.0, |node| mesh.nodes[*node].x);
     let ends = (surface(setup.meshed.sets.surface.first()), surface(setup.meshed.sets.surface.last()));

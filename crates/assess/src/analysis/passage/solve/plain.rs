@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 const WEIGHT_TOLERANCE: f64 = 1e-9;
 
 /// What the path keeps from one position to the next.
-pub struct Way {
+pub(super) struct Way {
     state: State,
     work: Workspace,
     settings: Settings,
@@ -29,7 +29,7 @@ pub struct Way {
 
 impl Way {
     /// Brings the self-weight on.
-    pub fn new(rest: &AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) -> Result<Way, AnalysisError> {
+    pub(super) fn new(rest: &AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) -> Result<Way, AnalysisError> {
         let (setup, model) = (&*rest.setup, &*rest.model);
         let plan = &setup.plan;
         let mut work = Workspace::new(model).map_err(PassageError::from)?;
@@ -66,12 +66,12 @@ impl Way {
     }
 
     /// The position that was reached last.
-    pub fn state(&self) -> &State {
+    pub(super) fn state(&self) -> &State {
         &self.state
     }
 
     /// Solves position `k`, the next one.
-    pub fn visit(
+    pub(super) fn visit(
         &mut self,
         rest: &AtRest<'_>,
         k: usize,
@@ -141,7 +141,7 @@ impl Way {
     }
 
     /// Makes the pictures.
-    pub fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Output) {
+    pub(super) fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Output) {
         if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
             return;
         }
