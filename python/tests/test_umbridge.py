@@ -47,7 +47,7 @@ def one_span() -> extrados.Bridge:
     return extrados.Bridge.parse(text, name="one.toml")
 
 
-@pytest.mark.skipif(os.environ.get("EXTRADOS_QUICK") == "true", reason="a minute and more: .ci/python by itself runs it")
+@pytest.mark.skipif(os.environ.get("EXTRADOS_QUICK") == "true", reason="a minute and more: .ci/slow runs it")
 def test_emcee_recovers_moduli_from_peaks():
     emcee = pytest.importorskip("emcee")
     truth = numpy.array([14.0, 120.0])
