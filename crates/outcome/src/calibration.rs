@@ -3,8 +3,10 @@
 use crate::words::words;
 pub mod moduli;
 pub mod report;
+pub mod strength;
 
-pub use moduli::{Curve, CurvePoint, Spread};
+pub use moduli::{At, Curve, CurvePoint, Spread};
+pub use strength::{Contact, Strength, TargetStrength};
 
 use crate::picture::Point;
 use crate::published::{list, object};
@@ -27,15 +29,6 @@ words! {
 }
 
 published! {
-    /// A multiple of the file's stiffness and the modulus there.
-    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-    pub struct At {
-        /// Multiple.
-        pub multiple: f64,
-        /// Modulus [Pa].
-        pub modulus: f64 [MPa],
-    }
-
     /// What a calibration found; its status is published as that of the command. The stiffness is that with the wanted modulus, and that of
     /// the file where none is wanted.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -225,39 +218,6 @@ pub struct Drawn {
     pub particles: Vec<[f64; 3]>,
     /// Under the block alone, and after the last load step.
     pub pressed: [Confined; 2],
-}
-
-/// What contacts between particles resist with.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Contact {
-    /// Friction angle [rad].
-    pub friction_angle: f64,
-    /// Cohesion [Pa].
-    pub cohesion: f64,
-}
-
-/// What the fill resists with, over all samples.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Strength {
-    /// Contacts that it was measured with.
-    pub contact: Contact,
-    /// Friction angle of the fill [rad].
-    pub friction_angle: Spread,
-    /// Cohesion of the fill [Pa].
-    pub cohesion: Spread,
-    /// Confining pressure and mean stress at the peak [Pa].
-    pub peaks: Vec<[f64; 2]>,
-    /// Samples that did not come to rest under the confining pressure, or did not give way.
-    pub left_out: usize,
-}
-
-/// What is wanted of the fill.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TargetStrength {
-    /// Friction angle [rad].
-    pub friction_angle: Option<f64>,
-    /// Cohesion [Pa].
-    pub cohesion: Option<f64>,
 }
 
 /// A particle that the cut went through.

@@ -16,6 +16,7 @@ pub mod passage;
 pub mod picture;
 pub mod published;
 pub mod section;
+mod sentences;
 pub mod soil;
 pub mod statics;
 pub mod study;

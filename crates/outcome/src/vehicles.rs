@@ -1,5 +1,11 @@
 //! Vehicles moved over the bridge under the factors of a rule: what was found.
 
+mod across;
+mod weights;
+
+pub use across::Across;
+pub use weights::Weights;
+
 use crate::collapse::{Collapse, Criterion, Status};
 use crate::help::NotCounted;
 use crate::note::Note;
@@ -568,76 +574,6 @@ impl VehicleSweep {
 
 fn source(of: &Source) -> Object {
     object! { text: of.text, date: of.date, confidence: of.confidence, note?: said(&of.note), }
-}
-
-published! {
-    /// How vehicles stand across the bridge where that is worst.
-    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-    pub struct Across {
-        /// How many stand abreast.
-        pub abreast: usize as vehicles_abreast,
-        /// Whether the outermost one stands at the edge.
-        pub at_edge: bool,
-        /// Width of the barrel that carries the axles of the first vehicle [m]: the force per metre of width is that of its
-        /// axle over this width, whatever stands beside it, multiple presence included.
-        pub axles: f64 [kept],
-        /// The same for each of its uniform loads, in their order, each in the arrangement that is worst for it [m].
-        pub uniform: Vec<f64> [kept],
-        /// The strip between longitudinal cracks that is loaded most, from one edge of the barrel [m]; none where the barrel is whole, or
-        /// where its cracks make nothing worse.
-        pub strip: Option<[f64; 2]> [m] as strip_between_cracks,
-        /// Where lines of wheels or rails stand across, from the same edge [m].
-        pub wheels: Vec<f64> [m] as wheel_lines,
-        /// How the width of the axles was found, in words.
-        pub derivation: String as effective_width_derivation,
-        /// The vehicle of another kind that stands in the lanes beside it; empty where these are empty, or hold vehicles of the same kind.
-        #[serde(default)]
-        pub beside: String [kept],
-    }
-}
-
-impl Across {
-    /// In words: "2 vehicles abreast, the outer one at the edge".
-    pub fn told(&self) -> String {
-        if let Some([from, to]) = self.strip {
-            let who =
-                if self.abreast == 1 { "one vehicle".to_owned() } else { format!("{} vehicles abreast", self.abreast) };
-            return format!("{who} on the strip {from:.2} to {to:.2} m between longitudinal cracks");
-        }
-        if !self.beside.is_empty() {
-            let edge = if self.at_edge { ", the outer one at the edge" } else { "" };
-            let lanes = if self.abreast > 2 { "lanes" } else { "lane" };
-            return format!("one vehicle with {} in the {lanes} beside{edge}", self.beside);
-        }
-        match (self.abreast, self.at_edge) {
-            (1, false) => "one vehicle in the middle of the barrel".to_owned(),
-            (1, true) => "one vehicle at the edge of the barrel".to_owned(),
-            (count, false) => format!("{count} vehicles abreast"),
-            (count, true) => format!("{count} vehicles abreast, the outer one at the edge"),
-        }
-    }
-}
-
-published! {
-    /// Factors on the weights of one combination.
-    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-    pub struct Weights {
-        /// On masonry: rings, piers, spandrel walls.
-        pub masonry: f64,
-        /// On fill, backing and sub-base; none where the bridge has no such weight.
-        pub fill: Option<f64>,
-        /// On surfacing and ballast; none where the bridge has no such weight.
-        pub surfacing: Option<f64>,
-    }
-}
-
-impl Weights {
-    /// "weights: masonry × 1.15, fill × 1", each pair on one line.
-    pub fn told(&self) -> String {
-        let groups = [("masonry", Some(self.masonry)), ("fill", self.fill), ("surfacing", self.surfacing)];
-        let each = groups.iter().filter_map(|(name, factor)| Some(format!("{name}\u{a0}×\u{a0}{}", (*factor)?)));
-        format!("weights: {}", each.collect::<Vec<_>>().join(", "))
-    }
 }
 
 words! {

@@ -1,8 +1,6 @@
 //! Results with their published form: a struct says once what it holds, and under which key and in which unit others read it.
 
-use crate::note::Note;
 use crate::published::Object;
-use crate::warning::Warning;
 use serde_json::{Value, json};
 
 /// A unit of published numbers.
@@ -204,18 +202,6 @@ holds!([T: Wire + ?Sized] &T, [T: Wire] Box<T>, [T: Wire] Vec<T>);
 impl<T: Wire, const N: usize> Wire for [T; N] {
     fn wire(&self, unit: Unit) -> Value {
         self.as_slice().wire(unit)
-    }
-}
-
-impl Wire for Note {
-    fn wire(&self, _: Unit) -> Value {
-        json!(self.to_string())
-    }
-}
-
-impl Wire for Warning {
-    fn wire(&self, _: Unit) -> Value {
-        json!({ "code": self.code(), "message": self.message() })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Moduli of a stress-strain curve, and their scatter over samples.
 
-use crate::wire::{Unit, Wire};
+use crate::wire::{Unit, Wire, published};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -40,6 +40,17 @@ impl Wire for Spread {
     fn wire(&self, unit: Unit) -> Value {
         let [mean, deviation, error] = [self.mean, self.standard_deviation, self.standard_error].map(unit.of);
         json!({ "mean": mean, "standard_deviation": deviation, "standard_error": error, "samples": self.count })
+    }
+}
+
+published! {
+    /// A multiple of the file's stiffness and the modulus there.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct At {
+        /// Multiple.
+        pub multiple: f64,
+        /// Modulus [Pa].
+        pub modulus: f64 [MPa],
     }
 }
 

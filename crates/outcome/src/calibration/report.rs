@@ -4,29 +4,6 @@ use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength,
 use crate::warning;
 use bridge::{Bridge, Modulus};
 
-/// The wanted friction angle is met within this [rad]: half a degree.
-pub const ANGLE: f64 = 0.0087;
-/// The wanted cohesion is met within this share of itself, and within [`COHESION`] of nothing.
-pub const SHARE: f64 = 0.05;
-/// Cohesion that counts as none [Pa].
-pub const COHESION: f64 = 500.0;
-
-impl TargetStrength {
-    /// Whether the strength of other packings bears out what is wanted: twice what a search leaves.
-    pub fn checked_by(&self, strength: &Strength) -> bool {
-        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 4.0 * ANGLE);
-        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
-        angle && self.cohesion.is_none_or(enough)
-    }
-
-    /// Whether a strength is what is wanted.
-    pub fn met_by(&self, strength: &Strength) -> bool {
-        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 2.0 * ANGLE);
-        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
-        angle && self.cohesion.is_none_or(enough)
-    }
-}
-
 impl CalibrationReport {
     /// Nothing found yet.
     pub fn blank(bridge: &Bridge, seeds: &[u64]) -> CalibrationReport {

@@ -1,6 +1,6 @@
 //! Supports, spans, cracks and walls.
 
-use super::{listed, notes};
+use crate::sentences::{listed, notes};
 
 notes! {
     /// Of the bridge as a plane model has it.

@@ -1,6 +1,6 @@
 //! Blocks and joints, by the method.
 
-use super::{kilo, notes};
+use crate::sentences::{kilo, notes};
 use serde::{Deserialize, Serialize};
 
 notes! {

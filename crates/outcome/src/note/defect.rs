@@ -1,6 +1,6 @@
 //! Defects of rings.
 
-use super::notes;
+use crate::sentences::notes;
 use bridge::defect::{Defect, DefectKind};
 
 notes! {

@@ -1,6 +1,6 @@
 //! Fill, backing, water, road and dispersal.
 
-use super::{listed, notes};
+use crate::sentences::{listed, notes};
 use bridge::DispersalRule;
 
 notes! {

@@ -1,6 +1,6 @@
 //! Trains that pass over finite elements.
 
-use super::notes;
+use crate::sentences::notes;
 use serde::{Deserialize, Serialize};
 
 notes! {

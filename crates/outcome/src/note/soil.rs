@@ -1,6 +1,6 @@
 //! Fill and backing that yield as a continuum.
 
-use super::{kilo, notes};
+use crate::sentences::{kilo, notes};
 use bridge::{Confinement, FillEnds};
 
 notes! {

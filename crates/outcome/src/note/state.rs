@@ -1,8 +1,8 @@
 //! What helps a bridge and may come and go.
 
-use super::{kilo, notes};
 use crate::collapse::Status;
 use crate::help::Help;
+use crate::sentences::{kilo, notes};
 use serde::{Deserialize, Serialize};
 
 notes! {

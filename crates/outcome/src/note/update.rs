@@ -1,6 +1,6 @@
 //! Model updating.
 
-use super::notes;
+use crate::sentences::notes;
 
 notes! {
     /// What an update assumes.

@@ -1,6 +1,6 @@
 //! Loads and vehicles that move.
 
-use super::{listed, notes};
+use crate::sentences::{listed, notes};
 use crate::vehicles::{Across, Weights};
 use bridge::Method;
 use findings::words::counted;

@@ -1,6 +1,6 @@
 //! Particles whose contacts are calibrated.
 
-use super::warnings;
+use super::cards::warnings;
 use crate::calibration::{At, Spread, Strength};
 use findings::words::{counted, verb};
 

@@ -1,8 +1,8 @@
 //! Fill as weight, as pressure and as particles; what stands on the rings; skew.
 
-use super::warnings;
+use super::cards::warnings;
 use crate::given::Record;
-use crate::note::{kilo, listed};
+use crate::sentences::{kilo, listed};
 
 warnings! {
     /// Of fill, cover and the shape of the bridge.

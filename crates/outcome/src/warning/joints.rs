@@ -1,7 +1,7 @@
 //! Joints, blocks and their strength.
 
-use super::warnings;
-use crate::note::kilo;
+use super::cards::warnings;
+use crate::sentences::kilo;
 use findings::words::{counted, verb};
 
 warnings! {

@@ -1,8 +1,9 @@
 //! Loads that were found, or were not, and what is said of their size.
 
-use super::warnings;
+use super::cards::warnings;
 use crate::help::Help;
-use crate::note::{Size, kilo, listed};
+use crate::note::Size;
+use crate::sentences::{kilo, listed};
 
 warnings! {
     /// Of loads.

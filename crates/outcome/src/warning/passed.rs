@@ -1,7 +1,7 @@
 //! Warnings of other results.
 
 use super::Warning;
-use crate::note::{listed, notes};
+use crate::sentences::{listed, notes};
 
 notes! {
     /// A warning that another result has.

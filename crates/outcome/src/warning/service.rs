@@ -1,7 +1,7 @@
 //! Passages, updates and what a command says of stages and figures.
 
-use super::warnings;
-use crate::note::listed;
+use super::cards::warnings;
+use crate::sentences::listed;
 use findings::words::{counted, verb};
 
 warnings! {
@@ -25,7 +25,7 @@ warnings! {
     }
 }
 
-crate::note::notes! {
+crate::sentences::notes! {
     /// What an update is asked for.
     Asked {
         StartFit => "the start model's fit";

@@ -1,8 +1,8 @@
 //! Fill that yields as a continuum.
 
+use super::cards::warnings;
 use super::cover::factor;
-use super::warnings;
-use crate::note::kilo;
+use crate::sentences::kilo;
 use findings::words::counted;
 
 warnings! {

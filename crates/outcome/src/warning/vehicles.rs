@@ -1,7 +1,8 @@
 //! Vehicles that move: their sources, their factors, and what is left out.
 
-use super::warnings;
-use crate::note::{Sideways, listed};
+use super::cards::warnings;
+use crate::note::Sideways;
+use crate::sentences::listed;
 use rules::{Acting, Source, Ways};
 use serde::{Deserialize, Serialize};
 
@@ -103,7 +104,7 @@ impl std::fmt::Display for OpenPositions {
     }
 }
 
-crate::note::notes! {
+crate::sentences::notes! {
     /// What is left open of a vehicle on deformable joints.
     BrokenPath {
         Falls => "the blocks fall under their own weight";

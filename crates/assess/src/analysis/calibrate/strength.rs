@@ -4,7 +4,7 @@
 //! is wanted may be out of reach, and then the answer says so.
 
 use crate::analysis::AnalysisError;
-use outcome::calibration::report::{ANGLE, COHESION, SHARE};
+use outcome::calibration::strength::{ANGLE, COHESION, SHARE};
 use outcome::calibration::{Contact, Strength, TargetStrength};
 
 /// How a search for strength ended.
