@@ -4,6 +4,7 @@ mod args;
 mod checkpoint;
 mod clock;
 mod commands;
+mod desk;
 mod failure;
 mod folder;
 mod host;

@@ -1,6 +1,6 @@
 //! From an analysis to its folder of results.
 
-use crate::commands::Desk;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::report::Report;

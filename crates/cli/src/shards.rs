@@ -2,7 +2,7 @@
 //! are brought together again. A shard makes some of the pieces that the whole command makes; `merge` gives all of them to that
 //! command, which then finds every piece finished. So keys, results and the way they are written are those of the command alone.
 
-use crate::commands::Desk;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder, SEAL, write_whole};
 use crate::program;

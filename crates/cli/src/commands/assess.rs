@@ -3,9 +3,10 @@
 mod fleet;
 mod pdf;
 
-use super::{Desk, Pictures, Source};
+use super::source::{Pictures, Source};
 use crate::args::{Assess as Arguments, STAGES, word_for};
 use crate::clock::Clock;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::program;

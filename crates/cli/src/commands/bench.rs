@@ -6,14 +6,13 @@ mod disks;
 mod factor;
 mod footing;
 mod passage;
+mod repeated;
 mod update;
 
-use super::Desk;
 use crate::args::{Bench, BenchName};
-use crate::clock::Clock;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
-use crate::results;
 use crate::status::Status;
 use assess::analysis::AnalysisError;
 use assess::analysis::engine::{dem as by_dem, rigid};
@@ -22,6 +21,7 @@ use extrados::examples;
 use mechanics::contact::ContactLength;
 use mechanics::watch::Unwatched;
 use mechanics::{dem, limit, path};
+use repeated::{Repeated, repeated};
 use structure::discretise::discretise;
 
 /// Measures.
@@ -42,32 +42,6 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 
 /// What a measure does.
 type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
-
-/// What was measured often.
-struct Repeated<T> {
-    /// The least time is the method's, the middle one the machine's [s].
-    least: f64,
-    middle: f64,
-    last: T,
-}
-
-/// Repeats a measure.
-fn repeated<T>(arguments: &Bench, measure: impl Fn() -> Result<T, AnalysisError>) -> Result<Repeated<T>, Failure> {
-    let once = || -> Result<(f64, T), Failure> {
-        let clock = Clock::start();
-        let found = measure().map_err(|error| results::not_set_up(&error))?;
-        Ok((clock.seconds(), found))
-    };
-    let (first, mut last) = once()?;
-    let mut seconds = vec![first];
-    for _ in 1..arguments.repeats {
-        let (more, found) = once()?;
-        seconds.push(more);
-        last = found;
-    }
-    seconds.sort_by(f64::total_cmp);
-    Ok(Repeated { least: seconds[0], middle: seconds[seconds.len() / 2], last })
-}
 
 fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
     let bridge = case_one()?;

@@ -1,7 +1,8 @@
 //! `extrados calibrate-fill`: the contact stiffness of fill particles for a wanted modulus.
 
-use super::{Desk, Source};
+use super::source::Source;
 use crate::args::CalibrateFill as Arguments;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::Report;

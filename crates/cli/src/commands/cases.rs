@@ -1,7 +1,8 @@
 //! `extrados cases`: the named cases of a bridge file, side by side.
 
-use super::{Desk, Source};
+use super::source::Source;
 use crate::args::Cases as Arguments;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;

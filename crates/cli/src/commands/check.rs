@@ -1,7 +1,9 @@
 //! `extrados check`: reads, reports, draws; computes nothing.
 
-use super::{Desk, Source, model};
+use super::model;
+use super::source::{Source, read_text};
 use crate::args::Check;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
@@ -17,7 +19,7 @@ use structure::discretise::springings::{are_level, springings};
 
 /// Reads the file and draws the bridge.
 pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
-    if bridge::is_block_file(&super::read_text(&arguments.file)?) {
+    if bridge::is_block_file(&read_text(&arguments.file)?) {
         return model::check(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;

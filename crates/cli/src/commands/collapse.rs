@@ -1,8 +1,10 @@
 //! `extrados collapse`: the load, the thickness or the support movement that makes a mechanism.
 
-use super::{Desk, Source, model};
+use super::model;
+use super::source::{Source, read_text};
 use crate::args::Collapse as Arguments;
 use crate::checkpoint::Checkpoint;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::Report;
@@ -20,7 +22,7 @@ use std::time::Duration;
 /// Reads the file, makes the analysis, writes its results.
 pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     desk.screen.details = arguments.details;
-    if bridge::is_block_file(&super::read_text(&arguments.file)?) {
+    if bridge::is_block_file(&read_text(&arguments.file)?) {
         return model::collapse(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;

@@ -1,7 +1,8 @@
 //! `extrados compare`: two bridge files side by side.
 
-use super::{Desk, Source, read_text};
+use super::source::{Source, read_text};
 use crate::args::Compare as Arguments;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::report::Report;

@@ -3,8 +3,9 @@
 mod section;
 
 use super::model::Model;
-use super::{Desk, Source, read_file, read_text};
+use super::source::{Source, read_file, read_text};
 use crate::args::Convert;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder;
 use crate::quantities;

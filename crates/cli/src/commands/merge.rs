@@ -1,7 +1,9 @@
 //! `extrados merge`: the shards of a command put together, as if it had run alone.
 
-use super::{Answer, Desk, obey, refused};
+use super::answer::{Answer, refused};
+use super::obey;
 use crate::args::{Arguments, Command, Merge};
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::program;
 use crate::report::Report;

@@ -1,5 +1,6 @@
-//! One file per command. Each gives a [`Report`] or says why it could not; speaking is done here, once.
+//! One file per command. Each gives a [`Report`](crate::report::Report) or says why it could not; it is shown once, by `answer.rs`.
 
+mod answer;
 mod assess;
 mod bench;
 mod calibrate;
@@ -15,6 +16,7 @@ mod model;
 mod new;
 mod respond;
 mod schema;
+mod source;
 mod update;
 mod validate;
 mod vary;
@@ -24,44 +26,18 @@ mod workbench;
 
 use crate::args::{Arguments, Command};
 use crate::clock::Clock;
+use crate::desk::Desk;
 use crate::failure::Failure;
-use crate::folder::{Folder, Purpose};
 use crate::host::{self, Ended};
 use crate::render::{self, Paint};
-use crate::report::Report;
 use crate::screen::Screen;
 use crate::signs;
 use crate::status::Status;
+use answer::{Answer, failed, speak};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
-use extrados::files::{self, LONGEST_TEXT};
-use extrados::{Disk, Files, Project, Refusal, WholeDisk};
-use serde_json::json;
 use std::ffi::OsString;
 use std::path::Path;
-
-/// What every command is given.
-pub(crate) struct Desk {
-    pub screen: Screen,
-    pub clock: Clock,
-    pub schema: String,
-    /// The command line.
-    pub words: Vec<String>,
-}
-
-/// What a command answers.
-enum Answer {
-    /// An object for scripts, or its summary for people.
-    Report(Box<Report>),
-    /// A text that is the same for both: the JSON Schema.
-    Text(String),
-}
-
-impl From<Report> for Answer {
-    fn from(report: Report) -> Answer {
-        Answer::Report(Box::new(report))
-    }
-}
 
 /// Runs the command line and gives the exit code.
 pub(crate) fn run(words: Vec<OsString>) -> u8 {
@@ -141,41 +117,6 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
     }
 }
 
-/// Shows the answer; gives the exit code.
-fn speak(desk: &mut Desk, answer: Answer) -> u8 {
-    match answer {
-        Answer::Text(text) => {
-            desk.screen.result(&text);
-            Status::Completed.exit_code()
-        }
-        Answer::Report(report) => {
-            let text = match desk.screen.json {
-                true => ::outcome::published::json(&report.object(&desk.schema, desk.clock)),
-                false => report.summary.clone(),
-            };
-            desk.screen.result(&text);
-            report.exit_code()
-        }
-    }
-}
-
-/// The object of a command that could not do its work.
-fn failed(failure: &Failure) -> Report {
-    let mut report = Report::new(failure.status);
-    report.errors.push(json!({ "code": failure.code, "message": failure.message, "help": failure.help }));
-    report
-}
-
-/// Everything that is wrong, shown and listed.
-fn refused(desk: &mut Desk, mut report: Report, refusals: Vec<Refusal>) -> Report {
-    report.status = Status::UnusableInput;
-    for failure in refusals.into_iter().map(Failure::from) {
-        desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-        report.errors.push(json!({ "code": failure.code, "message": failure.message, "help": failure.help }));
-    }
-    report
-}
-
 /// A command line that cannot be understood, or one that asks for help.
 fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     let json = words.iter().any(|word| word == "--json");
@@ -198,84 +139,4 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
         return speak(&mut desk, answer);
     }
     failure.status.exit_code()
-}
-
-/// Where pictures of a report may come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Pictures {
-    /// The folder of the bridge file, and those below.
-    Beside,
-    /// Wherever the file says.
-    Anywhere,
-}
-
-impl Pictures {
-    /// As the command line allows.
-    fn allowed(anywhere: bool) -> Pictures {
-        if anywhere { Pictures::Anywhere } else { Pictures::Beside }
-    }
-}
-
-/// A bridge file that was read, with what it takes from other files.
-struct Source {
-    project: Project,
-}
-
-impl Source {
-    /// Reads a file and shows what was found in it.
-    fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
-        Source::open_with(desk, path, Pictures::Beside)
-    }
-
-    /// Reads a file, with pictures from where they may come, and shows what was found in it.
-    fn open_with(desk: &mut Desk, path: &Path, pictures: Pictures) -> Result<Source, Failure> {
-        let source = Source::read_with(path, pictures)?;
-        if source.bridge().is_none() || desk.screen.tells_each() {
-            let (project, paint) = (&source.project, Paint::for_stderr());
-            desk.screen.remark(&render::findings(project.name(), project.text(), project.findings(), &paint));
-        }
-        Ok(source)
-    }
-
-    /// Reads a file and says nothing.
-    fn read(path: &Path) -> Result<Source, Failure> {
-        Source::read_with(path, Pictures::Beside)
-    }
-
-    /// The same, with pictures from where they may come.
-    fn read_with(path: &Path, pictures: Pictures) -> Result<Source, Failure> {
-        let files: &dyn Files = match pictures {
-            Pictures::Beside => &Disk,
-            Pictures::Anywhere => &WholeDisk,
-        };
-        Ok(Source { project: Project::read(path, files)? })
-    }
-
-    /// Its bridge; none where the file cannot be used.
-    fn bridge(&self) -> Option<&bridge::Bridge> {
-        self.project.meaning().bridge.as_ref()
-    }
-
-    /// The folder for the results of a run of this kind.
-    fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
-        Folder::prepare(path, Purpose::new(kind, Path::new(self.project.name()), self.project.inputs()))
-    }
-
-    /// An answer with what was found.
-    fn report(&self, status: Status) -> Report {
-        let mut report = Report::new(status);
-        report.add_findings(self.project.name(), self.project.text(), self.project.findings());
-        report
-    }
-}
-
-/// The bytes of a file that somebody wrote by hand, in UTF-8 where it was UTF-16; one that is longer than such files are is cut, for its
-/// first bytes tell what it is.
-fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
-    files::head(path, LONGEST_TEXT + 2).map(bridge::as_utf8).map_err(|error| Failure::unreadable(path, &error))
-}
-
-/// The bytes of a file that is not longer than `most`; a folder is refused in words.
-fn read_file(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    files::read_at_most(path, most).map_err(|error| Failure::unreadable(path, &error))
 }

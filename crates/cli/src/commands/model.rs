@@ -1,8 +1,8 @@
 //! Block model files: blocks that are listed, or drawn in a DXF file.
 
-use super::Desk;
 use crate::args::{Check, Collapse};
 use crate::checkpoint::Checkpoint;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::render::{self, Paint};

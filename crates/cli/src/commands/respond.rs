@@ -3,8 +3,9 @@
 mod record;
 
 use self::record::Recorder;
-use super::{Desk, Source};
+use super::source::Source;
 use crate::args::Respond as Arguments;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::Report;

@@ -1,6 +1,6 @@
 //! `extrados schema`: the JSON Schema of bridge files, block model files, or files of vehicles and rules, alone on stdout with and without `--json`.
 
-use super::Answer;
+use super::answer::Answer;
 use crate::args::Schema;
 
 pub(super) fn run(arguments: &Schema) -> Answer {

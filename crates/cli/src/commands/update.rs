@@ -1,7 +1,8 @@
 //! `extrados update`: from the records of a train's passage to the moduli of a bridge; or the verdict on the records alone.
 
-use super::{Desk, Source};
+use super::source::Source;
 use crate::args::Update as Arguments;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::log;

@@ -1,7 +1,7 @@
 //! `extrados validate`: every field test predicted by every method from one set of prior values.
 
-use super::Desk;
 use crate::args::Validate;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::program;

@@ -3,8 +3,10 @@
 mod list;
 mod requests;
 
-use super::{Desk, Source, refused};
+use super::answer::refused;
+use super::source::Source;
 use crate::args::Vary as Arguments;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::program;

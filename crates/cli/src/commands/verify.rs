@@ -1,8 +1,8 @@
 //! `extrados verify`: runs the verification cases, prints the manual's table kind by kind, and compares the load models of the
 //! library with the tables that were published for them.
 
-use super::Desk;
 use crate::args::Verify;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;

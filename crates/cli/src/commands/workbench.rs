@@ -1,7 +1,7 @@
 //! `extrados workbench`: the interactive page, from files inside the program.
 
-use super::Desk;
 use crate::args::Workbench;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
 #[cfg(feature = "workbench")]

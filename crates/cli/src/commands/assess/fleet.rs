@@ -3,7 +3,8 @@
 
 use super::{answer, assessed, command, files, pictures_left_out};
 use crate::args::Assess as Arguments;
-use crate::commands::{Desk, Pictures, Source, read_text};
+use crate::commands::source::{Pictures, Source, read_text};
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::program;

@@ -1,6 +1,7 @@
 //! `extrados bench bounds`: both bounds of Bridgemill's load with its fill as a continuum, from the bridge to the last mesh.
 
-use super::{Repeated, of_bridgemill, repeated};
+use super::of_bridgemill;
+use super::repeated::{Repeated, repeated};
 use crate::args::Bench;
 use crate::failure::Failure;
 use crate::report::Report;

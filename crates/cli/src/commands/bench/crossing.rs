@@ -1,7 +1,7 @@
 //! `extrados bench crossing`: a vehicle of 13 axles at 510 positions over three spans, rigid and on deformable joints, without and
 //! with crushing.
 
-use super::{Repeated, repeated};
+use super::repeated::{Repeated, repeated};
 use crate::args::Bench;
 use crate::failure::Failure;
 use crate::report::Report;

@@ -3,7 +3,7 @@
 use crate::args::Bench;
 use crate::checkpoint::Checkpoint;
 use crate::clock::Clock;
-use crate::commands::Desk;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::report::Report;

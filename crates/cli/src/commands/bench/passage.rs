@@ -2,7 +2,7 @@
 
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::commands::Desk;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::results;

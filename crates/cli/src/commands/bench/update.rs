@@ -3,7 +3,7 @@
 use super::passage::railway_arch;
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::commands::Desk;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::results;

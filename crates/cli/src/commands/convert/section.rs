@@ -1,7 +1,9 @@
 //! A surveyed section of an intrados becomes a bridge file to fill in, a drawing or a table of its deviations.
 
-use super::{Desk, Report, folder, guard, read_file, results};
+use super::{Report, folder, guard, results};
 use crate::args::Convert;
+use crate::commands::source::read_file;
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::status::Status;
 use extrados::files::LONGEST;

@@ -1,6 +1,6 @@
 //! Every quantity of a file that can be varied.
 
-use super::super::Source;
+use crate::commands::source::Source;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;

@@ -1,7 +1,8 @@
 //! What is asked to vary: the command line's words, another file's tables, or the bridge file's own.
 
-use super::super::{Desk, Source, read_file};
 use super::Arguments;
+use crate::commands::source::{Source, read_file};
+use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::render::{self, Paint};
 use crate::report::Report;
