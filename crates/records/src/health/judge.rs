@@ -1,7 +1,8 @@
 //! Who decides: the limits, what the caller expects, leaves out and accepts, and where findings go.
 
 use crate::series::title;
-use crate::{Channel, Done, Finding, Place, Recording, Series, Severity};
+use crate::{Channel, Done, Finding, Place, Recording, Series};
+use findings::Severity;
 
 /// The peak that a channel is expected to have, from a model or a sister bridge; its size is needed to a factor of five only.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,8 @@
 //! One zero of the clock for all runs: by a reference history, or by the times at which axles pass a sensor.
 
+use super::log::Log;
+use super::pace;
 use super::resample::at_times;
-use super::{Log, pace};
 use crate::Recording;
 use crate::series::title;
 

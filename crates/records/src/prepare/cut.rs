@@ -1,6 +1,6 @@
 //! The part of a record that is kept.
 
-use super::Log;
+use super::log::Log;
 use crate::Recording;
 use crate::signal::range;
 use findings::words::counted;

@@ -1,6 +1,6 @@
 //! Low pass: Butterworth of second order, run forward and backward, so that nothing is moved in time.
 
-use super::Log;
+use super::log::Log;
 use crate::Recording;
 use std::f64::consts::{PI, SQRT_2};
 

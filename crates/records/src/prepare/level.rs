@@ -1,6 +1,6 @@
 //! What is zero, and drift taken off.
 
-use super::Log;
+use super::log::Log;
 use crate::Recording;
 use crate::health::smooth;
 use crate::signal::{Loaded, least_count, line, loaded, median, noise, range};

@@ -4,6 +4,7 @@ mod align;
 mod cut;
 mod filter;
 mod level;
+mod log;
 mod pace;
 mod resample;
 
@@ -12,7 +13,8 @@ pub use cut::Cut;
 pub use filter::noise_bandwidth;
 pub use level::{Detrend, Zero};
 
-use crate::{Done, Finding, Place, Recording, Series, Severity};
+use crate::Series;
+use log::Log;
 
 /// What is done to every run, in the order of the fields.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -58,26 +60,4 @@ pub fn prepare(series: Series, preparation: &Preparation) -> Series {
         cut::cut(run, preparation.cut, &mut log);
     }
     Series { done: log.done, findings: log.findings, ..series }
-}
-
-/// What was done, and what could not be.
-struct Log {
-    done: Vec<Done>,
-    findings: Vec<Finding>,
-}
-
-impl Log {
-    fn did(&mut self, run: &Recording, channel: &str, what: String) {
-        self.done.push(Done::new(&run.name, channel, what));
-    }
-
-    fn warn(&mut self, run: &Recording, channel: &str, code: &'static str, message: String, help: &str) {
-        let place = Place { run: run.name.clone(), channel: channel.to_owned(), ..Place::default() };
-        self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
-    }
-
-    fn could_not(&mut self, run: &Recording, code: &'static str, message: String, help: &str) {
-        let place = Place { run: run.name.clone(), ..Place::default() };
-        self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
-    }
 }

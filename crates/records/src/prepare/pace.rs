@@ -1,7 +1,7 @@
 //! Does the timing of axles agree with the speed that a record states?
 
-use super::Log;
 use super::align::{Reference, best_shift, golden};
+use super::log::Log;
 use crate::Recording;
 
 /// Speeds are noted to the nearest km/h, which is 5 % at 20 km/h: nearer than that nothing is contradicted.

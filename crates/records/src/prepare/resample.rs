@@ -1,6 +1,6 @@
 //! Regular clocks.
 
-use super::Log;
+use super::log::Log;
 use crate::Recording;
 
 /// No record is made longer than this many samples.

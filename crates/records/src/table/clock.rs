@@ -1,6 +1,6 @@
 //! The clock of a table: numbers in a unit, or time stamps, from which seconds since the first one are made.
 
-use super::SAMPLE;
+use super::dialect::SAMPLE;
 use super::dialect::Written;
 use super::number::{Cell, cell};
 use super::rows::Body;

@@ -3,6 +3,9 @@
 use super::number::{Cell, cell};
 use std::borrow::Cow;
 
+/// Lines that are looked at for headings, separators and decimal marks.
+pub(super) const SAMPLE: usize = 200;
+
 /// What the caller knows of how the table is written; the rest is seen from its first lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Dialect {

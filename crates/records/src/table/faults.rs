@@ -1,6 +1,7 @@
 //! Faults of cells and rows, those of neighbouring lines gathered into one finding.
 
-use crate::{Finding, Place, Severity};
+use crate::{Finding, Place};
+use findings::Severity;
 
 /// No fault of one column gets more findings than this; further ones are gathered into one more.
 const MOST: usize = 50;

@@ -1,9 +1,11 @@
 //! The headings of a table: one line above the numbers, two where units stand below the names, and the heads of loggers.
 
+use super::dialect::{self, SAMPLE};
 use super::heading::Heading;
 use super::number::{Cell, cell};
+use super::options::ReadOptions;
+use super::plan;
 use super::stamp::stamp;
-use super::{ReadOptions, SAMPLE, dialect, plan};
 use crate::Unit;
 
 /// What stands above the rows.

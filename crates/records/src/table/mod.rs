@@ -10,6 +10,7 @@ mod heading;
 mod mapping;
 mod notes;
 mod number;
+mod options;
 mod plan;
 mod rows;
 mod stamp;
@@ -17,21 +18,10 @@ mod text;
 
 pub use dialect::Dialect;
 pub use mapping::{Column, Mapping, Others, Source};
+pub use options::ReadOptions;
 
-use crate::{Finding, Place, Recording, Severity};
-
-/// What the caller says of a file.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ReadOptions {
-    /// Name of the run, commonly the file's; a comment line `# run: slow` in the file counts more.
-    pub name: String,
-    /// Speed of the train [m/s]; counts more than a comment line `# speed: 45 km/h`.
-    pub speed: Option<f64>,
-    /// Which column is which channel.
-    pub mapping: Mapping,
-    /// How the table is written.
-    pub dialect: Dialect,
-}
+use crate::{Finding, Place, Recording};
+use findings::Severity;
 
 /// What came of reading.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,9 +31,6 @@ pub struct Read {
     /// Everything that was found.
     pub findings: Vec<Finding>,
 }
-
-/// Lines that are looked at for headings, separators and decimal marks.
-const SAMPLE: usize = 200;
 
 /// Reads the table of one run.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Read {
@@ -92,7 +79,7 @@ fn table(
     findings: &mut Vec<Finding>,
 ) -> Option<(rows::Rows, plan::Plan)> {
     let candidates = || text::lines(text).filter(|(_, line)| !text::is_blank(line) && !text::is_comment(line));
-    let sample: Vec<&str> = candidates().map(|(_, line)| line).take(SAMPLE).collect();
+    let sample: Vec<&str> = candidates().map(|(_, line)| line).take(dialect::SAMPLE).collect();
     let mut say = |severity, code, lines: Option<[usize; 2]>, message: &str, help: &str| {
         let place = Place { run: run.to_owned(), lines, ..Place::default() };
         findings.push(Finding::new(severity, code, place, message, help));

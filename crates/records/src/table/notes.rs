@@ -1,8 +1,9 @@
 //! Comment lines, and the three that mean something: `# run: slow`, `# speed: 45 km/h`, `# synthetic: …`.
 
-use super::ReadOptions;
+use super::options::ReadOptions;
 use super::text::{is_comment, lines};
-use crate::{Dimension, Finding, Place, Severity, Unit};
+use crate::{Dimension, Finding, Place, Unit};
+use findings::Severity;
 
 /// What the comments of a file say.
 pub(super) struct Notes {

@@ -8,7 +8,8 @@ use super::number::{Cell, cell};
 use super::rows::Body;
 use crate::series::title;
 use crate::unit::symbols;
-use crate::{Channel, Dimension, Finding, Place, Severity, Unit};
+use crate::{Channel, Dimension, Finding, Place, Unit};
+use findings::Severity;
 
 /// A column that is read.
 #[derive(Debug, Clone)]

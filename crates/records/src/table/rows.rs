@@ -6,7 +6,8 @@ use super::faults::{Faults, Kind};
 use super::number::{Cell, cell};
 use super::plan::Plan;
 use super::text::{is_blank, is_comment, lines};
-use crate::{Finding, Place, Severity};
+use crate::{Finding, Place};
+use findings::Severity;
 use std::borrow::Cow;
 
 const TEXT: Kind = Kind {

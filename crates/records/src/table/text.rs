@@ -1,6 +1,7 @@
 //! From bytes to lines.
 
-use crate::{Finding, Place, Severity};
+use crate::{Finding, Place};
+use findings::Severity;
 
 /// The text of a file, with what had to be done to read it.
 pub(super) fn decode(bytes: &[u8], run: &str, findings: &mut Vec<Finding>) -> String {

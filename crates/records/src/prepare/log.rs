@@ -1,0 +1,26 @@
+//! What was done to records, and what could not be.
+
+use crate::{Done, Finding, Place, Recording};
+use findings::Severity;
+
+/// What was done, and what could not be.
+pub(super) struct Log {
+    pub(super) done: Vec<Done>,
+    pub(super) findings: Vec<Finding>,
+}
+
+impl Log {
+    pub(super) fn did(&mut self, run: &Recording, channel: &str, what: String) {
+        self.done.push(Done::new(&run.name, channel, what));
+    }
+
+    pub(super) fn warn(&mut self, run: &Recording, channel: &str, code: &'static str, message: String, help: &str) {
+        let place = Place { run: run.name.clone(), channel: channel.to_owned(), ..Place::default() };
+        self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
+    }
+
+    pub(super) fn could_not(&mut self, run: &Recording, code: &'static str, message: String, help: &str) {
+        let place = Place { run: run.name.clone(), ..Place::default() };
+        self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
+    }
+}
