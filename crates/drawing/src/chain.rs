@@ -3,8 +3,8 @@
 use crate::Point;
 use crate::entities::Strand;
 use crate::finding::Findings;
+use crate::options::Options;
 use crate::outline::COINCIDE;
-use crate::read::Options;
 use std::collections::BTreeMap;
 
 /// One end of a strand: its number, and whether it is the last point.

@@ -4,7 +4,7 @@ use crate::Point;
 use crate::curve::{self, Spline};
 use crate::entity::{Block, Content, Entity, Insert, Shape, Space, Vertex};
 use crate::finding::{Findings, Place};
-use crate::read::{Options, is_ignored};
+use crate::options::{Options, is_ignored};
 use crate::shown::{Hidden, HiddenLayers, LeftOut};
 use crate::through::Fit;
 use crate::transform::Transform;

@@ -5,7 +5,8 @@ use crate::curve::off;
 use crate::cut;
 use crate::entities::Strand;
 use crate::finding::{Findings, Place};
-use crate::read::{Concave, Options, Outline};
+use crate::options::{Concave, Options};
+use crate::shapes::Outline;
 use geo::algorithm::line_intersection::{LineIntersection, line_intersection};
 use geo::{Coord, Line};
 

@@ -3,7 +3,7 @@
 use crate::Point;
 use crate::finding::Findings;
 use crate::outline::signed_area;
-use crate::read::Outline;
+use crate::shapes::Outline;
 use geo::{Area, BooleanOps, Centroid, Coord, LineString, Polygon};
 
 /// Blocks may be drawn into one another by this share of the smaller one's half diagonal: what coordinates with six

@@ -1,85 +1,12 @@
 //! Reading a drawing: from bytes to outlines and circles, with every finding.
 
-use crate::Point;
 use crate::finding::{Finding, Findings, Place};
+use crate::options::{Options, is_ignored};
+use crate::shapes::{Circle, Drawing, Outline};
 use crate::units::{Header, numbered};
 use crate::{chain, entities, entity, outline, overlap, sieve};
 use findings::Severity;
 use std::collections::BTreeSet;
-
-/// What to do with an outline that is not convex.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Concave {
-    /// It is an error.
-    Refuse,
-    /// It is cut into convex pieces.
-    Cut,
-}
-
-/// How a drawing is to be read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Options {
-    /// Metres in one unit of the drawing, in place of what its header says.
-    pub unit: Option<f64>,
-    /// How far a chord may lie from its curve [m].
-    pub chord_tolerance: f64,
-    /// How far apart ends may lie that are meant to meet [m].
-    pub gap_tolerance: f64,
-    /// What to do with an outline that is not convex.
-    pub concave: Concave,
-    /// Layers that are passed over, whatever is on them.
-    pub ignored: Vec<String>,
-}
-
-impl Default for Options {
-    /// A millimetre is what a survey of masonry resolves, for curves and for gaps.
-    fn default() -> Options {
-        Options {
-            unit: None,
-            chord_tolerance: 1e-3,
-            gap_tolerance: 1e-3,
-            concave: Concave::Refuse,
-            ignored: Vec::new(),
-        }
-    }
-}
-
-/// A closed convex outline, counter-clockwise.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Outline {
-    /// Its layer.
-    pub layer: String,
-    /// What it was drawn as.
-    pub place: Place,
-    /// Corners [m]; the last is not the first again.
-    pub points: Vec<Point>,
-}
-
-/// A circle.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Circle {
-    /// Its layer.
-    pub layer: String,
-    /// What it was drawn as.
-    pub place: Place,
-    /// Centre [m].
-    pub centre: Point,
-    /// Radius [m].
-    pub radius: f64,
-}
-
-/// A drawing as outlines and circles in metres, in the order of the file.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Drawing {
-    /// Closed outlines.
-    pub outlines: Vec<Outline>,
-    /// Circles.
-    pub circles: Vec<Circle>,
-    /// Layers on which something was drawn that is, or should be, an outline or a circle; in order of first use.
-    pub layers: Vec<String>,
-    /// Metres in one unit of the drawing.
-    pub unit: f64,
-}
 
 /// What reading gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,11 +22,6 @@ impl Read {
     pub fn is_usable(&self) -> bool {
         self.findings.iter().all(|finding| finding.severity != Severity::Error)
     }
-}
-
-/// Whether a layer is passed over. Names of layers do not tell capitals apart.
-pub(crate) fn is_ignored(options: &Options, layer: &str) -> bool {
-    options.ignored.iter().any(|name| name.to_uppercase() == layer.to_uppercase())
 }
 
 /// Reads a drawing from the bytes of a DXF file.

@@ -2,7 +2,7 @@
 //! Autodesk, DXF Reference (2018): table LAYER, groups 62 and 70; common groups 60 and 67 of entities.
 
 use crate::finding::{Findings, Place};
-use crate::read::{Options, is_ignored};
+use crate::options::{Options, is_ignored};
 use findings::words::counted;
 use std::collections::BTreeMap;
 

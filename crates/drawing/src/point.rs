@@ -1,0 +1,4 @@
+//! Points of a drawing.
+
+/// A point [m].
+pub type Point = [f64; 2];
