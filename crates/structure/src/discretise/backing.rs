@@ -5,11 +5,12 @@
 //! stands behind that face is not masonry: stones rest on the abutment by friction, and fill presses on the face where the
 //! file says that fill presses.
 
+use super::build::Build;
 use super::extrados::{Face, Stretch};
 use super::springings::are_level;
 use super::wall::Layout;
 use super::wall::haunch::{Chain, stones};
-use super::{Build, DiscretiseError, Origin};
+use super::{DiscretiseError, Origin};
 use bridge::Backing;
 use mechanics::blocks::Held;
 use mechanics::ids::{BlockId, GroupId};

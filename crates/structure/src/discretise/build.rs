@@ -1,14 +1,15 @@
 //! The blocks of a bridge as they are put together.
 
 use super::cover::Surface;
+use super::discretised::{Discretised, spread, watched};
 use super::dispersal::{Spread, Strip};
 use super::extrados::{Extrados, Stretch};
 use super::fill::FillRegion;
+use super::movement::movements;
 use super::supports::Skewback;
 use super::wall::{Seat, WallError};
 use super::{
-    DiscretiseError, Discretised, Faces, Origin, cover, defects, dispersal, fill, laws, movements, pressure, rings,
-    solid, spread, supports, voids, wall, watched,
+    DiscretiseError, Faces, Origin, cover, defects, dispersal, fill, laws, pressure, rings, supports, voids, wall,
 };
 use bridge::{Bridge, SpandrelWall, Strip as Width};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading};
@@ -287,7 +288,7 @@ impl<'a> Build<'a> {
             if bridge.cover.road.is_some() {
                 return Err(DiscretiseError::RoadNotLevel { what: "fill as particles" });
             }
-            solid(bridge, "fill as particles")?;
+            voids::solid(bridge, "fill as particles")?;
             if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
                 return Err(DiscretiseError::MovableAbutment { what: "fill as particles" });
             }

@@ -151,7 +151,7 @@ pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>
     if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
         return Err(DiscretiseError::Horizontal { what: "fill as a continuum" });
     }
-    super::solid(bridge, "fill as a continuum")?;
+    super::voids::solid(bridge, "fill as a continuum")?;
     if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
         return Err(DiscretiseError::MovableAbutment { what: "fill as a continuum" });
     }

@@ -4,6 +4,8 @@ use super::*;
 use crate::samples::{bridgemill, semicircle, spans};
 use bridge::{DispersalRule, Layer, LayerKind, Load, LoadKind, Ring};
 use mechanics::blocks::Held;
+use mechanics::ids::BlockId;
+use mechanics::plane::vec2;
 
 /// Reading of eq. 2 at the published bridge; the figures are printed to four decimals, so 1e-3 is their last digit
 /// with room for the flat faces.

@@ -59,3 +59,13 @@ pub(super) fn check(bridge: &Bridge, extrados: &Extrados) -> Result<(), Discreti
     }
     Ok(())
 }
+
+/// Refuses what is hollow under cover that is a body.
+pub(super) fn solid(bridge: &Bridge, what: &'static str) -> Result<(), DiscretiseError> {
+    let hollow = if !bridge.cover.voids.is_empty() {
+        Some("[[void]]")
+    } else {
+        bridge.cover.internal_walls.map(|_| "[internal_walls]")
+    };
+    hollow.map_or(Ok(()), |part| Err(DiscretiseError::Hollow { part, what }))
+}
