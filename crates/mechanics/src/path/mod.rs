@@ -12,6 +12,7 @@ mod banded;
 mod beyond;
 mod correct;
 mod dual;
+mod first_met;
 mod frame;
 mod inertia;
 mod joint;

@@ -3,10 +3,10 @@
 
 use super::banded::Banded;
 use super::correct::{Balanced, Constraint, balance};
+use super::first_met::fastest;
 use super::frame::point;
 use super::model::Model;
 use super::near::Near;
-use super::onset::fastest;
 use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, assemble, load_of};

@@ -3,7 +3,8 @@
 //! Both flow and stress stay in the plane of the hydrostatic axis and the trial deviator, where the cone is a straight line:
 //! closed form on its flank and at its apex (de Souza Neto, Perić, Owen 2008, section 8.3).
 
-use super::{Elastic, Four};
+use super::elastic::Elastic;
+use super::response::Four;
 
 /// Yields are told from rounding by this share of the stresses they are made of.
 pub(super) const ROUNDING: f64 = 1e-13;

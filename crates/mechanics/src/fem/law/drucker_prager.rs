@@ -1,9 +1,12 @@
 //! Drucker-Prager: a cone about the hydrostatic axis.
 
+use super::elastic::Elastic;
+use super::member::{Member, flowed, softened};
+use super::principal::Principal;
+use super::response::{Four, Law, Memory, Response};
+use super::strength::{Cone, Strength};
 use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
-use super::{
-    Elastic, Four, Law, Member, Memory, Response, Strength, cone, flowed, polyhedron, principal::Principal, softened,
-};
+use super::{cone, polyhedron};
 
 /// Elastic, perfectly plastic on √J2 + α I1 ≤ k, with flow along √J2 + β I1; tension positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,41 +21,6 @@ pub struct DruckerPrager {
     pub strength: f64,
     /// Greatest principal stress it takes in tension [Pa]; none leaves the cone up to its apex at k/3α.
     pub tension_cutoff: Option<f64>,
-}
-
-/// Which of the cones stands for a pyramid of Mohr and Coulomb.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cone {
-    /// Through the edges of triaxial compression: the outermost.
-    Compression,
-    /// Through the edges of triaxial extension.
-    Extension,
-    /// The same collapse in plane strain, at the given angle of dilatancy.
-    PlaneStrain,
-    /// The greatest cone within the pyramid.
-    Inner,
-}
-
-impl Cone {
-    /// α and k/c of the cone for an angle of friction and one of dilatancy [rad].
-    fn constants(self, friction: f64, dilatancy: f64) -> (f64, f64) {
-        let (sin, cos) = friction.sin_cos();
-        let root = 3.0_f64.sqrt();
-        match self {
-            Cone::Compression => (2.0 * sin / (root * (3.0 - sin)), 6.0 * cos / (root * (3.0 - sin))),
-            Cone::Extension => (2.0 * sin / (root * (3.0 + sin)), 6.0 * cos / (root * (3.0 + sin))),
-            Cone::PlaneStrain => {
-                // Flow leaves no strain across, which fixes the stress across and so the circle of Mohr.
-                let beta = dilatancy.sin() / (9.0 + 3.0 * dilatancy.sin().powi(2)).sqrt();
-                let share = (1.0 - 3.0 * beta * beta).sqrt() + beta * sin;
-                (sin / (3.0 * share), cos / share)
-            }
-            Cone::Inner => {
-                let share = (9.0 + 3.0 * sin * sin).sqrt();
-                (sin / share, 3.0 * cos / share)
-            }
-        }
-    }
 }
 
 impl DruckerPrager {

@@ -1,6 +1,8 @@
 //! Hooke's law, isotropic.
 
-use super::{Four, Law, Member, Memory, Response, Strength};
+use super::member::Member;
+use super::response::{Four, Law, Memory, Response};
+use super::strength::Strength;
 
 /// Linear elasticity.
 #[derive(Debug, Clone, Copy, PartialEq)]

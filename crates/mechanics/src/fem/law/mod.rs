@@ -8,80 +8,27 @@
 mod cone;
 mod drucker_prager;
 mod elastic;
+mod member;
 mod mohr_coulomb;
 mod no_tension;
 mod plane_stress;
 mod polyhedron;
 mod principal;
+mod response;
+mod strength;
 mod three;
 mod von_mises;
 
-pub use drucker_prager::{Cone, DruckerPrager};
+pub use drucker_prager::DruckerPrager;
 pub use elastic::Elastic;
 pub use mohr_coulomb::MohrCoulomb;
 pub use no_tension::NoTension;
 pub use plane_stress::PlaneStress;
+pub use response::{Four, Law, Memory, Response};
+pub use strength::{Cone, Strength};
 pub use von_mises::VonMises;
 
-/// Strain or stress: `[xx, yy, zz, xy]`.
-pub type Four = [f64; 4];
-
-/// What a point remembers of its past; laws use of it what they need.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Memory {
-    /// Plastic (or cracking) strain.
-    pub plastic: Four,
-    /// Accumulated plastic strain: the sum over steps of the length of its increment (engineering shear counted half).
-    pub hardening: f64,
-}
-
-/// Answer of a law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Response {
-    /// Stress [Pa].
-    pub stress: Four,
-    /// Consistent tangent [Pa]: `d stress[i] / d strain[j]`. Unsymmetric where flow is not associated.
-    pub tangent: [[f64; 4]; 4],
-    /// Memory if this strain is kept.
-    pub memory: Memory,
-    /// Whether the point flows, cracks or slips at this strain.
-    pub yields: bool,
-}
-
-/// A law of a solid.
-pub trait Law {
-    /// Answers a total strain from the memory at the end of the last step that was kept.
-    fn respond(&self, strain: &Four, old: &Memory) -> Response;
-}
-
-/// What strengths a solid has; each law takes what it knows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Strength {
-    /// Cohesion [Pa], or the strength in pure shear of what knows no friction.
-    pub cohesion: f64,
-    /// Angle of friction [rad].
-    pub friction_angle: f64,
-    /// Angle of dilatancy [rad].
-    pub dilatancy_angle: f64,
-    /// Greatest principal stress in tension [Pa]; none: what cohesion and friction leave.
-    pub tension_cutoff: Option<f64>,
-    /// Which cone stands for a pyramid.
-    pub cone: Cone,
-}
-
-/// What a law says of itself, in its file.
-trait Member: Law {
-    /// The law of a solid of this elasticity and strength.
-    fn of(elastic: Elastic, strength: &Strength) -> Self;
-
-    /// The elasticity that it starts from.
-    fn elastic(&self) -> Elastic;
-
-    /// Whether its tangent is symmetric wherever it stands.
-    fn symmetric(&self) -> bool {
-        true
-    }
-}
+use member::Member;
 
 /// Makes a material of elasticity and strength.
 pub type Build = fn(Elastic, &Strength) -> Material;
@@ -195,27 +142,4 @@ impl Law for Solid {
             Plane::Stress => PlaneStress(self.material).respond(strain, old),
         }
     }
-}
-
-/// Share of elasticity that tangents keep where a law may have none left: at an apex, a corner, a crack. Stress has no part of
-/// it, so that answers are the same; equations of balance keep an inverse.
-const KEPT: f64 = 1e-6;
-
-/// Closes an answer whose tangent may vanish.
-fn softened(elastic: &Elastic, strain: &Four, old: &Memory, stress: Four, mut tangent: [[f64; 4]; 4]) -> Response {
-    for (row, whole) in tangent.iter_mut().zip(elastic.tangent()) {
-        for (entry, whole) in row.iter_mut().zip(whole) {
-            *entry += KEPT * (whole - *entry);
-        }
-    }
-    flowed(elastic, strain, old, stress, tangent)
-}
-
-/// Closes an answer: what of the strain is not elastic becomes the new memory.
-fn flowed(elastic: &Elastic, strain: &Four, old: &Memory, stress: Four, tangent: [[f64; 4]; 4]) -> Response {
-    let kept = elastic.strain(&stress);
-    let plastic: Four = std::array::from_fn(|i| strain[i] - kept[i]);
-    let more: Four = std::array::from_fn(|i| plastic[i] - old.plastic[i]);
-    let length = (more[0] * more[0] + more[1] * more[1] + more[2] * more[2] + 0.5 * more[3] * more[3]).sqrt();
-    Response { stress, tangent, memory: Memory { plastic, hardening: old.hardening + length }, yields: true }
 }

@@ -1,8 +1,11 @@
 //! Mohr-Coulomb: friction and cohesion on the worst plane.
 
+use super::elastic::Elastic;
+use super::member::{Member, softened};
 use super::polyhedron::{Face, back, tension};
 use super::principal::Principal;
-use super::{Elastic, Four, Law, Member, Memory, Response, Strength, softened};
+use super::response::{Four, Law, Memory, Response};
+use super::strength::Strength;
 
 /// Elastic, perfectly plastic on (σ₁ − σ₃) + (σ₁ + σ₃) sin φ ≤ 2 c cos φ, tension positive.
 #[derive(Debug, Clone, Copy, PartialEq)]

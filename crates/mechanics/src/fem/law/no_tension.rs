@@ -1,8 +1,11 @@
 //! Masonry as a body without any strength in tension.
 
+use super::elastic::Elastic;
+use super::member::{Member, softened};
 use super::polyhedron::{back, tension};
 use super::principal::Principal;
-use super::{Elastic, Four, Law, Member, Memory, Response, Strength, softened};
+use super::response::{Four, Law, Memory, Response};
+use super::strength::Strength;
 
 /// Elastic under compression; no principal stress is in tension (Del Piero 1989).
 ///

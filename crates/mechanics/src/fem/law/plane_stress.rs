@@ -1,6 +1,6 @@
 //! Any law in plane stress: the strain across is found that leaves no stress across.
 
-use super::{Four, Law, Memory, Response};
+use super::response::{Four, Law, Memory, Response};
 
 /// A law with no stress across the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]

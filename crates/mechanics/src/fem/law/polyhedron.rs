@@ -4,7 +4,7 @@
 //! closest point in the energy of elastic strain, and there is exactly one. Where flow is not associated, corners draw in what no
 //! face or edge takes, as in Clausen, Damkilde, Andersen (2006).
 
-use super::Elastic;
+use super::elastic::Elastic;
 use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
 
 /// A plane bound in principal stresses: `normal · stress ≤ bound`, flow along `flow`.

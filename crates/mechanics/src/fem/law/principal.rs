@@ -3,8 +3,9 @@
 //! The laws are isotropic, so stress returns along the trial's own directions. Its tangent has two parts: how principal
 //! stresses follow principal strains, and how directions turn (de Souza Neto, Perić, Owen 2008, appendix A).
 
+use super::elastic::Elastic;
+use super::response::Four;
 use super::three::{Matrix, Three};
-use super::{Elastic, Four};
 
 /// A trial stress in its principal directions.
 pub(super) struct Principal {

@@ -1,6 +1,10 @@
 //! Von Mises: a strength in shear that knows no pressure.
 
-use super::{Elastic, Four, Law, Member, Memory, Response, Strength, cone, flowed};
+use super::cone;
+use super::elastic::Elastic;
+use super::member::{Member, flowed};
+use super::response::{Four, Law, Memory, Response};
+use super::strength::Strength;
 
 /// Elastic, perfectly plastic where the square root of J2 reaches a strength. Flow is associated.
 #[derive(Debug, Clone, Copy, PartialEq)]
