@@ -1,12 +1,8 @@
 //! Everything that is known of a bridge when it is judged. Checks and condition read this and nothing else.
 
-use crate::checks::verdict;
-use crate::condition::condition;
-use crate::next;
 use bridge::Bridge;
 use bridge::assess::Assess;
-use outcome::assessment::{Assessment, Facts};
-use outcome::checked::Checked;
+use outcome::assessment::Facts;
 use outcome::given::Doubt;
 use outcome::statics::Statics;
 
@@ -23,21 +19,4 @@ pub struct Evidence {
     pub statics: Option<Statics>,
     /// Doubtful values of the file, of its vehicles and of its rule.
     pub doubts: Vec<Doubt>,
-}
-
-impl Evidence {
-    /// What its checks amount to.
-    pub fn judged(self, checked: Vec<Checked>) -> Assessment {
-        let verdict = verdict(&self, &checked);
-        Assessment {
-            bridge: self.bridge.name.clone(),
-            next: next::steps(&self, &checked, &verdict),
-            verdict,
-            condition: condition(&self),
-            limits_source: self.asked.limits.source,
-            facts: self.facts,
-            checked,
-            statics: self.statics,
-        }
-    }
 }

@@ -7,6 +7,7 @@ pub mod checks;
 pub mod condition;
 pub mod coverage;
 pub mod evidence;
+mod judged;
 pub mod next;
 mod plan_facts;
 pub mod record;

@@ -5,7 +5,7 @@ use crate::samples::{bridgemill, case_two, semicircle, spandrel_wall};
 use bridge::{ContactPoints, Method};
 use outcome::collapse::Status;
 use outcome::picture::HingeAt;
-use structure::discretise::discretise;
+use structure::discretise::{DiscretiseError, discretise};
 
 fn limit_load(mut b: Bridge, points: ContactPoints) -> f64 {
     b.plan.method = Method::Limit;

@@ -1,6 +1,6 @@
 //! What piers and abutments press on the ground with.
 
-use super::{Check, CheckCard, Probe, limit, used};
+use super::check::{Check, CheckCard, Probe, limit, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::{SweptFacts, ThrustFacts};

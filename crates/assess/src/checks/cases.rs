@@ -1,6 +1,7 @@
 //! Named cases at ultimate.
 
-use super::{Check, CheckCard, Probe, by_file, limit, of};
+use super::by_file;
+use super::check::{Check, CheckCard, Probe, limit, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;

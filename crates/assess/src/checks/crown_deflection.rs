@@ -1,7 +1,7 @@
 //! Deflection of crowns in service.
 
+use super::check::{Check, CheckCard, limit, of, used};
 use super::stress::{READINGS, columns, told};
-use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::Watched;

@@ -1,6 +1,6 @@
 //! Permissible limit: range of stress in service.
 
-use super::{Check, CheckCard, limit, of, used};
+use super::check::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::SectionFacts;

@@ -1,6 +1,6 @@
 //! Shear stress in joints in service.
 
-use super::{Check, CheckCard, Probe, limit, of_joints, used};
+use super::check::{Check, CheckCard, Probe, limit, of_joints, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 

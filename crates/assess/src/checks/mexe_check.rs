@@ -1,6 +1,7 @@
 //! MEXE's allowable axle load.
 
-use super::{Check, CheckCard, Probe, mexe, used};
+use super::check::{Check, CheckCard, Probe, used};
+use super::mexe;
 use crate::evidence::Evidence;
 use bridge::assess::{Mexe, MexeAxles};
 use outcome::checked::{Comparison, NotMade, Unit};

@@ -1,6 +1,6 @@
 //! States that a bridge should not come to in service, and how far from them it is.
 
-use super::{Check, CheckCard, Probe, limit, of};
+use super::check::{Check, CheckCard, Probe, limit, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Criterion;

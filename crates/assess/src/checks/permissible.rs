@@ -1,6 +1,6 @@
 //! Permissible limit: share of the ultimate load in service.
 
-use super::{Check, CheckCard, Probe, limit, of, used};
+use super::check::{Check, CheckCard, Probe, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;

@@ -1,6 +1,6 @@
 //! Stresses along the ring in service: crown, abutments, piers.
 
-use super::{Check, CheckCard, limit, of, used};
+use super::check::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Columns, Comparison, NotMade, Unit};
 use outcome::facts::{Reading, RingSection, SectionFacts, ServiceFacts, Watched};

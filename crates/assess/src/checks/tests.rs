@@ -1,9 +1,10 @@
 //! Checks on facts made by hand.
 
+use super::check::used;
 use super::*;
 use bridge::assess::{Assess, Limits};
 use bridge::passage::Face;
-use outcome::assessment::Facts;
+use outcome::assessment::{Facts, Stage};
 use outcome::checked::{Judgement, Rung, Unit};
 use outcome::collapse::{Criterion, Status};
 use outcome::facts::{

@@ -1,6 +1,6 @@
 //! The line of thrust in service.
 
-use super::{Check, CheckCard, Probe, of_joints, used};
+use super::check::{Check, CheckCard, Probe, of_joints, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 

@@ -1,6 +1,7 @@
 //! Vehicles under the factors of a rule.
 
-use super::{Check, CheckCard, Probe, by_rule, of};
+use super::by_rule;
+use super::check::{Check, CheckCard, Probe, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;

@@ -5,6 +5,7 @@ pub mod can;
 pub mod continuum;
 pub mod dem;
 pub(crate) mod elements;
+mod interface;
 pub(crate) mod joints;
 mod limit;
 pub(crate) mod path;
@@ -13,79 +14,9 @@ pub(crate) mod rings;
 pub(crate) mod scene;
 mod steps;
 
-use crate::analysis::AnalysisError;
+pub use interface::Engine;
+
 use bridge::{Bridge, Method};
-use can::{Cannot, Feature};
-use mechanics::watch::Watch;
-use outcome::collapse::Collapse;
-use rings::{MovedSupport, RingThickness};
-use structure::blocks::Scene;
-use structure::discretise::Discretised;
-
-/// A way to find when a bridge collapses. Everything that the file says of the bridge is taken as it is: what may come and go is for the caller.
-pub trait Engine: Sync {
-    /// What it is called in files.
-    fn method(&self) -> Method;
-
-    /// Refuses a bridge whose joints lack what the engine needs of them.
-    ///
-    /// # Errors
-    /// Joints without stiffness.
-    fn joints(&self, bridge: &Bridge) -> Result<(), AnalysisError>;
-
-    /// Refuses what [`load`](Self::load) would refuse before it computes.
-    ///
-    /// # Errors
-    /// Those of an analysis that cannot be set up.
-    fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
-        self.joints(bridge)?;
-        match rigid::prepared(bridge)?.loading.variable.is_empty() {
-            true => Err(AnalysisError::NoLoad),
-            false => Ok(()),
-        }
-    }
-
-    /// Raises the loads of the file until the bridge collapses. `resume` is a state that [`Watch::keep`] was offered.
-    ///
-    /// # Errors
-    /// An analysis that cannot be set up.
-    fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError>;
-
-    /// Narrows the thickness at which the rings just stand.
-    ///
-    /// # Errors
-    /// An analysis that cannot be set up, or that the engine does not make.
-    fn thickness(&self, _: &RingThickness<'_>, _: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-        Err(Cannot::of(self.method(), Feature::Thickness).into())
-    }
-
-    /// Moves a support until the bridge collapses.
-    ///
-    /// # Errors
-    /// An analysis that cannot be set up, or that the engine does not make.
-    fn support_movement(
-        &self,
-        _: &MovedSupport<'_>,
-        _: Option<&[u8]>,
-        _: &mut dyn Watch,
-    ) -> Result<Collapse, AnalysisError> {
-        Err(Cannot::of(self.method(), Feature::SupportMovement).into())
-    }
-
-    /// Raises the loads of blocks of a file or a drawing until they collapse.
-    ///
-    /// # Errors
-    /// An analysis that cannot be set up, or that the engine does not make.
-    fn drawn(
-        &self,
-        _: &Scene,
-        _: &Discretised,
-        _: Option<&[u8]>,
-        _: &mut dyn Watch,
-    ) -> Result<Collapse, AnalysisError> {
-        Err(Cannot::of(self.method(), Feature::DrawnBlocks).into())
-    }
-}
 
 /// The engine of a method.
 #[must_use]
@@ -110,8 +41,9 @@ pub fn raising(method: Method, bridge: &Bridge) -> &'static dyn Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use can::{Knows, knows};
+    use can::{Feature, Knows, knows};
     use mechanics::watch::Unwatched;
+    use rings::RingThickness;
 
     /// The table says what the engines do.
     #[test]

@@ -1,9 +1,9 @@
 //! Notes on fill and backing that yield as a continuum.
 
-use crate::analysis::engine::continuum::bears_first;
 use bridge::Bridge;
 use outcome::collapse::{Collapse, Status};
 use outcome::note::{self, Note};
+use outcome::picture::Picture;
 use outcome::soil::ContinuumReport;
 use outcome::warning::{Warning, Yielding};
 use structure::discretise::{Discretised, continuum};
@@ -75,4 +75,16 @@ fn open(c: &Collapse) -> Option<Yielding> {
         (Some(lower), None) => Some(Yielding::LowerAlone { lower }),
         _ => None,
     }
+}
+
+/// How much of the fastest motion of a plate the ring shares, at most, where the soil fails under a load and leaves the ring behind.
+const STILL: f64 = 0.02;
+
+/// Whether soil fails under a load before the ring does.
+fn bears_first(picture: &Picture) -> bool {
+    let Some(soil) = &picture.soil else { return false };
+    let size = |p: &[f64; 2]| p[0].hypot(p[1]);
+    let plates = soil.plates.iter().flat_map(|p| &p.motions).map(size).fold(0.0, f64::max);
+    let blocks = picture.mechanism.iter().flatten().map(|m| size(&m.translation)).fold(0.0, f64::max);
+    plates > 0.0 && blocks < STILL * plates
 }

@@ -319,15 +319,3 @@ fn moved(d: &Discretised, loaded: &LoadedEarth, bounds: &Bounds, drawn: &mut Pic
         plates: plates.collect(),
     });
 }
-
-/// How much of the fastest motion of a plate the ring shares, at most, where the soil fails under a load and leaves the ring behind.
-const STILL: f64 = 0.02;
-
-/// Whether soil fails under a load before the ring does.
-pub fn bears_first(picture: &Picture) -> bool {
-    let Some(soil) = &picture.soil else { return false };
-    let size = |p: &[f64; 2]| p[0].hypot(p[1]);
-    let plates = soil.plates.iter().flat_map(|p| &p.motions).map(size).fold(0.0, f64::max);
-    let blocks = picture.mechanism.iter().flatten().map(|m| size(&m.translation)).fold(0.0, f64::max);
-    plates > 0.0 && blocks < STILL * plates
-}
