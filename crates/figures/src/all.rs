@@ -1,40 +1,36 @@
-//! Everything that is written beside the result of a collapse analysis.
+//! Everything that is written beside the result of a collapse analysis: figures, and files for ParaView.
 
+use crate::animation::animation;
+use crate::figure::Figure;
+use crate::file::{File, written};
 use crate::raster::RasterError;
-use crate::{FIGURES, animation, figure::Figure, png, vtk};
+use crate::{
+    chains, displaced, drawn, fill_stress, frames, load_path, mechanism, packing, soil, stiffness, stress, thrust, vtk,
+};
 use outcome::picture::Picture;
 
-/// Width of PNG pictures [pixels]: 160 mm at 380 dots per inch.
-pub const PNG_WIDTH: u32 = 2400;
-
-/// A file to be written.
-#[derive(Debug, Clone, PartialEq)]
-pub struct File {
-    /// Its name, with a folder before it where there is one (`paraview/blocks.pvd`); `/` divides.
-    pub name: String,
-    /// What it contains.
-    pub bytes: Vec<u8>,
-}
+/// Every figure of a collapse, in the order of its files.
+pub const FIGURES: &[Figure] = &[
+    drawn::FIGURE,
+    mechanism::FIGURE,
+    thrust::FIGURE,
+    stress::FIGURE,
+    load_path::FIGURE,
+    stiffness::FIGURE,
+    frames::FIGURE,
+    packing::FIGURE,
+    chains::FIGURE,
+    displaced::FIGURE,
+    fill_stress::FIGURE,
+    soil::mechanism::FIGURE,
+    soil::stress::FIGURE,
+    soil::pressure::FIGURE,
+];
 
 /// All figures that the picture has material for, as SVG: name without extension, and drawing.
 pub fn drawings(picture: &Picture) -> Vec<(String, String)> {
     let draw = |figure: &Figure| Some((figure.name.to_owned(), (figure.draw)(picture)?));
     FIGURES.iter().filter_map(draw).collect()
-}
-
-/// A drawing as the two files it is written to.
-pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
-    let picture = png(svg, PNG_WIDTH)?;
-    Ok([
-        File { name: format!("{name}.svg"), bytes: svg.as_bytes().to_vec() },
-        File { name: format!("{name}.png"), bytes: picture },
-    ])
-}
-
-/// Drawings as the files they are written to.
-pub(crate) fn written(drawings: Vec<(String, String)>) -> Result<Vec<File>, RasterError> {
-    let files: Result<Vec<[File; 2]>, _> = drawings.iter().map(|(name, svg)| both(name, svg)).collect();
-    Ok(files?.into_iter().flatten().collect())
 }
 
 /// The ParaView files: one VTU a snapshot for blocks, contacts, particles and their forces, the series, the mechanism, and soil

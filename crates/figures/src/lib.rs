@@ -25,6 +25,7 @@ mod elevation;
 mod envelope;
 mod factor_bars;
 mod figure;
+mod file;
 mod fill_stress;
 mod frames;
 mod geometry;
@@ -53,7 +54,7 @@ mod vehicles;
 pub mod vtk;
 mod words;
 
-pub use all::{File, PNG_WIDTH, all, both, drawings, paraview};
+pub use all::{FIGURES, all, drawings, paraview};
 pub use animation::animation;
 pub use calibration::calibration;
 pub use chains::force_chains;
@@ -63,6 +64,7 @@ pub use drawn::bridge_as_drawn;
 pub use envelope::{Ordinate, Sweep, envelope, sweep_drawing};
 pub use factor_bars::case_factors;
 pub use figure::Figure;
+pub use file::{File, PNG_WIDTH, both};
 pub use fill_stress::fill_stress;
 pub use frames::collapse_frames;
 pub use ground::{cross_section, plan};
@@ -83,21 +85,3 @@ pub use update::{UPDATE_FIGURES, update, update_drawings};
 pub use validation::{validation, validation_drawing};
 pub use vehicles::vehicles;
 pub use words::four_digits;
-
-/// Every figure of a collapse, in the order of its files.
-pub const FIGURES: &[Figure] = &[
-    drawn::FIGURE,
-    mechanism::FIGURE,
-    thrust::FIGURE,
-    stress::FIGURE,
-    load_path::FIGURE,
-    stiffness::FIGURE,
-    frames::FIGURE,
-    packing::FIGURE,
-    chains::FIGURE,
-    displaced::FIGURE,
-    fill_stress::FIGURE,
-    soil::mechanism::FIGURE,
-    soil::stress::FIGURE,
-    soil::pressure::FIGURE,
-];

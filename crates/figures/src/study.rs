@@ -9,7 +9,7 @@ pub use heat_map::heat_map;
 pub use response::response;
 pub use tornado::tornado;
 
-use crate::all::{File, written};
+use crate::file::{File, written};
 use crate::raster::RasterError;
 use crate::words;
 use outcome::study::{Design, Study};

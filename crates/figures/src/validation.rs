@@ -2,9 +2,9 @@
 
 mod marks;
 
-use crate::all::{File, written};
 use crate::chart::{Axis, Key};
 use crate::elevation::INK;
+use crate::file::{File, written};
 use crate::raster::RasterError;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
 use marks::{colour, mark};

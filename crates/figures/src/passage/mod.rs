@@ -6,7 +6,7 @@ mod ring;
 mod scene;
 mod vtu;
 
-use crate::all::{File, written};
+use crate::file::{File, written};
 use crate::raster::RasterError;
 use outcome::passage::Passage;
 

@@ -1,6 +1,6 @@
 //! The moments as a ParaView series: elements with stress and zone, nodes with displacement; joints as points.
 
-use crate::all::File;
+use crate::file::File;
 use crate::vtk::{Array, Cells, Grid, over_time};
 use outcome::passage::Passage;
 use outcome::passage::{Moment, Pair, PairState, RowKind};

@@ -1,7 +1,7 @@
 //! How parameters go together in the posterior: samples of each pair below the diagonal, correlation above it.
 
 use super::marginals::bars;
-use super::second_line;
+use super::words::second_line;
 use crate::colour::either_way;
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH};

@@ -1,6 +1,7 @@
 //! Measured and computed histories over one another, channel below channel (railway paper, Figs. 11 to 13).
 
-use super::{MEASURED, START, UPDATED, percent, second_line};
+use super::style::{MEASURED, START, UPDATED};
+use super::words::{percent, second_line};
 use crate::chart::{Axis, Chart, Entry, HEADING, Panel, ZERO};
 use crate::sheet::Pen;
 use crate::ticks::Ticks;

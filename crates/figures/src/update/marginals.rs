@@ -1,6 +1,7 @@
 //! What the data leave open of each parameter: its posterior over its range, beside what was believed before.
 
-use super::{UPDATED, axis, fitting, second_line, value_words};
+use super::style::{UPDATED, axis};
+use super::words::{fitting, second_line, value_words};
 use crate::chart::{Axis, Entry, Mark, NAME, Panel, PanelPoint, key};
 use crate::elevation::INK;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};

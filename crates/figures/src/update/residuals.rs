@@ -1,6 +1,7 @@
 //! What is left between record and model, channel by channel, before and after the update.
 
-use super::{START, UPDATED, errors_in, second_line, signed};
+use super::style::{START, UPDATED};
+use super::words::{errors_in, second_line, signed};
 use crate::chart::{Axes, Axis, Key, NAME};
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, THIN, WIDTH, font};

@@ -1,6 +1,7 @@
 //! How the norm and every channel's error follow each parameter alone (railway paper, Figs. 5, 6 and 10).
 
-use super::{axis, errors_in, fitting, search_words, second_line, value_words};
+use super::style::axis;
+use super::words::{errors_in, fitting, search_words, second_line, value_words};
 use crate::chart::{
     Axes, Axis, Entry, HEADING, Heading, Mark, NAME, Panel, PanelPoint, ZERO, heading, heading_lines, key, runs,
 };

@@ -1,7 +1,8 @@
 //! The norm over two parameters in bands, the path that the search took, and the least point (railway paper, Figs. 7 to 9).
 
 use super::bands::Grid;
-use super::{axis, fitting, search_words, second_line, value_words};
+use super::style::axis;
+use super::words::{fitting, search_words, second_line, value_words};
 use crate::chart::{Axes, Entry, Mark, Panel, key};
 use crate::colour::dark_for_much;
 use crate::elevation::INK;

@@ -1,6 +1,6 @@
 //! A series of files, with the load as time.
 
-use crate::all::File;
+use crate::file::File;
 use crate::sheet::escape;
 use outcome::picture::Picture;
 use std::fmt::Write as _;
