@@ -1,6 +1,7 @@
 //! Lists of `extrados.assess/1`, and its table.
 
-use super::{Object, Quoted, list, object, row};
+use super::objects::{Object, list, object};
+use super::rows::{Quoted, row};
 use crate::checked::{Checked, governing};
 use crate::note::{self, Note};
 use crate::statics::Statics;

@@ -1,6 +1,6 @@
 //! Tables of `extrados.calibrate-fill/1`.
 
-use super::{each, row};
+use super::rows::{each, row};
 use crate::calibration::CalibrationReport;
 
 /// Every load step of every sample: those of the table, of the multiple found, and of the check.

@@ -1,6 +1,6 @@
 //! CSV tables of particles.
 
-use super::row;
+use super::rows::row;
 use super::tables::counted;
 use crate::collapse::Collapse;
 use crate::picture::{Partner, Picture, Snapshot};

@@ -1,6 +1,6 @@
 //! Tables of `extrados.respond/1`.
 
-use super::row;
+use super::rows::row;
 use crate::passage::{Passage, RowKind, StepLog};
 
 /// `channels.csv`: a time, and a column for each channel, headed by its name and unit; self-weight taken off.

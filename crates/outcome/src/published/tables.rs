@@ -1,6 +1,6 @@
 //! CSV tables of collapse analyses and sweeps: a header with units, a row per item.
 
-use super::row;
+use super::rows::{each, row};
 use crate::collapse::Collapse;
 use crate::sweep::Sweep;
 use bridge::Analysis;
@@ -68,7 +68,7 @@ pub fn blocks(c: &Collapse) -> String {
         let rows = c.picture.shapes.iter().zip(&s.motions).zip(&c.block_names).enumerate();
         for (k, ((shape, m), name)) in rows {
             let moved = m.translation.map(|d| 1e3 * d);
-            let stress = super::each(s.stresses.get(k).map(|stress| stress.map(|v| v / 1e6)));
+            let stress = each(s.stresses.get(k).map(|stress| stress.map(|v| v / 1e6)));
             row!(&mut csv, s.load / unit, k, name, shape.role, shape.held, moved, m.rotation, stress);
         }
     }

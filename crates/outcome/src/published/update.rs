@@ -1,6 +1,7 @@
 //! Lists of `extrados.update/1`, and its tables.
 
-use super::{Object, list, object, row, said};
+use super::objects::{Object, list, object, said};
+use super::rows::row;
 use crate::update::{RecordsUsed, RunUsed, UncertaintyFrom, Update};
 
 fn name(update: &Update, parameter: usize) -> &str {

@@ -1,6 +1,7 @@
 //! The table of `extrados.validate/1`, and the record.
 
-use super::{Object, each, kilo, object, row};
+use super::objects::{Object, kilo, object};
+use super::rows::{each, row};
 use crate::validation::{Predictor, Tested, Validation};
 
 /// The record of limit analysis with fill as weight, as `crates/assess/data/record.json` holds it: of every test what it carried, and what is

@@ -1,6 +1,7 @@
 //! Lists of `extrados.vary/1`, its table, and the record of one run.
 
-use super::{Object, kilo, list, number, object, row};
+use super::objects::{Object, json, kilo, list, number, object};
+use super::rows::row;
 use crate::collapse::Collapse;
 use crate::study::{Outcome, Row, Study, sensitivity};
 use bridge::vary::Setting;
@@ -29,7 +30,7 @@ const RECORD: &str = "extrados.vary-run/1";
 
 /// The record of a finished run.
 pub fn run_record(outcome: &Outcome, seconds: f64) -> String {
-    super::json(&object! {
+    json(&object! {
         schema: RECORD,
         status: outcome.status,
         outcomes: numbers(outcome),

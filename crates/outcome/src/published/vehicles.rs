@@ -1,6 +1,7 @@
 //! Tables of `extrados.vehicle-sweep/1`.
 
-use super::{Quoted, each, from_one, kilo, row};
+use super::objects::kilo;
+use super::rows::{Quoted, each, from_one, row};
 use crate::vehicles::{VehicleSweep, Weights};
 
 /// Factors on weights as three cells.
