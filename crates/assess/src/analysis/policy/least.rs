@@ -1,7 +1,8 @@
 //! The least of what the states of a bridge come to: a load, a thickness, a support movement.
 
 use super::super::{AnalysisError, notes};
-use super::{Standing, State, hurts, leading, not_counted, states, warned};
+use super::standing::{Standing, hurts, leading, not_counted, warned};
+use super::states::{State, states};
 use bridge::Bridge;
 use mechanics::blocks::ModelError;
 use mechanics::kept;

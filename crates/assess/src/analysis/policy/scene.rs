@@ -1,6 +1,6 @@
 //! How blocks of a file or a drawing lose what may help them: the bond of their joints.
 
-use super::{State, sets};
+use super::states::{State, sets};
 use mechanics::blocks::ContactLaw;
 use mechanics::ids::{GroupId, Id};
 use outcome::help::Help;

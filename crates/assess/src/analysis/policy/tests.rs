@@ -5,10 +5,11 @@ use super::super::placing::Placing;
 use super::super::sweep::{Places, sweep};
 use super::super::vehicles::vehicle_sweep;
 use super::super::{AnalysisError, collapse};
-use super::*;
-use bridge::{Analysis, Method, Strip};
+use super::states::states;
+use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 use outcome::collapse::{Collapse, Status};
+use outcome::help::{Help, NotCounted};
 use outcome::note::{self, Note};
 use outcome::warning;
 

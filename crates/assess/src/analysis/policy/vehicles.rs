@@ -5,7 +5,8 @@
 use super::super::AnalysisError;
 use super::super::parallel::Portion;
 use super::super::vehicles::{case_by_itself, worst_of};
-use super::{Standing, State, hurts, leading, not_counted, states_of_moving, warned};
+use super::standing::{Standing, hurts, leading, not_counted, warned};
+use super::states::{State, states_of_moving};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
