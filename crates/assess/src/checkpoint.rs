@@ -50,6 +50,9 @@ pub fn bytes(fingerprint: u64, state: &[u8]) -> Vec<u8> {
 }
 
 /// The state in the bytes of a file that were made for the same input.
+///
+/// # Errors
+/// Bytes that are no checkpoint, damaged, or made by another version or for another input.
 pub fn state(bytes: &[u8], fingerprint: u64) -> Result<&[u8], CheckpointError> {
     let rest = bytes.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
     let (format, found, state, sum) = parts(rest).ok_or(CheckpointError::Damaged("it is cut short"))?;

@@ -83,6 +83,9 @@ impl std::fmt::Display for Refused {
 impl std::error::Error for Refused {}
 
 /// The library with the trains of passages, whose axles weigh by `gravity` [m/s^2].
+///
+/// # Errors
+/// What is wrong with the files of the library.
 pub fn library(gravity: f64) -> Result<Library, Unknown> {
     let mut library = rules::library().map_err(|problems| said(&problems))?;
     let vehicles = bridge::train::LIBRARY.iter().filter_map(|train| {
@@ -246,6 +249,9 @@ pub fn no_rule(library: &Library, code: &str) -> Unknown {
 /// The rule and the vehicles that a plan asks for. Without names these are all of the library that the rule is made for
 /// and whose spans are not exceeded (of the trains the short one, which holds all that the long one repeats), and all of the
 /// plan's own files. Everything that is wrong is told at once.
+///
+/// # Errors
+/// All of it: files, a rule or vehicles that cannot be used, or that do not go together or with spans as long as these.
 pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), Refused> {
     let Read { rule, library, own, whole, mut wrong } = read(bridge, plan)?;
     let mut vehicles: Vec<Chosen> = Vec::new();

@@ -56,6 +56,9 @@ impl Document {
 
     /// Writes a TOML value at a path, in the place of the one that is there or as a new key, with its section where
     /// that is missing too. An entry of a list must be there.
+    ///
+    /// # Errors
+    /// A text that is no TOML value, or a path that leads to no place.
     pub fn set(&mut self, path: &Path, literal: &str) -> Result<(), Unfit> {
         let value: Value = literal.trim().parse().map_err(|_| Unfit::NoValue)?;
         let (last, before) = path.steps.split_last().ok_or(Unfit::NoPlace)?;

@@ -273,6 +273,9 @@ pub fn convert(number: f64, from: &Unit, to: &Unit) -> Option<f64> {
 }
 
 /// Reads "18.30 m".
+///
+/// # Errors
+/// A text that does not start with a finite number, or goes on with no known unit.
 pub fn parse(text: &str) -> Result<Quantity, Unreadable> {
     let text = text.trim();
     let (digits, rest) = text.split_at(number_length(text));

@@ -254,12 +254,18 @@ pub struct Intrados {
 
 impl Intrados {
     /// The curve of a profile with this span and rise [m] between level springings.
+    ///
+    /// # Errors
+    /// A profile that has no curve of this size.
     pub fn new(profile: &Profile, span: f64, rise: f64) -> Result<Intrados, Misfit> {
         Intrados::between(profile, span, rise, 0.0)
     }
 
     /// The curve of a profile with this span and rise to a right springing that lies `right` above the left one [m]. The rise is that of
     /// the middle of the span above the straight line between the springings, measured upright; points of a survey have theirs.
+    ///
+    /// # Errors
+    /// A profile that has no curve of this size, or springings that differ by more than the span.
     pub fn between(profile: &Profile, span: f64, rise: f64, right: f64) -> Result<Intrados, Misfit> {
         // Those of a survey are what its points make them.
         if profile.needs()[0] && ![span, rise].iter().all(|length| *length > 0.0 && length.is_finite()) {

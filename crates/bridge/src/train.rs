@@ -151,6 +151,9 @@ pub const MOST_AXLES: usize = 20_000;
 
 /// Reads a table of axles: a header `axle_load_t,distance_m` (or `axle_force_kn,distance_m`), and a line for each axle with
 /// its distance behind the first. What is wrong is said line by line.
+///
+/// # Errors
+/// Another header, every line that is no axle behind the one before, or a table without axles.
 pub fn read_csv(text: &str) -> Result<Vec<Vehicle>, Vec<String>> {
     let mut lines = text
         .lines()

@@ -35,6 +35,9 @@ pub struct Basis {
 
 impl Basis {
     /// Runs a full passage of a start model and holds its weights.
+    ///
+    /// # Errors
+    /// A stop by the onlooker, a start model without an answer, or one whose norm is no finite number.
     pub fn at(evaluator: &mut Evaluator, start: &[f64]) -> Result<Self, Halt> {
         evaluator.stage("start model");
         let response = full_passage(evaluator, start)?;
@@ -49,6 +52,9 @@ impl Basis {
     }
 
     /// The same weights with the peaks' places of a full passage of another model.
+    ///
+    /// # Errors
+    /// A stop by the onlooker, or a model without an answer.
     pub fn refreshed(&self, evaluator: &mut Evaluator, point: &[f64]) -> Result<Self, Halt> {
         if !evaluator.problem.misfit().slices {
             return Ok(self.clone());
@@ -59,6 +65,9 @@ impl Basis {
 
     /// The peaks' places of a full passage of another model, and by how much its peaks differ from those of the slices at these places;
     /// the same where there are no slices.
+    ///
+    /// # Errors
+    /// A stop by the onlooker, or a model without an answer.
     pub fn corrected(&self, evaluator: &mut Evaluator, point: &[f64]) -> Result<Self, Halt> {
         if self.samples == Samples::All {
             return Ok(self.clone());
@@ -81,6 +90,9 @@ impl Basis {
     }
 
     /// Fits at many points; none where the model failed there.
+    ///
+    /// # Errors
+    /// A stop by the onlooker.
     pub fn fits(&self, evaluator: &mut Evaluator, points: &[Vec<f64>]) -> Result<Vec<Option<Fit>>, Stopped> {
         let answers = evaluator.respond(points, &self.request(false))?;
         let fit = |response: &Response| misfit::fit(evaluator.problem, &self.held, response);

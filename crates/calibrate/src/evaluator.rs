@@ -101,6 +101,9 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Answers at many points, in their order. What the log knows is not evaluated again.
+    ///
+    /// # Errors
+    /// A stop by the onlooker; a point without an answer is none.
     pub fn respond(&mut self, points: &[Vec<f64>], request: &Request) -> Result<Vec<Arc<Evaluation>>, Stopped> {
         if !self.keeps {
             let answers = self.evaluate(points, request)?;

@@ -61,6 +61,9 @@ pub type Evaluation = Result<Response, Failure>;
 /// A model whose parameters are sought. It must be a function: the same point and request give the same bits.
 pub trait Forward: Sync {
     /// Values of every channel of the problem, left-out ones included, at one point.
+    ///
+    /// # Errors
+    /// Why the model has no answer there; [`STOPPED`] after [`stop`](Self::stop).
     fn evaluate(&self, point: &[f64], request: &Request) -> Evaluation;
 
     /// Whether requests for sensitivities of such values are answered; where not, differences are taken.

@@ -57,6 +57,9 @@ const UNSEEN: f64 = 1e-6;
 const SETS: usize = 10;
 
 /// Looks at one point. Evaluates derivatives there, by differences over this step where the model offers none.
+///
+/// # Errors
+/// A stop by the onlooker, or a model without an answer at the point or beside it.
 pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f64) -> Result<Identifiability, Halt> {
     evaluator.stage("sensitivities");
     let sensitivities = sensitivities(evaluator, basis, point, step)?;
@@ -66,6 +69,9 @@ pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f
 }
 
 /// Derivatives of the residuals with respect to shares, by parameter.
+///
+/// # Errors
+/// A stop by the onlooker, or a model without an answer at the point or beside it.
 pub fn sensitivities(
     evaluator: &mut Evaluator,
     basis: &Basis,

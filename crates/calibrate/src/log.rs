@@ -77,6 +77,9 @@ impl Log {
     }
 
     /// Reads a log back. Gives it with the number of lines that were not whole and were passed over.
+    ///
+    /// # Errors
+    /// A text that is no log, or the log of something else.
     pub fn read(identity: &str, text: &str) -> Result<(Self, usize), Unreadable> {
         let mut log = Self::new(identity);
         let mut lines = text.lines();

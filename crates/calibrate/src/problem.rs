@@ -28,6 +28,9 @@ pub struct Problem {
 
 impl Problem {
     /// Poses the problem, or says everything that is wrong with it.
+    ///
+    /// # Errors
+    /// All that is wrong with parameters and channels.
     pub fn new(parameters: Vec<Parameter>, channels: Vec<Channel>, misfit: Misfit) -> Result<Self, Vec<Flaw>> {
         let mut findings = Vec::new();
         check_parameters(&parameters, &mut findings);

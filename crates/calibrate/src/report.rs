@@ -65,6 +65,9 @@ impl Found {
 }
 
 /// Verifies a point by a full passage and says everything about it; bounds are those of `ranges`.
+///
+/// # Errors
+/// A stop by the onlooker, or a model without an answer.
 pub fn verify(
     evaluator: &mut Evaluator,
     basis: &Basis,

@@ -89,6 +89,9 @@ impl Surrogate {
 }
 
 /// Fits polynomials of rising degree and keeps the one with the least error at held-out points.
+///
+/// # Errors
+/// A stop by the onlooker, or a model that answers at too few of the points.
 pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Surrogate, Halt> {
     evaluator.begin(Some(settings.training + settings.held_out));
     evaluator.stage("points of the surrogate");

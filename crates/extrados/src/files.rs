@@ -7,12 +7,21 @@ use std::path::{Component, Path, PathBuf};
 /// Gives the bytes of files by their paths.
 pub trait Files {
     /// The bytes of a file. A folder is refused with [`io::ErrorKind::IsADirectory`].
+    ///
+    /// # Errors
+    /// A path that leads to no file, or a file that cannot be read.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
     /// The files in a folder, in the order of their names; none where the path leads to no folder.
+    ///
+    /// # Errors
+    /// A folder that cannot be read.
     fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>>;
 
     /// The first `most` bytes of a file.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read).
     fn head(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
         let mut bytes = self.read(path)?;
         bytes.truncate(usize::try_from(most).unwrap_or(usize::MAX));
@@ -20,12 +29,18 @@ pub trait Files {
     }
 
     /// The bytes of a file that has no more than `most`; one that is longer is refused before it is read.
+    ///
+    /// # Errors
+    /// Those of [`head`](Self::head), and a longer file as [`io::ErrorKind::InvalidData`].
     fn read_at_most(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
         let bytes = self.head(path, most + 1)?;
         if bytes.len() as u64 > most { Err(too_long(most)) } else { Ok(bytes) }
     }
 
     /// Where a path leads, links followed.
+    ///
+    /// # Errors
+    /// A path that leads nowhere, where there are links to follow.
     fn real(&self, path: &Path) -> io::Result<PathBuf> {
         Ok(plain(path))
     }

@@ -122,6 +122,9 @@ impl Project {
     }
 
     /// The file's text as a tree that can be edited, without its ranges.
+    ///
+    /// # Errors
+    /// A text that cannot be edited (F114).
     pub fn document_without_ranges(&self) -> Result<Document, Refusal> {
         self.document(&["vary"])
     }

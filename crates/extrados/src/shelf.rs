@@ -13,6 +13,9 @@ pub trait Shelf: Sync {
     fn find(&self, name: &str) -> Option<Vec<u8>>;
 
     /// Keeps a piece, whole or not at all.
+    ///
+    /// # Errors
+    /// A piece that cannot be kept.
     fn put(&self, name: &str, bytes: &[u8]) -> io::Result<()>;
 
     /// The evaluations that were kept of this model; [`append`](Self::append) adds to them.

@@ -15,6 +15,9 @@ pub struct File {
 }
 
 /// A drawing as the two files it is written to.
+///
+/// # Errors
+/// Those of [`png()`].
 pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
     let picture = png(svg, PNG_WIDTH)?;
     Ok([

@@ -60,6 +60,9 @@ impl Rasteriser {
 }
 
 /// A PNG picture `width_px` pixels wide on white ground.
+///
+/// # Errors
+/// A text that is no SVG, or a width of 0 or of more than 20 000 pixels.
 pub fn png(svg: &str, width_px: u32) -> Result<Vec<u8>, RasterError> {
     let pixels = Rasteriser::new().pixels(svg, width_px)?;
     pixels.encode_png().map_err(|e| RasterError::Pack(e.to_string()))

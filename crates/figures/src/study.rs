@@ -15,6 +15,9 @@ use crate::words;
 use outcome::study::{Design, Study};
 
 /// Every figure of a study that there is material for.
+///
+/// # Errors
+/// A drawing of which no PNG can be made.
 pub fn study(study: &Study) -> Result<Vec<File>, RasterError> {
     written(study_drawings(study))
 }

@@ -23,6 +23,9 @@ const ALARM: &str = "#a02020";
 const FARTHEST: [f64; 2] = [0.02, 20.0];
 
 /// The figure of a validation, as the files it is written to.
+///
+/// # Errors
+/// A drawing of which no PNG can be made.
 pub fn validation(found: &Validation) -> Result<Vec<File>, RasterError> {
     written(validation_drawing(found).map(|svg| ("validation".to_owned(), svg)).into_iter().collect())
 }

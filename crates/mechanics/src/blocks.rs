@@ -276,6 +276,9 @@ pub enum ModelError {
 
 impl BlockModel {
     /// The rounded outline of each block, relative to its centre of mass.
+    ///
+    /// # Errors
+    /// A block whose rounding leaves nothing of an edge.
     pub fn cores(&self) -> Result<Table<BlockId, Core>, ModelError> {
         self.blocks
             .pairs()
@@ -317,6 +320,9 @@ pub struct Interface {
 /// diagonal one would hold both. Leaving the pair out never adds strength. A common face no longer than `tolerance` is
 /// such a pair as well, for where a face ends is known no better than whether it touches. Blocks that meet nowhere but in their corners
 /// are pinned there: the point stays their joint.
+///
+/// # Errors
+/// A block whose rounding leaves nothing of an edge.
 pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, ModelError> {
     let rounded = model.cores()?;
     let sharp: Table<BlockId, Core> = model

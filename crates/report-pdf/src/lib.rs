@@ -32,6 +32,9 @@ impl std::error::Error for Unset {}
 const STACK: usize = 64 << 20;
 
 /// The report as PDF. Every text of `data` is set as it stands: none is read as markup.
+///
+/// # Errors
+/// What the typesetter said, or that it broke off.
 pub fn pdf(data: &Value) -> Result<Vec<u8>, Unset> {
     let unset = |words: String| Unset { words: vec![words] };
     let json = data.to_string();

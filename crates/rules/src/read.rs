@@ -38,6 +38,9 @@ const MOST_AXLES: usize = 1000;
 const MOST_PATTERNS: usize = 1000;
 
 /// Reads a file of vehicles.
+///
+/// # Errors
+/// All that is wrong with the file.
 pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>> {
     let model: LoadModel = parse(file, text, &crate::shape::LOAD_MODEL)?;
     let mut found = Complaints { file, text, problems: Vec::new() };
@@ -89,6 +92,9 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
 }
 
 /// Reads a file of a rule.
+///
+/// # Errors
+/// All that is wrong with the file.
 pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
     let rule: Rule = parse(file, text, &crate::shape::RULE)?;
     let mut found = Complaints { file, text, problems: Vec::new() };

@@ -35,6 +35,9 @@ impl PackingFileError {
 
 /// Centre and radius of each particle [m], as `packing.csv` holds them. Lines that begin with `#` are remarks; the
 /// columns are found by their names, and others than `x_m`, `y_m` and `radius_m` are left alone.
+///
+/// # Errors
+/// Columns that are missing, every line that is no particle, or no particle at all.
 pub fn read(text: &[u8]) -> Result<Vec<[f64; 3]>, PackingFileError> {
     let mut table = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).flexible(true).from_reader(text);
     let line_of = |error: &csv::Error| error.position().map_or(1, csv::Position::line);

@@ -155,6 +155,9 @@ pub struct CaseError {
 
 impl Case {
     /// Reads the case in `folder`.
+    ///
+    /// # Errors
+    /// A file that is missing or wrong, or changes that do not fit it.
     pub fn read(folder: &Path) -> Result<Case, CaseError> {
         let path = folder.join("case.toml");
         let wrong = |path: &Path, reason: String| CaseError { path: path.display().to_string(), reason };

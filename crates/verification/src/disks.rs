@@ -80,6 +80,9 @@ pub fn settings() -> Settings {
 
 /// Packs `count` discs. A packing under walls and its mirror image fit one another contact by contact, so a large box is made of
 /// a smaller one without packing it anew; what it costs to step does not know of the symmetry.
+///
+/// # Errors
+/// Discs that cannot be packed, or a stop by the onlooker.
 pub fn disks(count: usize, watch: &mut dyn Watch) -> Result<Disks, DisksError> {
     let tiles = tiles_along(count);
     let in_tile = count.div_ceil(tiles * tiles);

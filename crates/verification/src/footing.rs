@@ -98,6 +98,9 @@ fn material(ground: Ground) -> Material {
 }
 
 /// A uniform mesh of `columns` by half as many rows, in plane strain: base fixed, sides smooth, the footing rough.
+///
+/// # Errors
+/// No columns, or ground that is no material.
 pub fn footing(columns: usize, ground: Ground, element: Element) -> Result<Footing, FootingError> {
     let rows = columns.div_ceil(2);
     let node = |i: usize, j: usize| NodeId::new(j * (columns + 1) + i);
@@ -142,6 +145,9 @@ pub struct Pushed {
 
 impl Footing {
     /// Pushes the footing down, from the mesh's pattern to the last step.
+    ///
+    /// # Errors
+    /// A factor that does not fit into memory.
     pub fn push(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Pushed, FootingError> {
         let mut work = Workspace::new(&self.model)?;
         let mut state = State::new(&self.model);

@@ -27,6 +27,9 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// Folders below `root` that hold a case, in order of their names.
+///
+/// # Errors
+/// A folder that cannot be read.
 pub fn discover(root: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     let mut open = vec![root.to_path_buf()];

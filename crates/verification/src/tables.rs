@@ -39,6 +39,9 @@ impl TableRow {
 }
 
 /// Every table of the library, published or worked out by hand; what is wrong with the library where it cannot be read.
+///
+/// # Errors
+/// What is wrong with the library.
 pub fn tables() -> Result<Vec<TableRow>, String> {
     let library =
         rules::library().map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;

@@ -84,6 +84,9 @@ pub fn examples() -> String {
 }
 
 /// A file of an example.
+///
+/// # Errors
+/// Those of [`cards::example_file`], as an exception.
 #[wasm_bindgen]
 pub fn example_file(example: &str, file: &str) -> Thrown<Vec<u8>> {
     cards::example_file(example, file).map_err(thrown)
@@ -114,6 +117,9 @@ pub fn codes() -> String {
 }
 
 /// Vehicles and rules.
+///
+/// # Errors
+/// Those of [`cards::library`], as an exception.
 #[wasm_bindgen]
 pub fn library() -> Thrown<String> {
     cards::library().map(|library| library.to_string()).map_err(thrown)
@@ -126,6 +132,9 @@ pub fn materials() -> String {
 }
 
 /// The text of a bridge file with a table filled from a material of the library.
+///
+/// # Errors
+/// Those of [`extrados::with_material`], as an exception.
 #[wasm_bindgen]
 pub fn with_material(text: &str, table: &str, material: &str, keys: Vec<String>) -> Thrown<String> {
     let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
@@ -145,18 +154,27 @@ pub fn survey_questions() -> String {
 }
 
 /// A bridge file from answers.
+///
+/// # Errors
+/// Those of [`cards::from_survey`], as an exception.
 #[wasm_bindgen]
 pub fn from_survey(answers: &str) -> Thrown<String> {
     cards::from_survey(answers).map_err(thrown)
 }
 
 /// What is wrong with answers or doubtful, each at its key.
+///
+/// # Errors
+/// Those of [`cards::survey_findings`], as an exception.
 #[wasm_bindgen]
 pub fn survey_findings(answers: &str) -> Thrown<String> {
     cards::survey_findings(answers).map(|found| found.to_string()).map_err(thrown)
 }
 
 /// A block model file from a drawing.
+///
+/// # Errors
+/// Those of [`cards::from_drawing`], as an exception.
 #[wasm_bindgen]
 pub fn from_dxf(name: &str, bytes: &[u8]) -> Thrown<String> {
     cards::from_drawing(name, bytes).map_err(thrown)
@@ -222,6 +240,9 @@ impl Document {
     }
 
     /// Writes one value.
+    ///
+    /// # Errors
+    /// Those of [`document::Document::set`], as an exception.
     pub fn set(&mut self, path: &str, literal: &str) -> Thrown<()> {
         self.0.set(path, literal).map_err(thrown)
     }
@@ -269,65 +290,98 @@ impl Outcome {
     }
 
     /// One of them.
+    ///
+    /// # Errors
+    /// Those of [`result::Answer::file`], as an exception.
     pub fn file(&self, name: &str) -> Thrown<Vec<u8>> {
         self.0.file(name).map_err(thrown)
     }
 
     /// All of them.
+    ///
+    /// # Errors
+    /// Those of [`result::Answer::zip`], as an exception.
     pub fn zip(&self) -> Thrown<Vec<u8>> {
         self.0.zip().map_err(thrown)
     }
 }
 
 /// The load that makes a mechanism.
+///
+/// # Errors
+/// Those of [`analyses::collapse`], as an exception.
 #[wasm_bindgen]
 pub fn collapse(document: &Document, choice: &str, tell: &Function) -> Thrown<Outcome> {
     analyses::collapse(&document.0, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// Loads or vehicles at every position.
+///
+/// # Errors
+/// Those of [`analyses::sweep`], as an exception.
 #[wasm_bindgen]
 pub fn sweep(document: &Document, choice: &str, step: f64, tell: &Function) -> Thrown<Outcome> {
     analyses::sweep(&document.0, choice, step, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// Every named case.
+///
+/// # Errors
+/// Those of [`analyses::cases`], as an exception.
 #[wasm_bindgen]
 pub fn cases(document: &Document, choice: &str, tell: &Function) -> Thrown<Outcome> {
     analyses::cases(&document.0, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// The passage of a train.
+///
+/// # Errors
+/// Those of [`analyses::respond`], as an exception.
 #[wasm_bindgen]
 pub fn respond(document: &Document, tell: &Function) -> Thrown<Outcome> {
     analyses::respond(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// Parameters from records.
+///
+/// # Errors
+/// Those of [`analyses::update`], as an exception.
 #[wasm_bindgen]
 pub fn update(document: &Document, tell: &Function) -> Thrown<Outcome> {
     analyses::update(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// The records alone.
+///
+/// # Errors
+/// Those of [`analyses::judge`], as an exception.
 #[wasm_bindgen]
 pub fn judge(document: &Document, tell: &Function) -> Thrown<Outcome> {
     analyses::judge(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// The collapse over ranges.
+///
+/// # Errors
+/// Those of [`analyses::vary`], as an exception.
 #[wasm_bindgen]
 pub fn vary(document: &Document, settings: &str, choice: &str, tell: &Function) -> Thrown<Outcome> {
     analyses::vary(&document.0, settings, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// Each quantity a tenth down and up.
+///
+/// # Errors
+/// Those of [`analyses::tornado`], as an exception.
 #[wasm_bindgen]
 pub fn tornado(document: &Document, paths: &str, choice: &str, tell: &Function) -> Thrown<Outcome> {
     analyses::tornado(&document.0, paths, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
 }
 
 /// The whole chain; the day as year-month-day stands in the report.
+///
+/// # Errors
+/// Those of [`analyses::assess`], as an exception.
 #[wasm_bindgen]
 pub fn assess(document: &Document, day: &str, tell: &Function) -> Thrown<Outcome> {
     analyses::assess(&document.0, day, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
@@ -340,6 +394,9 @@ pub struct Placing(live::Placing);
 #[wasm_bindgen]
 impl Placing {
     /// The bridge prepared once.
+    ///
+    /// # Errors
+    /// Those of [`live::Placing::new`], as an exception.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &Document, vehicle: &str, rule: &str, leftward: bool) -> Thrown<Placing> {
         live::Placing::new(&document.0, vehicle, rule, leftward).map(Placing).map_err(thrown)
@@ -366,6 +423,9 @@ impl Placing {
     }
 
     /// The zone of the line of thrust.
+    ///
+    /// # Errors
+    /// Those of [`live::Placing::zone`], as an exception.
     pub fn zone(&mut self, x: f64, factor: f64) -> Thrown<Vec<f64>> {
         self.0.zone(x, factor).map_err(thrown)
     }
@@ -427,6 +487,9 @@ pub struct Stepping(stepped::Stepping);
 #[wasm_bindgen]
 impl Stepping {
     /// The bridge with its loads.
+    ///
+    /// # Errors
+    /// Those of [`stepped::Stepping::new`], as an exception.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &Document, choice: &str, tell: &Function) -> Thrown<Stepping> {
         stepped::Stepping::new(&document.0, choice, &mut Telling::to(tell)).map(Stepping).map_err(thrown)
@@ -443,6 +506,9 @@ impl Stepping {
     }
 
     /// Goes back, or on, to a state.
+    ///
+    /// # Errors
+    /// Those of [`stepped::Stepping::restore`], as an exception.
     pub fn restore(&mut self, state: &[u8]) -> Thrown<()> {
         self.0.restore(state).map_err(thrown)
     }
@@ -513,12 +579,18 @@ pub struct Passing(train::Passing);
 #[wasm_bindgen]
 impl Passing {
     /// The bridge under its own weight.
+    ///
+    /// # Errors
+    /// Those of [`train::Passing::new`], as an exception.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &Document, tell: &Function) -> Thrown<Passing> {
         train::Passing::new(&document.0, &mut Telling::to(tell)).map(Passing).map_err(thrown)
     }
 
     /// Moves the train on.
+    ///
+    /// # Errors
+    /// Those of [`train::Passing::advance`], as an exception.
     pub fn advance(&mut self, positions: u32) -> Thrown<String> {
         self.0.advance(positions).map(str::to_owned).map_err(thrown)
     }
@@ -576,6 +648,9 @@ impl Passing {
     }
 
     /// The passage as a whole.
+    ///
+    /// # Errors
+    /// Those of [`train::Passing::finish`], as an exception.
     pub fn finish(self, tell: &Function) -> Thrown<Outcome> {
         self.0.finish(&mut Telling::to(tell)).map(Outcome).map_err(thrown)
     }

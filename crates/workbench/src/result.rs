@@ -82,6 +82,9 @@ impl Answer {
     }
 
     /// Of a sweep.
+    ///
+    /// # Errors
+    /// A file that cannot be used (F108).
     pub fn sweep(project: &Project, found: &Swept) -> Result<Answer, Refusal> {
         Ok(match found {
             Swept::Loads(found) => {

@@ -54,6 +54,9 @@ use structure::discretise::{Discretised, fill};
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
 /// Particles are drawn where a saved packing says where they are.
+///
+/// # Errors
+/// A bridge that cannot be cut into blocks, or a packing of another region.
 pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
     let label = if caveats::moved(bridge).is_some() { "as its support has moved it" } else { "as built" };
     Ok(picture::built(bridge, &engine::dem::filled::as_saved(bridge)?, label))
@@ -61,6 +64,9 @@ pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
 
 /// Makes the analysis that the bridge's plan asks for; what may help the bridge and may come and go is not counted. `resume` is a state that
 /// [`Watch::keep`] was offered by a run of the same bridge.
+///
+/// # Errors
+/// What the method or the question does not know, an analysis that cannot be set up, or a `resume` of something else.
 pub fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
         return wall_and_fill::both(bridge, resume, watch);
@@ -70,6 +76,9 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -
 
 /// The same of one strip with all that the file says of the bridge, help that may come and go included: what a method finds, to be held against
 /// tests and published numbers.
+///
+/// # Errors
+/// What the method or the question does not know, an analysis that cannot be set up, or a `resume` of something else.
 pub fn as_described(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     engine::can::refused(bridge)?;
     let mut found = match bridge.plan.analysis {
@@ -84,6 +93,9 @@ pub fn as_described(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watc
 
 /// A collapse by discrete elements that goes on when it is told to, with the fill packed and at rest where it is particles; none where the
 /// onlooker wished to stop before.
+///
+/// # Errors
+/// An analysis that cannot be set up, or fill that cannot be packed or does not come to rest.
 pub fn stepping(
     bridge: &Bridge,
     watch: &mut dyn Watch,
@@ -96,11 +108,17 @@ pub fn stepping(
 }
 
 /// The same where the bridge has no fill that is particles.
+///
+/// # Errors
+/// Joints without stiffness, no load, or an analysis that cannot be set up.
 pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::dem::Stepping), AnalysisError> {
     engine::dem::stepping(&policy::bare(bridge))
 }
 
 /// The collapse load by a method, whatever the plan's is; what may help and may come and go is not counted.
+///
+/// # Errors
+/// An analysis that cannot be set up, or a `resume` of something else.
 pub fn collapse_by(
     method: Method,
     bridge: &Bridge,
@@ -113,6 +131,9 @@ pub fn collapse_by(
 }
 
 /// By limit analysis.
+///
+/// # Errors
+/// No load, or a bridge that cannot be cut into blocks.
 pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     collapse_by(Method::Limit, bridge, None, watch)
 }

@@ -10,6 +10,9 @@ use outcome::warning::{Loads, Warning};
 use structure::discretise::discretise;
 
 /// Moves the support of the plan in increments until the blocks collapse, under the permanent loads alone.
+///
+/// # Errors
+/// A plan without a movement, a method that does not know it, or an analysis that cannot be set up.
 pub fn support_movement(
     bridge: &Bridge,
     resume: Option<&[u8]>,

@@ -17,6 +17,9 @@ pub fn blocks_as_built(scene: &Scene) -> Picture {
 
 /// Raises the loads of the model until its blocks collapse; bonds of joints that may be lost are not counted. `resume` is a state that
 /// [`Watch::keep`] was offered by a run of the same model.
+///
+/// # Errors
+/// No load, no step of it, a method that does not know drawn blocks, or blocks that cannot be analysed.
 pub fn collapse_of_blocks(
     scene: &Scene,
     resume: Option<&[u8]>,

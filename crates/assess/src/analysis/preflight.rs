@@ -7,6 +7,9 @@ use super::{AnalysisError, movement};
 use bridge::{Analysis, Bridge, Strip};
 
 /// Refuses what the collapse analysis of the file's plan would refuse. A file that describes no load plans none.
+///
+/// # Errors
+/// What the analysis would refuse.
 pub fn planned(bridge: &Bridge) -> Result<(), AnalysisError> {
     let both = bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both;
     if !both {

@@ -61,6 +61,9 @@ const MOST_POSITIONS: f64 = 1e5;
 /// Moves all loads of the file together. With `subsets`, every run of neighbouring axles is tried: an axle on the far side of an
 /// arch can help it. Positions are independent, so results do not depend on the number of threads. Where the onlooker wishes
 /// to stop, the positions answered by then are returned.
+///
+/// # Errors
+/// No load, one that stands on a loading block, or a bridge that cannot be analysed.
 pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Watch) -> Result<Sweep, AnalysisError> {
     policy::swept(bridge, places, watch, &|state, places, watch| as_described(state, places, subsets, watch))
 }

@@ -9,6 +9,9 @@ use outcome::note;
 
 /// Narrows the thickness at which the bridge just stands under its weight and the loads of its file, with the intrados
 /// held.
+///
+/// # Errors
+/// Rings that cannot be drawn, a method that does not know it, or an analysis that cannot be set up.
 pub fn thickness(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let rings = RingThickness { bridge };
     // What is wrong with the bridge as given is said before any search.

@@ -70,6 +70,9 @@ fn matters(probe: Probe, path: &str) -> bool {
 }
 
 /// Makes it for the check that governs. `document` is the text that the assessed bridge was read from.
+///
+/// # Errors
+/// No check that governs, one that takes a whole analysis for every value, or one that gives nothing for the file's own values.
 pub fn sensitivity(
     document: &Document,
     own: &Evidence,

@@ -16,6 +16,9 @@ use thiserror::Error;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
 /// Without a rule nothing is added. What stands beside the list of spans is that of the longest.
+///
+/// # Errors
+/// A rule that the library does not have.
 pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> {
     let longest = bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max);
     let length = asked.limits.loaded_length.unwrap_or(longest);
@@ -191,6 +194,9 @@ pub fn window(bridge: &mut Bridge, at: f64) {
 }
 
 /// The loads one after the other: facts, and each passage without the probes, for drawing.
+///
+/// # Errors
+/// A rule that the library does not have, or a passage that cannot be set up or solved.
 pub fn service(
     bridge: &Bridge,
     asked: &Assess,

@@ -56,6 +56,9 @@ fn alone(own: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError>
 
 /// The factor on the run of axles that governs, at one position [m] of the first load, with the parts of uniform loads that govern: what is
 /// needed to see it change.
+///
+/// # Errors
+/// No load, one that stands on a loading block, or a bridge that cannot be analysed.
 pub fn at_position(
     bridge: &Bridge,
     position: f64,
@@ -77,6 +80,9 @@ pub fn at_position(
 
 /// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With soil that yields it is
 /// also made with fill as weight alone, and the lower one counts. None where the onlooker wished to stop.
+///
+/// # Errors
+/// No load, one that stands on a loading block, or a bridge that cannot be analysed.
 pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
     let Some(found) = moved(bridge, watch)? else { return Ok(None) };
     let bare = by_weight_alone(bridge).filter(|_| bridge.continuum.is_some());
@@ -189,6 +195,9 @@ fn with_axles(bridge: &Bridge, offset: f64, axles: [usize; 2]) -> Bridge {
 }
 
 /// The movement of the file's support that makes a mechanism.
+///
+/// # Errors
+/// A plan without a movement, or an analysis that cannot be set up.
 pub fn movement(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let yields = bridge.continuum.is_some();
     let changes = [Change::Analysis(Analysis::SupportMovement), Change::FillAsWeight];

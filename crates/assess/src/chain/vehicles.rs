@@ -15,6 +15,9 @@ use outcome::warning::{self, Warning};
 use rules::{Confidence, Rule};
 
 /// Moves the vehicles of the file's [sweep] over the bridge.
+///
+/// # Errors
+/// A vehicle or a rule that is not known, or a bridge that cannot be analysed.
 pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts, VehicleSweep), AnalysisError> {
     let found = vehicle_sweep(bridge, watch)?;
     Ok((vehicle_facts(bridge, &found), found))

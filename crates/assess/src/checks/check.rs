@@ -48,6 +48,9 @@ pub trait Check: Sync {
         Probe::Sensors
     }
     /// Makes it: a finding for every load, place and reading, at least one.
+    ///
+    /// # Errors
+    /// Why it cannot be made: facts, limits or properties that there are none of, or an analysis that failed.
     fn run(&self, assessment: &Evidence) -> Result<Vec<Comparison>, NotMade>;
 }
 

@@ -8,6 +8,9 @@ use crate::edit::Document;
 use crate::tree::shorten;
 
 /// Reads `PATH=a,b,c`, `PATH=FROM..TO:POINTS` or `PATH=FROM..TO:POINTS:geometric`.
+///
+/// # Errors
+/// A path that leads to no quantity (B501, B502), or values that are in none of these forms (B503).
 pub fn parse_setting(document: &Document, text: &str) -> Result<Request, Slip> {
     let wrong = |message: String| Slip {
         code: "B503",

@@ -100,6 +100,9 @@ fn applies(section: &Section, field: &Field, table: Option<&dyn TableLike>) -> b
 }
 
 /// The quantity at a path of a file, which need not be written there if it has a card.
+///
+/// # Errors
+/// A path that leads to nothing (B501), or to something that is no quantity (B502).
 pub fn find(document: &Document, text: &str) -> Result<Variable, Slip> {
     let path = Path::parse(text).ok_or_else(|| unknown(document, text, &FILE))?;
     let mut section: &'static Section = &FILE;

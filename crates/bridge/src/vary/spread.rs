@@ -54,6 +54,9 @@ pub struct Setting {
 }
 
 /// Works out the values of a quantity.
+///
+/// # Errors
+/// Values that cannot be read or that the quantity does not take (B503).
 pub fn settle(quantity: &Variable, spread: &Spread) -> Result<Varied, Slip> {
     let own = quantity.own.as_deref().and_then(|own| measure(quantity.field, own));
     let literals: Vec<String> = match spread {

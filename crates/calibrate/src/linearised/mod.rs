@@ -74,6 +74,9 @@ impl Default for Settings {
 
 impl Linearised {
     /// Takes the derivatives at a point; those that the log knows, as after [`crate::identify`], are not evaluated again.
+    ///
+    /// # Errors
+    /// A stop by the onlooker, or a model without an answer at the point or beside it.
     pub fn at(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f64) -> Result<Self, Halt> {
         let problem = evaluator.problem;
         let numbers = |response: &Response| compared(problem, &basis.held, response).concat();

@@ -134,6 +134,9 @@ pub struct Posterior {
 const AGREE: f64 = 1.01;
 
 /// Samples the posterior, or says what keeps it from being posed.
+///
+/// # Errors
+/// All that is wrong with the likelihood; a stop by the onlooker is a status.
 pub fn sample(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Posterior, Vec<Flaw>> {
     let findings = settings.likelihood.check(evaluator.problem);
     if !findings.is_empty() {

@@ -23,6 +23,9 @@ fn stencil(share: f64, step: f64) -> Stencil {
 
 /// Columns of the Jacobian by differences. `residuals` gives the residuals at shares, or an error that ends it; all points
 /// are asked for before the first error is returned, so that whoever collects them learns of all.
+///
+/// # Errors
+/// The first error of `residuals`.
 pub fn by_differences<E>(
     shares: &[f64],
     step: f64,

@@ -117,6 +117,9 @@ impl Surface {
 }
 
 /// Evaluates the surface of two parameters in one batch; none where the model failed everywhere.
+///
+/// # Errors
+/// A stop by the onlooker.
 pub fn surface(
     evaluator: &mut Evaluator,
     basis: &Basis,

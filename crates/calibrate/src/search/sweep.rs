@@ -69,6 +69,9 @@ fn points(ranges: &[Parameter], model: &[f64], parameter: usize, count: usize) -
 }
 
 /// Varies several parameters, each alone, about one model; all points are evaluated in one batch.
+///
+/// # Errors
+/// A stop by the onlooker.
 pub fn sweeps(
     evaluator: &mut Evaluator,
     basis: &Basis,

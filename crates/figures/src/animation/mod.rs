@@ -25,6 +25,9 @@ const SHOWN: [u16; 3] = [400, 160, 2500];
 
 /// The run as an animated PNG that any browser plays: the bridge, the load, and how far the load path has come. None
 /// where nothing moves, or in only one state.
+///
+/// # Errors
+/// A drawing of which no PNG can be made.
 pub fn animation(picture: &Picture) -> Result<Option<Vec<u8>>, RasterError> {
     let Some(run) = Frames::of(picture).filter(|run| run.usable.len() > 1) else { return Ok(None) };
     let rasteriser = Rasteriser::new();

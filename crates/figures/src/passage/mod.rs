@@ -43,6 +43,9 @@ pub fn passage_paraview(passage: &Passage) -> Vec<File> {
 }
 
 /// Every figure and ParaView file of a passage.
+///
+/// # Errors
+/// A drawing of which no PNG can be made.
 pub fn passage(passage: &Passage) -> Result<Vec<File>, RasterError> {
     let mut files = written(passage_drawings(passage))?;
     files.extend(vtu::files(passage));

@@ -26,6 +26,9 @@ pub const UPDATE_FIGURES: [(&str, &str); 6] = [
 ];
 
 /// Every figure of an update that there is material for.
+///
+/// # Errors
+/// A drawing of which no PNG can be made.
 pub fn update(update: &Update) -> Result<Vec<File>, RasterError> {
     written(update_drawings(update))
 }

@@ -57,6 +57,9 @@ pub struct Model {
 impl Model {
     /// Sets a model up. Refuses blocks without mass, blocks that overlap, rounding that leaves nothing of an edge, laws
     /// that are none, movements of blocks that are free to move, and blocks and groups that are named but not there.
+    ///
+    /// # Errors
+    /// Those, particles that are none, too many or too different in size, and a model in which nothing is free.
     pub fn new(model: &BlockModel, loading: &Loading) -> Result<Model, ModelError> {
         check_names(model, loading)?;
         let cores = model.cores()?;

@@ -124,6 +124,9 @@ const MET: f64 = 0.05;
 
 /// Fills `region` (a simple polygon [m], the space between the walls) with particles. All blocks of `walls` are held;
 /// `walls` has no particles of its own; friction, cohesion and gravity are left out.
+///
+/// # Errors
+/// A recipe that cannot be, a region without room, walls that are no model, a stop, or particles that never press as wanted.
 pub fn pack(
     walls: &BlockModel,
     region: &[Vec2],

@@ -52,6 +52,9 @@ pub(super) struct Run {
 /// Brings the blocks to rest under their own weight and the permanent forces, then raises the load factor in steps
 /// until they collapse or the limit is reached. `resume` takes up a state that [`Watch::keep`] was offered, for the
 /// same model, loading, program and settings; the numbers are those of an undisturbed run.
+///
+/// # Errors
+/// Those of [`Model::new`], a watched block that is not there, or a `resume` of something else.
 pub fn collapse(
     model: &BlockModel,
     loading: &Loading,
@@ -65,6 +68,9 @@ pub fn collapse(
 }
 
 /// The same for a model that is set up, from a state of it: where another run has left it. `resume` needs no state.
+///
+/// # Errors
+/// A watched block that is not there, or a `resume` of something else.
 pub fn collapse_from(
     model: &Model,
     state: &dyn Fn() -> State,
@@ -91,6 +97,9 @@ pub struct Rested {
 }
 
 /// Brings a model to rest under its own weight and the permanent forces.
+///
+/// # Errors
+/// A `resume` of something else.
 pub fn rest(
     model: &Model,
     state: &dyn Fn() -> State,

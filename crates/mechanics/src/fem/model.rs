@@ -79,6 +79,9 @@ const MOST_NODES: usize = 50_000_000;
 
 impl Model {
     /// Checks the parts and puts them together.
+    ///
+    /// # Errors
+    /// An index beyond its table, a folded quadrilateral, a material or an interface that cannot be, or too many nodes.
     pub fn new(
         mesh: Mesh,
         sections: Table<ZoneId, Section>,

@@ -63,6 +63,9 @@ pub struct Motion {
 
 impl Motion {
     /// Consistent mass (equation 8), Rayleigh damping on the stiffness of the model at rest, steps of `step` [s].
+    ///
+    /// # Errors
+    /// An element or a spring that has no answer at rest.
     pub fn new(
         model: &Model,
         work: &mut Workspace,
@@ -187,6 +190,9 @@ fn masses(model: &Model, work: &Workspace) -> Vec<f64> {
 }
 
 /// Sets the accelerations that balance the forces of a state which starts to move (equation 16).
+///
+/// # Errors
+/// An element or a spring that has no answer to the state, or masses without an inverse.
 pub fn at_rest(
     model: &Model,
     state: &mut State,

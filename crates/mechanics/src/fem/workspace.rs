@@ -42,11 +42,17 @@ pub(super) struct Trial {
 
 impl Workspace {
     /// Finds the pattern and orders the equations.
+    ///
+    /// # Errors
+    /// A factor that does not fit into memory.
     pub fn new(model: &Model) -> Result<Workspace, FactorError> {
         Workspace::with_pattern(model, Pattern::new(model))
     }
 
     /// Orders the equations of a pattern that was found before.
+    ///
+    /// # Errors
+    /// A factor that does not fit into memory.
     pub fn with_pattern(model: &Model, pattern: Pattern) -> Result<Workspace, FactorError> {
         let state = State::new(model);
         Ok(Workspace {
@@ -69,18 +75,27 @@ impl Workspace {
     }
 
     /// Computes the tangent of a state.
+    ///
+    /// # Errors
+    /// An element or a spring that has no answer to the state.
     pub fn stiffness(&mut self, model: &Model, state: &State) -> Result<(), FactorError> {
         self.take(state);
         assemble(model, self, state).map_err(|_| FactorError::Singular)
     }
 
     /// Factorises the tangent at hand; tells whether its symmetric part is positive definite.
+    ///
+    /// # Errors
+    /// A tangent without an inverse.
     pub fn factorise(&mut self) -> Result<bool, FactorError> {
         self.solver.factorise(&self.pattern, &self.values)
     }
 
     /// Solves with the tangent factorised last; `accuracy` is the residual over the right-hand side that is enough where the tangent
     /// is not symmetric.
+    ///
+    /// # Errors
+    /// A tangent without an inverse or one that is too ill-conditioned, or a factor that does not fit into memory.
     pub fn solve(&mut self, right: &[f64], accuracy: f64) -> Result<Vec<f64>, FactorError> {
         let skew: &[f64] = if self.skewed { &self.skew } else { &[] };
         self.solver.solve(&self.pattern, (&self.values, skew), right, accuracy)

@@ -21,11 +21,17 @@ use std::sync::OnceLock;
 pub(super) const TOLERANCE: f64 = 1e-9;
 
 /// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
+///
+/// # Errors
+/// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
 pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
     collapse_load_while(model, loading, settings, &CancelToken::default())
 }
 
 /// The same while `token` goes on; [`Status::Cancelled`] where it ends on the way.
+///
+/// # Errors
+/// Those of [`collapse_load`].
 pub fn collapse_load_while(
     model: &BlockModel,
     loading: &Loading,

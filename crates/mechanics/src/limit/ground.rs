@@ -152,11 +152,17 @@ impl Effect {
 
 impl<'a> Ground<'a> {
     /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
+    ///
+    /// # Errors
+    /// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
     pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
         Ground::of(Cow::Borrowed(model), loading, settings)
     }
 
     /// The same of a model that it keeps.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
     pub fn owning(model: BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'static>, ModelError> {
         Ground::of(Cow::Owned(model), loading, settings)
     }

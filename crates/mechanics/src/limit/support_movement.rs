@@ -84,6 +84,9 @@ const SMALL: f64 = 0.02;
 
 /// Moves the supports as [`Loading::movements`] say, in increments, until the blocks fall. They carry gravity, the
 /// permanent loads and `load_factor` times the variable ones. Joints slide with dilation, if at all.
+///
+/// # Errors
+/// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
 pub fn support_movement(
     model: &BlockModel,
     loading: &Loading,

@@ -31,6 +31,9 @@ pub struct Sweep {
 }
 
 /// The load factor of each of `loads` in place of the variable loads. Joints and equations are set up once.
+///
+/// # Errors
+/// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
 pub fn sweep(
     model: &BlockModel,
     loading: &Loading,

@@ -54,6 +54,9 @@ struct Trial {
 /// The search runs on a margin, not on a yes or no: the force by which every contact point can be kept compressed and
 /// every joint from sliding. It changes sign at the least thickness and is continuous there. Equilibrium alone is
 /// asked for, so the flow rule of sliding plays no part.
+///
+/// # Errors
+/// A model with nothing that is free to move, with particles, or with a block whose rounding leaves nothing of an edge.
 pub fn minimum_thickness(
     between: [f64; 2],
     tolerance: f64,

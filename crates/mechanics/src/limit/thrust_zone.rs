@@ -25,6 +25,9 @@ pub struct ThrustZone {
 
 /// The zone in which the line of thrust can lie under gravity, the permanent loads and `factor` times the variable
 /// ones.
+///
+/// # Errors
+/// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
 pub fn thrust_zone(
     model: &BlockModel,
     loading: &Loading,
@@ -39,6 +42,9 @@ pub fn thrust_zone(
 
 /// The joints, and the line of thrust of the state with the least compression summed over all of them, under gravity,
 /// the permanent loads and `factor` times the variable ones; no line where they are not carried.
+///
+/// # Errors
+/// Those of [`thrust_zone`].
 #[allow(clippy::type_complexity)]
 pub fn least_thrust(
     model: &BlockModel,

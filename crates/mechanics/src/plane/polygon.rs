@@ -33,6 +33,9 @@ pub enum PolygonError {
 
 impl Polygon {
     /// Checks that `vertices` run counter-clockwise around a convex outline.
+    ///
+    /// # Errors
+    /// Fewer than three vertices, some that coincide or are not finite, or an outline that is not convex or runs clockwise.
     pub fn new(vertices: Vec<Vec2>) -> Result<Polygon, PolygonError> {
         let n = vertices.len();
         if n < 3 {
@@ -62,6 +65,9 @@ impl Polygon {
     }
 
     /// Axis-parallel rectangle from its lower left corner, width and height [m].
+    ///
+    /// # Errors
+    /// A width or a height that is next to nothing or not finite, or one of the two below 0.
     pub fn rectangle(corner: Vec2, width: f64, height: f64) -> Result<Polygon, PolygonError> {
         Polygon::new(vec![corner, corner + vec2(width, 0.0), corner + vec2(width, height), corner + vec2(0.0, height)])
     }
@@ -146,6 +152,9 @@ pub struct Core {
 
 impl Core {
     /// The core of `outline` with corners rounded by `radius` [m], relative to the outline's centroid.
+    ///
+    /// # Errors
+    /// A radius that leaves nothing of an edge.
     pub fn new(outline: &Polygon, radius: f64) -> Result<Core, PolygonError> {
         let centre = outline.centroid();
         let v = outline.vertices();

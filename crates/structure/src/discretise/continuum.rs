@@ -143,6 +143,9 @@ pub fn loads(bridge: &Bridge) -> Vec<Strip> {
 }
 
 /// The continuum of a bridge that was cut into blocks; none where it has none.
+///
+/// # Errors
+/// A road, loads, voids or abutments that a continuum does not know, or no depth of it over the crown.
 pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>, DiscretiseError> {
     let Some(plan) = wanted(bridge) else { return Ok(None) };
     if bridge.cover.road.is_some() {

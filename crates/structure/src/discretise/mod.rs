@@ -37,6 +37,9 @@ use supports::Skewback;
 
 /// Cuts a bridge into blocks and brings cover and loads onto them: the strip that its plan names, that of the walls where
 /// it names both.
+///
+/// # Errors
+/// A part or a load that cannot be made of blocks; the message says what the file must change.
 pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let mut build = Build::new(bridge);
     let mut skewbacks = Vec::new();

@@ -57,6 +57,9 @@ const PRIORS: &str = "priors.toml";
 
 impl Corpus {
     /// Reads a folder of tests; with `only`, the tests of these names.
+    ///
+    /// # Errors
+    /// A folder or a test that is not there, or a file that cannot be used.
     pub fn read(root: &Path, only: &[String]) -> Result<Corpus, CorpusError> {
         let priors = root.join(PRIORS);
         if !priors.is_file() {

@@ -33,6 +33,9 @@ const PACKING_WORK: f64 = 30.0;
 
 /// Measures the moduli of the fill at the multiples of the file, finds the multiple with the wanted modulus, and checks
 /// it on packings of other seeds.
+///
+/// # Errors
+/// Those of [`planned`], and fill that cannot be packed or does not come to rest.
 pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<CalibrationReport, AnalysisError> {
     require_stiffness(bridge)?;
     let (bridge, mut particles) = prepared(bridge)?;
@@ -154,6 +157,9 @@ const EXPECTED_SQUARES: f64 = 12.0;
 
 /// Refuses what calibration refuses before it packs: fill without particles, a saved packing, a square that the fill cannot hold, or that
 /// holds too few particles of the mean size that the fill leaves them.
+///
+/// # Errors
+/// What is refused, joints without stiffness, or a bridge that cannot be cut into blocks.
 pub fn planned(bridge: &Bridge) -> Result<(), AnalysisError> {
     let (bridge, particles) = prepared(bridge)?;
     require_stiffness(&bridge)?;

@@ -47,6 +47,9 @@ pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
 }
 
 /// The blocks as limit analysis sees them, whatever method the plan names: particles as weight, and fill that presses against movement.
+///
+/// # Errors
+/// A bridge that cannot be cut into blocks.
 pub fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     let own = state::with(bridge, &[Change::ParticlesAsWeight]);
     let mut d = discretise(&own)?;
@@ -64,6 +67,9 @@ pub fn cancelled(bridge: &Bridge, d: &Discretised, by: By) -> Collapse {
 }
 
 /// The same as [`solve`], watched.
+///
+/// # Errors
+/// Blocks that cannot be analysed.
 pub fn watched(
     d: &Discretised,
     settings: &limit::Settings,
@@ -73,6 +79,9 @@ pub fn watched(
 }
 
 /// What rigid blocks carry whose joints do not crush.
+///
+/// # Errors
+/// No load, or blocks that cannot be analysed.
 pub fn uncrushed(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<limit::Outcome, AnalysisError> {
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
@@ -84,6 +93,9 @@ pub fn uncrushed(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Res
 }
 
 /// The limit load of the model.
+///
+/// # Errors
+/// Blocks that cannot be analysed.
 pub fn solve(
     d: &Discretised,
     settings: &limit::Settings,

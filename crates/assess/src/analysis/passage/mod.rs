@@ -27,6 +27,9 @@ use outcome::warning;
 const LOOSE: f64 = 1e-4;
 
 /// The passage that the file describes.
+///
+/// # Errors
+/// Those of [`setup()`] and [`solve()`].
 pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, AnalysisError> {
     let setup = setup(bridge)?;
     let solution = solve(bridge, &setup, watch)?;

@@ -98,6 +98,9 @@ pub enum SensorError {
 }
 
 /// Finds the place of a sensor on the mesh.
+///
+/// # Errors
+/// A place outside the bridge, one that is on no stone or joint where its kind needs one, or a gauge longer than its stone.
 pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed, SensorError> {
     let name = sensor.name.clone();
     let (quantity, reading, about) = match (sensor.kind, sensor.place) {

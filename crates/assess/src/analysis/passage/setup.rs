@@ -38,6 +38,9 @@ pub struct Setup {
 }
 
 /// Mesh, loads, sensors and positions of the passage that the file describes.
+///
+/// # Errors
+/// No train or one that was not read, no mesh, a sensor without a place, or positions that are none or too many.
 pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
     let asked = bridge.passage.as_ref().ok_or(PassageError::NoTrain)?;
     if let (Some(file), true) = (&asked.train.file, asked.train.vehicles.is_empty()) {

@@ -60,6 +60,9 @@ const APART: f64 = 1e-6;
 
 impl<'a> Model<'a> {
     /// The model of a file: `document` is its text without the sections of updating.
+    ///
+    /// # Errors
+    /// A passage that cannot be set up, as the file has it or with a parameter at its end.
     pub fn new(own: &'a Bridge, document: &'a Document, parameters: &'a [Parameter]) -> Result<Self, AnalysisError> {
         let setup = setup(own)?;
         let mut model = Self {

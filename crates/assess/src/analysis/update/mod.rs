@@ -67,6 +67,9 @@ pub struct Means<'a> {
 }
 
 /// Start model, records, searches, what the data can tell. `log` holds evaluations that were done before.
+///
+/// # Errors
+/// A passage that cannot be set up, a start model without an answer, or records and parameters that make no problem.
 pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, UpdateError> {
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
     let setup = model.setup();
@@ -125,6 +128,9 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
 }
 
 /// The records alone, judged beside one passage of the start model: nothing is sought.
+///
+/// # Errors
+/// A passage that cannot be set up, a start model without an answer, parameters that make no problem, or no record that can be used.
 pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
     let setup = model.setup();

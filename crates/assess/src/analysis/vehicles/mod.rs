@@ -59,6 +59,9 @@ use structure::discretise::DiscretiseError;
 /// Moves the vehicles of the bridge's plan over it: as they stand, and where the plan has braking also with that share of their loads
 /// along the bridge, to the right and to the left. The least factor of each vehicle counts. Where the onlooker wishes to stop, what is done
 /// by then is returned.
+///
+/// # Errors
+/// A vehicle or a rule that is not known, or a bridge that cannot be analysed.
 pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
     policy::moved(bridge, watch, &with_braking)
 }

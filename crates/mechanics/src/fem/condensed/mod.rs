@@ -162,6 +162,9 @@ struct Equilibrium {
 impl Condensed {
     /// Factorises the linear system of a model at small displacements. Loads are added by amplitudes of `patterns` to those that
     /// `start` carries, which must be in equilibrium.
+    ///
+    /// # Errors
+    /// Large displacements, a stiffness without an inverse or too large for the memory, or a part that has no answer to `start`.
     pub fn new(
         model: impl Into<Arc<Model>>,
         start: State,
@@ -350,6 +353,9 @@ impl Condensed {
     }
 
     /// Finds the whole state in the last position.
+    ///
+    /// # Errors
+    /// A part that has no answer to its displacements.
     pub fn state(&mut self) -> Result<State, CondensedError> {
         let mut state = self.linear_state()?;
         for part in &mut self.parts {
@@ -360,6 +366,9 @@ impl Condensed {
     }
 
     /// Finds the whole state at a position of the last batch of `run`, the last one or one before it, and leaves no trace.
+    ///
+    /// # Errors
+    /// A part that has no answer to its displacements.
     pub fn state_at(&mut self, run: &Run, position: usize) -> Result<State, CondensedError> {
         let (equilibrium, earlier) = run.at(position, &self.current);
         let last = std::mem::replace(&mut self.current, equilibrium);

@@ -106,6 +106,9 @@ impl Condensed {
     /// A batch of positions is solved with the parts that are retained. Then the linear system is solved for all positions of the
     /// batch at once, and the eliminated parts are rechecked. The batch is valid up to the first position in which one of them is
     /// nonlinear; the positions from there on are rolled back, those parts are retained, and the run goes on.
+    ///
+    /// # Errors
+    /// A part that has no answer to its displacements; a position without equilibrium is told in the passage.
     pub fn solve_positions(
         &mut self,
         count: usize,
@@ -126,6 +129,9 @@ impl Condensed {
     }
 
     /// Solves the next batch of a run, or the part of it that is valid.
+    ///
+    /// # Errors
+    /// A part that has no answer to its displacements.
     pub fn solve_batch(
         &mut self,
         run: &mut Run,
@@ -178,6 +184,9 @@ impl Condensed {
     }
 
     /// Solves one position from the current one, in substeps where the whole step does not converge.
+    ///
+    /// # Errors
+    /// A part that has no answer to its displacements.
     pub fn solve_position(&mut self, to: &[f64], watch: &mut dyn Watch) -> Result<Position, CondensedError> {
         let mut asking = Asking::new(watch);
         loop {
@@ -198,6 +207,9 @@ impl Condensed {
     /// Solves several positions, each from the same snapshot: the train at rest at one place or another. All are rechecked
     /// together; those in which an eliminated part is nonlinear are solved again. A position without equilibrium has no observed
     /// values. `None` where the onlooker stops it.
+    ///
+    /// # Errors
+    /// A part that has no answer to its displacements.
     pub fn solve_branches(
         &mut self,
         from: &Snapshot,

@@ -61,6 +61,9 @@ struct Differentiated<'n> {
 impl Condensed {
     /// Gives the derivatives by the quantities in which `perturbed` differ: at the end of `path`, which began with the run, and
     /// in the `branches` that were solved from there. `None` where the onlooker stops it.
+    ///
+    /// # Errors
+    /// Equilibria that were not kept, a start with displacements or forces, or a part that has no answer.
     pub fn derivatives(
         &mut self,
         perturbed: &[PerturbedModel<'_>],

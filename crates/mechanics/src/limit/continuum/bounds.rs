@@ -161,6 +161,9 @@ const POWER: f64 = 0.6;
 
 /// The largest factor of the variable loads that blocks and soil carry together with what is always there, between two
 /// bounds.
+///
+/// # Errors
+/// Particles, a block whose rounding leaves nothing of an edge, or regions that have no mesh.
 pub fn collapse_bounds(
     model: &BlockModel,
     loading: &Loading,
@@ -177,6 +180,9 @@ pub fn collapse_bounds(
 
 /// Bounds that were found, closer by at most as many meshes as are wanted; as they are where they are close enough, where the mesh has as
 /// many triangles as it may, or where there is nothing to refine. Where a lower bound stands alone, the upper one of its mesh comes first.
+///
+/// # Errors
+/// Those of [`collapse_bounds`].
 pub fn closer_bounds(
     (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
@@ -293,6 +299,9 @@ pub enum Which {
 
 /// One bound on a mesh that is given, of a body with other strengths or loads; none where its program was not solved. The boundary must
 /// touch the same things as that for which the mesh was made.
+///
+/// # Errors
+/// Particles, or a block whose rounding leaves nothing of an edge.
 pub fn bound_on(
     which: Which,
     (model, loading): (&BlockModel, &Loading),
@@ -309,6 +318,9 @@ pub fn bound_on(
 }
 
 /// Flow that dilates by an angle [rad], found by iteration on a mesh that is given; none where a program was not solved.
+///
+/// # Errors
+/// Particles, or a block whose rounding leaves nothing of an edge.
 pub fn flow_on(
     dilatancy: f64,
     (model, loading): (&BlockModel, &Loading),

@@ -17,6 +17,9 @@ use crate::plane::{Vec2, vec2};
 
 /// An upper bound on the factor of other loads on the same soil and the same blocks, of which the first `shared` stay and the rest are plates;
 /// none where the motion of these bounds raises the loads, or where no plate rides on it.
+///
+/// # Errors
+/// Particles, or a block whose rounding leaves nothing of an edge.
 pub fn bound_elsewhere(
     bounds: &Bounds,
     shared: usize,

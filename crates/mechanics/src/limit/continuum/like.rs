@@ -27,6 +27,9 @@ pub struct Like<'a> {
 
 /// A lower bound alone, on one mesh as fine as others are (status [`BoundsStatus::LowerAlone`]); where no stresses are found on it, both bounds
 /// in the usual way.
+///
+/// # Errors
+/// Those of [`collapse_bounds`].
 pub fn lower_like(
     (model, loading): (&BlockModel, &Loading),
     settings: &Settings,
@@ -50,6 +53,9 @@ pub fn lower_like(
 }
 
 /// An upper bound alone, on a mesh about a third as fine as others are; none where no motion is found on it.
+///
+/// # Errors
+/// Those of [`collapse_bounds`].
 pub fn upper_like(
     (model, loading): (&BlockModel, &Loading),
     settings: &Settings,

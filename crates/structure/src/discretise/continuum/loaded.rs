@@ -24,6 +24,9 @@ impl Earth {
     /// would fail at the edges of its strip before the soil below it does. Loads whose strips meet share a plate. Pressures stay uniform:
     /// a plate under one would carry it over what is weak below. Pressure of fill on backs
     /// ([`super::pressure::restraints`]) must not be added.
+    ///
+    /// # Errors
+    /// A strip without length.
     pub fn loaded(
         &self,
         discretised: &Discretised,

@@ -127,11 +127,17 @@ pub const LEAST_JACOBIAN: f64 = 0.02;
 pub const MOST_NODES: usize = 2_000_000;
 
 /// Meshes a bridge as its file says.
+///
+/// # Errors
+/// What the mesh does not know, no fill or no room on a pier, a folded element, or too many nodes.
 pub fn mesh(bridge: &Bridge) -> Result<Meshed, MeshError> {
     mesh_with(bridge, MeshOptions::of(bridge))
 }
 
 /// Meshes a bridge with other options.
+///
+/// # Errors
+/// Those of [`mesh()`].
 pub fn mesh_with(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
     build::build(bridge, options)
 }

@@ -131,6 +131,9 @@ const MOST: usize = 100_000;
 
 /// The wall's extent and courses on these seats; `crown` and `surface` are the levels of the extrados at the highest
 /// crown and of the road [m].
+///
+/// # Errors
+/// More bricks than can be analysed.
 pub fn layout(
     bridge: &Bridge,
     wall: &SpandrelWall,
@@ -190,6 +193,9 @@ fn beds(top: f64, lowest: f64, wall: &SpandrelWall, least: f64) -> Vec<f64> {
 
 /// Cuts the wall that stands on `seats`; every piece is convex and no thinner than the layout says, and corners rounded
 /// by `rounding` [m] leave something of every face.
+///
+/// # Errors
+/// A seat that leans back, a wall that is too low, or a piece that is too thin or has no outline.
 pub fn cut(seats: &[Seat], layout: &Layout, rounding: f64) -> Result<Vec<Piece>, WallError> {
     let ground = line::ground(seats, layout)?;
     let mut pieces = ground.stones;

@@ -41,6 +41,9 @@ impl Engine for Continuum {
 }
 
 /// Both bounds with the strength of the file alone: neither the range over shares of it, nor soil that dilates.
+///
+/// # Errors
+/// A bridge without a continuum or without a load, or one of which no bounds can be asked for.
 pub fn with_strength_of_the_file(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     found(bridge, false, watch)
 }
@@ -56,6 +59,9 @@ fn found(bridge: &Bridge, others: bool, watch: &mut dyn Watch) -> Result<Collaps
 }
 
 /// Both bounds and nothing beside them, with the load at a factor of one [N/m].
+///
+/// # Errors
+/// A bridge without a continuum, or one of which no bounds can be asked for.
 pub fn bounds_alone(bridge: &Bridge, token: &CancelToken) -> Result<(Bounds, f64), AnalysisError> {
     let d = discretise(bridge)?;
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
@@ -73,6 +79,9 @@ pub struct Moving<'a> {
 
 impl<'a> Moving<'a> {
     /// Makes the soil once.
+    ///
+    /// # Errors
+    /// A bridge without a continuum, or with something that a continuum does not know.
     pub fn new(bridge: &Bridge, d: &'a Discretised) -> Result<Moving<'a>, AnalysisError> {
         let earth = earth(bridge, d)?.ok_or(AnalysisError::NoContinuum)?;
         Ok(Moving { d, earth, settings: associated(bridge) })
@@ -90,6 +99,9 @@ impl<'a> Moving<'a> {
 
     /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
     /// them stands on the fill, nothing can fail.
+    ///
+    /// # Errors
+    /// A strip without length, or regions and blocks of which no bounds can be asked for.
     pub fn bracket(&self, strips: &[Strip], ratio: f64, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let wanted = Wanted { ratio, ..self.wanted() };
@@ -98,6 +110,9 @@ impl<'a> Moving<'a> {
     }
 
     /// A lower bound alone, on one mesh as fine as those of others, each so far to the left of the strips [m].
+    ///
+    /// # Errors
+    /// Those of [`bracket`](Self::bracket).
     pub fn beside(
         &self,
         strips: &[Strip],
@@ -111,6 +126,9 @@ impl<'a> Moving<'a> {
     }
 
     /// An upper bound alone, on a mesh a third as fine.
+    ///
+    /// # Errors
+    /// Those of [`bracket`](Self::bracket).
     pub fn above(
         &self,
         strips: &[Strip],
@@ -123,6 +141,9 @@ impl<'a> Moving<'a> {
     }
 
     /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
+    ///
+    /// # Errors
+    /// Those of [`bracket`](Self::bracket).
     pub fn closer(&self, strips: &[Strip], bracket: &Bracket, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
         let wanted = Wanted { rounds: 1, ..self.wanted() };
@@ -131,6 +152,9 @@ impl<'a> Moving<'a> {
     }
 
     /// An upper bound of strips from the motion of others.
+    ///
+    /// # Errors
+    /// Those of [`bracket`](Self::bracket).
     pub fn upper_from(&self, strips: &[Strip], other: &Bracket) -> Result<Option<f64>, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&other.bounds, self.loaded(strips)?) else { return Ok(None) };
         let LoadedEarth { model, loading, continuum, .. } = &loaded;

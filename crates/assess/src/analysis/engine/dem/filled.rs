@@ -20,6 +20,9 @@ use structure::discretise::{Discretised, Origin, discretise};
 
 /// Packs the fill, lets ring and fill come to rest, puts the loading blocks on it and raises the loads in steps until
 /// the ring collapses or the fill gives way.
+///
+/// # Errors
+/// An analysis that cannot be set up, fill that cannot be packed, a packing of another region, or a `resume` of something else.
 pub fn collapse_filled(
     bridge: &Bridge,
     particles: &Particles,
@@ -94,6 +97,9 @@ impl Watch for Stopping {
 
 /// The same in the hands of its caller, from the first load on: the fill is packed and at rest, the loading blocks stand on it. None where
 /// the onlooker wished to stop.
+///
+/// # Errors
+/// An analysis that cannot be set up, fill that cannot be packed or does not come to rest, or a packing of another region.
 pub fn stepping(
     bridge: &Bridge,
     particles: &Particles,
@@ -147,6 +153,9 @@ fn crushing_takes(bridge: &Bridge) -> Option<f64> {
 }
 
 /// Grows the particles, or takes those of a file.
+///
+/// # Errors
+/// Those of [`pack`]; a saved packing is always had.
 pub fn packing(
     bridge: &Bridge,
     d: &Discretised,
@@ -168,6 +177,9 @@ fn saved(particles: &Particles) -> Vec<Grain> {
 }
 
 /// The blocks with the particles of a file, where it was read.
+///
+/// # Errors
+/// A bridge that cannot be cut into blocks, or a packing of another region.
 pub fn as_saved(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     let mut d = discretise(bridge)?;
     if let (Some(region), Some(particles)) = (d.fill.clone(), &bridge.particles)
@@ -180,6 +192,9 @@ pub fn as_saved(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
 }
 
 /// Refuses a packing of another region: the centres of its particles must lie in this one.
+///
+/// # Errors
+/// How many lie outside, and the first of them.
 pub fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), AnalysisError> {
     let astray = |g: &&[f64; 3]| !region.holds(vec2(g[0], g[1]));
     match grains.iter().find(astray) {

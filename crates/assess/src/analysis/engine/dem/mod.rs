@@ -101,6 +101,9 @@ pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
 /// The blocks of a bridge and a run of them in the hands of the caller: what [`Dem`] computes, some steps at a time.
 /// `Discretised::load` turns its factor into a load, and the blocks of its frames are those of `Discretised::model`. The bridge has nothing that may
 /// come and go.
+///
+/// # Errors
+/// Joints without stiffness, no load, or an analysis that cannot be set up.
 pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), AnalysisError> {
     let (d, rigid) = increased(bridge, &mut Unwatched)?;
     let bound = rigid.factor.or(rigid.associated_factor);

@@ -54,6 +54,9 @@ pub struct Solution {
 }
 
 /// Self-weight first, then position after position, then what is to be shown of it.
+///
+/// # Errors
+/// Values that the model needs and the file lacks, no model or no inverse of its stiffness, or a part whose law has no answer.
 pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
     let mut passing = Passing::new(bridge, Cow::Borrowed(setup), watch)?;
     passing.advance(usize::MAX, watch)?;
@@ -62,6 +65,9 @@ pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<So
 
 /// Self-weight and positions alone: the values of the sensors, without pictures and influence lines. `expected` are the parts of the
 /// model that took part with other moduli, or none.
+///
+/// # Errors
+/// Those of [`solve`].
 pub fn records(
     bridge: &Bridge,
     setup: &Setup,
@@ -100,6 +106,9 @@ enum Way {
 
 impl<'s> Passing<'s> {
     /// The bridge under its own weight, before the train.
+    ///
+    /// # Errors
+    /// Those of [`solve`].
     pub fn new(bridge: &Bridge, setup: Cow<'s, Setup>, watch: &mut dyn Watch) -> Result<Passing<'s>, AnalysisError> {
         Passing::with(bridge, setup, Output::Everything, &[], watch)
     }
@@ -149,6 +158,9 @@ impl<'s> Passing<'s> {
     }
 
     /// Moves the train on by so many positions, or to the last one. Tells how the passage ended, once it has.
+    ///
+    /// # Errors
+    /// A part of the model whose law has no answer.
     pub fn advance(&mut self, count: usize, watch: &mut dyn Watch) -> Result<Option<PassageStatus>, AnalysisError> {
         let to = self.done.saturating_add(count);
         while self.done < to && self.status().is_none() {
@@ -179,6 +191,9 @@ impl<'s> Passing<'s> {
     }
 
     /// The bridge at the position that was reached last; under its own weight before the first one.
+    ///
+    /// # Errors
+    /// A part of the model whose law has no answer.
     pub fn moment(&mut self) -> Result<Moment, AnalysisError> {
         let Passing { rest, way, done, .. } = self;
         let last = done.checked_sub(1);
@@ -191,6 +206,9 @@ impl<'s> Passing<'s> {
     }
 
     /// What was found; a passage that is left before its end was cancelled.
+    ///
+    /// # Errors
+    /// A part of the model whose law has no answer.
     pub fn finish(self, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
         let status = self.status().unwrap_or(PassageStatus::Cancelled);
         let Passing { rest, way, wanted, mut solution, .. } = self;

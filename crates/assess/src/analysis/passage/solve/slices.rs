@@ -48,6 +48,9 @@ pub struct WantedSlices<'w> {
 
 /// Values of the sensors while the first axle stands at some positions, with the moduli of `bridge` on the mesh of
 /// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for.
+///
+/// # Errors
+/// A sensor of stress, and those of [`solve`](super::solve).
 pub fn slices(
     bridge: &Bridge,
     setup: &Setup,
