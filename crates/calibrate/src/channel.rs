@@ -31,7 +31,7 @@ impl Channel {
         Self { name: name.to_owned(), unit: unit.to_owned(), peak: Some(peak), ..Self::default() }
     }
 
-    /// A channel with its history.
+    /// A channel with its history, in `unit`.
     pub fn history(name: &str, unit: &str, history: Vec<f64>) -> Self {
         Self { name: name.to_owned(), unit: unit.to_owned(), history: Some(history), ..Self::default() }
     }
@@ -47,7 +47,7 @@ impl Channel {
         if square > 0.0 { along / square } else { 1.0 }
     }
 
-    /// Products of a response with the history and with itself; zero where there is nothing to compare.
+    /// Products of a response with the history and with itself; zero where there is no history of its length.
     pub fn products(&self, response: &[f64]) -> [f64; 2] {
         let history = self.history.as_deref().filter(|history| history.len() == response.len()).unwrap_or(&[]);
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -81,7 +81,7 @@ pub fn largest(values: &[f64]) -> Option<f64> {
     values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
 }
 
-/// Shape correlation factor of two histories (railway paper, eq. 4), -1 to 1; none where either is zero throughout.
+/// Shape correlation factor of two histories of one length (railway paper, eq. 4), -1 to 1; none where either is zero throughout.
 pub fn shape_correlation(computed: &[f64], measured: &[f64]) -> Option<f64> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     // The norms are rooted one by one, as printed: their product may not be representable.

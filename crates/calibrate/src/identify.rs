@@ -68,7 +68,7 @@ pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f
     Ok(judge(sensitivities, at_bound, &names))
 }
 
-/// Derivatives of the residuals with respect to shares, by parameter.
+/// Derivatives of the residuals with respect to shares, by parameter, in the order of [`residuals`].
 ///
 /// # Errors
 /// A stop by the onlooker, or a model without an answer at the point or beside it.
@@ -119,7 +119,7 @@ pub(crate) fn columns(
     })
 }
 
-/// Judges columns of sensitivities.
+/// Judges columns of sensitivities, one for each of `names`.
 pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]) -> Identifiability {
     let n = sensitivities.len();
     let strengths: Vec<f64> = sensitivities.iter().map(|column| length(column)).collect();

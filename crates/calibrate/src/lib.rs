@@ -13,6 +13,7 @@
 //!
 //! # Conventions
 //! - Values carry the units of the caller; nothing is converted. Signs are those of the records.
+//! - A *point* has one value for each parameter, in the order of the problem; a column of derivatives belongs to one parameter.
 //! - A *share* is a place in a parameter's range, 0 at the lower and 1 at the upper bound.
 //! - How a search ends is a named status and never an error.
 //! - Results are the same bits whatever the caller's map does.

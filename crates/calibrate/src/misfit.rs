@@ -202,7 +202,7 @@ pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
     Fit { norm: (sum / total).sqrt(), channels }
 }
 
-/// Residuals whose sum of squares is the square of the norm.
+/// Residuals whose sum of squares is the square of the norm: of each channel with a weight in turn.
 pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64> {
     let total: f64 = held.weights.iter().sum();
     let mut residuals = Vec::new();
@@ -254,7 +254,7 @@ fn places(problem: &Problem, channel: usize, values: &[f64]) -> Vec<usize> {
     }
 }
 
-/// Derivatives of the residuals with respect to each parameter, from those of the response.
+/// Derivatives of the residuals with respect to each parameter, from those of the response: by parameter, in the order of [`residuals`].
 pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
     let total: f64 = held.weights.iter().sum();
     let by_parameter = |derivatives: &Vec<Vec<f64>>| {

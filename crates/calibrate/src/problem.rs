@@ -93,7 +93,7 @@ impl Problem {
         if square > 0.0 { along / square } else { 1.0 }
     }
 
-    /// The start model.
+    /// The start model: a value for each parameter.
     pub fn start(&self) -> Vec<f64> {
         Start::Stated.point(&self.parameters)
     }

@@ -58,7 +58,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// The values of the parameters.
+    /// The values of the parameters, in their order.
     pub fn point(&self) -> Vec<f64> {
         self.parameters.iter().map(|parameter| parameter.value).collect()
     }

@@ -55,6 +55,9 @@ pub fn paraview(picture: &Picture) -> Vec<File> {
 }
 
 /// Every file of a collapse analysis, in a fixed order.
+///
+/// # Errors
+/// A drawing of which no PNG can be made.
 pub fn all(picture: &Picture) -> Result<Vec<File>, RasterError> {
     let mut files = written(drawings(picture))?;
     if let Some(bytes) = animation(picture)? {

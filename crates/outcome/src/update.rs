@@ -359,7 +359,7 @@ impl Update {
         self.common_gain().is_some_and(|gain| !gain.told_apart(parameter))
     }
 
-    /// Correlation of the parameters; empty where it is not known.
+    /// Correlation of the parameters, a row for each; empty where it is not known.
     pub fn correlation(&self) -> Vec<Vec<f64>> {
         match self.uncertainty_from() {
             Some(UncertaintyFrom::Posterior) => {

@@ -33,7 +33,7 @@ pub struct Noise {
 }
 
 /// A run as a logger would have written it. Its values are those that [`read`](crate::read) gets from the written file, to the
-/// last bit, and it says that it is synthetic and how it was made.
+/// last bit, and it says that it is synthetic and how it was made. `times` [s] are those of the exact values.
 ///
 /// Every channel draws from a generator of its own, so that one more channel changes no other.
 pub fn synthesise(name: &str, speed: Option<f64>, times: &[f64], exact: &[Exact], noise: &Noise) -> Recording {

@@ -125,7 +125,8 @@ impl Spacing {
 }
 
 impl Vehicle {
-    /// The vehicle of fixed axle forces [N] and offsets behind the first axle [m]; for trains and axles from elsewhere.
+    /// The vehicle of fixed axle forces [N] and offsets behind the first axle [m], contact length and track of its wheels [m]; for trains and
+    /// axles from elsewhere.
     pub fn of_axles(code: &str, title: &str, axles: &[(f64, f64)], contact_length: f64, wheel_track: f64) -> Vehicle {
         Vehicle {
             code: code.to_owned(),

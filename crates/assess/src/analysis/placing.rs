@@ -262,7 +262,7 @@ impl Placing {
         }
     }
 
-    /// Of each joint of the rings in turn the lowest and the highest place of its resultant under so many times the loads at a place;
+    /// Of each joint of the rings in turn the lowest and the highest place [m] of its resultant under so many times the loads at a place;
     /// none where the loads are not carried. Every joint is two programs: this takes longer than an answer.
     ///
     /// # Errors

@@ -91,7 +91,7 @@ impl Sideways {
     }
 }
 
-/// The strips that longitudinal cracks leave of a barrel so wide, from one edge to the other [m].
+/// The strips that longitudinal cracks leave of a barrel so wide, from one edge to the other [m]; cracks from the least distance on.
 pub fn strips(width: f64, cracks: &[f64]) -> Vec<[f64; 2]> {
     let inner = cracks.iter().copied().filter(|crack| *crack > 0.0 && *crack < width);
     let borders: Vec<f64> = std::iter::once(0.0).chain(inner).chain([width]).collect();

@@ -14,7 +14,7 @@ pub struct Mixing {
     pub effective_samples: f64,
 }
 
-/// Judges one quantity by runs of chains, all chains of one length; not a number where they are shorter than four.
+/// Judges one quantity by its values in runs of chains (by run and chain), all chains of one length; not a number where they are shorter than four.
 pub fn mixing(runs: &[Vec<Vec<f64>>]) -> Mixing {
     let length = runs.iter().flatten().map(Vec::len).min().unwrap_or(0);
     let half = length / 2;

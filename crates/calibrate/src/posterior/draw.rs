@@ -19,7 +19,7 @@ pub fn place(rng: &mut ChaCha8Rng, count: usize) -> usize {
     rng.random_range(0..count.max(1) as u64) as usize
 }
 
-/// Points between 0 and 1 that fill every axis evenly: one in each of as many equal slices.
+/// Points that fill every axis evenly, one in each of as many equal slices: `count` of them, each of `axes` numbers between 0 and 1.
 pub fn latin_hypercube(rng: &mut ChaCha8Rng, count: usize, axes: usize) -> Vec<Vec<f64>> {
     let mut points = vec![vec![0.0; axes]; count];
     for axis in 0..axes {

@@ -43,7 +43,7 @@ pub fn ends_on_bound(parameter: &Parameter, interval_95: [f64; 2]) -> bool {
     interval_95.iter().any(|end| parameter.at_bound(*end))
 }
 
-/// Quantile of sorted values, between them by a straight line.
+/// Quantile of values in ascending order, between them by a straight line; not a number where there are none.
 pub fn quantile(sorted: &[f64], share: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else {
         return f64::NAN;

@@ -21,8 +21,8 @@ fn stencil(share: f64, step: f64) -> Stencil {
     vec![(None, -1.5 / inward), (there(1.0), 2.0 / inward), (there(2.0), -0.5 / inward)]
 }
 
-/// Columns of the Jacobian by differences. `residuals` gives the residuals at shares, or an error that ends it; all points
-/// are asked for before the first error is returned, so that whoever collects them learns of all.
+/// Columns of the Jacobian, one for each share, by differences over a step of that share. `residuals` gives the residuals at
+/// shares, or an error that ends it; all points are asked for before the first error is returned, so that whoever collects them learns of all.
 ///
 /// # Errors
 /// The first error of `residuals`.

@@ -116,7 +116,7 @@ impl Surface {
     }
 }
 
-/// Evaluates the surface of two parameters in one batch; none where the model failed everywhere.
+/// Evaluates the surface of two parameters (their places in the problem) in one batch; none where the model failed everywhere.
 ///
 /// # Errors
 /// A stop by the onlooker.

@@ -51,7 +51,7 @@ impl Sweep {
         (high - low).max(0.0)
     }
 
-    /// Mean of the error ranges of the channels that count (last row of Table 5).
+    /// Mean of the error ranges of the channels that count (last row of Table 5); `weights` are by channel.
     pub fn mean_error_range(&self, weights: &[f64]) -> f64 {
         let counting: Vec<usize> = (0..weights.len()).filter(|k| weights[*k] > 0.0).collect();
         counting.iter().map(|k| self.error_range(*k)).sum::<f64>() / counting.len().max(1) as f64
@@ -68,7 +68,7 @@ fn points(ranges: &[Parameter], model: &[f64], parameter: usize, count: usize) -
     ranges[parameter].grid(count).into_iter().map(with).collect()
 }
 
-/// Varies several parameters, each alone, about one model; all points are evaluated in one batch.
+/// Varies several parameters (their places in the problem), each alone, about one model; all points are evaluated in one batch.
 ///
 /// # Errors
 /// A stop by the onlooker.

@@ -120,7 +120,7 @@ pub fn contacts(state: &State) -> Vec<ContactState> {
     found
 }
 
-/// Average stress of each block [Pa], tension positive, from the forces on its boundary: `1/A sum x (x) f`, by the
+/// Average stress of each block (xx, yy, xy) [Pa], tension positive, from the forces on its boundary: `1/A sum x (x) f`, by the
 /// divergence theorem (Potyondy and Cundall 2004). The mean of the two shear components is reported.
 pub fn stresses(model: &Model, state: &State, contacts: &[ContactState], leaning: &[ParticleContact]) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; model.len()];

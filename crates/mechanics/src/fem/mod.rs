@@ -3,6 +3,7 @@
 //! A [`Model`] is what is fixed: mesh, materials, supports. A [`State`] is what has happened to it: displacements, and what points
 //! remember. A [`Workspace`] holds the pattern, the factorisation and scratch; it can be thrown away. [`advance`] takes a state to new
 //! loads in steps of Newton's method, [`transient`] through time; how that ended is an [`Outcome`] with a named status.
+//! Vectors of components hold x and y of each node in turn; those of free components leave out what supports hold.
 //! Equations are numbered in `docs/theory/finite-elements.md`.
 
 mod assemble;

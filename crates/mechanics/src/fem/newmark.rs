@@ -189,7 +189,7 @@ fn masses(model: &Model, work: &Workspace) -> Vec<f64> {
     values
 }
 
-/// Sets the accelerations that balance the forces of a state which starts to move (equation 16).
+/// Sets the accelerations that balance the forces of a state which starts to move (equation 16); `forces` are on all components [N/m].
 ///
 /// # Errors
 /// An element or a spring that has no answer to the state, or masses without an inverse.

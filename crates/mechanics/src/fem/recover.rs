@@ -17,7 +17,7 @@ pub struct Recovered {
     pub stress: BTreeMap<(ZoneId, NodeId), Four>,
 }
 
-/// Forces [N/m] that the supports exert, by component; zero at free components.
+/// Forces [N/m] that the supports exert, by component; zero at free components, and not numbers where an element has no answer.
 pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64> {
     work.take(state);
     if assemble(model, work, state).is_err() {

@@ -91,8 +91,8 @@ impl Workspace {
         self.solver.factorise(&self.pattern, &self.values)
     }
 
-    /// Solves with the tangent factorised last; `accuracy` is the residual over the right-hand side that is enough where the tangent
-    /// is not symmetric.
+    /// Solves with the tangent factorised last, for free components; `accuracy` is the residual over the right-hand side that is enough where
+    /// the tangent is not symmetric.
     ///
     /// # Errors
     /// A tangent without an inverse or one that is too ill-conditioned, or a factor that does not fit into memory.

@@ -124,8 +124,8 @@ impl Sweeper<'_> {
         self.beside(factor).is_some()
     }
 
-    /// Whether each of the states that the settings name may be met below a factor, judged by such a state at that factor: what has not been
-    /// met there is taken not to be met below. Where no such state is found it may.
+    /// Whether each of the states that the settings name may be met below its factor in `below`, judged by such a state at that factor: what has not
+    /// been met there is taken not to be met below. Where no such state is found it may.
     pub fn may_meet(&mut self, forces: &[PointForce], program: &Program, below: &[f64]) -> Vec<bool> {
         let Ground { stood: Ok((stood, _)), settings, at_rest: Some(at_rest), .. } = self.ground else {
             return vec![true; below.len()];

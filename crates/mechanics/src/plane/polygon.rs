@@ -32,7 +32,7 @@ pub enum PolygonError {
 }
 
 impl Polygon {
-    /// Checks that `vertices` run counter-clockwise around a convex outline.
+    /// Checks that `vertices` [m] run counter-clockwise around a convex outline.
     ///
     /// # Errors
     /// Fewer than three vertices, some that coincide or are not finite, or an outline that is not convex or runs clockwise.

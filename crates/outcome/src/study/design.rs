@@ -22,7 +22,7 @@ pub struct Variation {
     pub varied: Option<usize>,
 }
 
-/// How many runs there are, the file's own bridge included; none beyond what can be counted.
+/// How many runs there are, with so many values of each quantity, the file's own bridge included; none beyond what can be counted.
 pub fn count(design: Design, values: &[usize]) -> Option<usize> {
     let runs = match design {
         Design::OneAtATime => values.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count)),

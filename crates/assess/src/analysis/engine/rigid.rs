@@ -152,7 +152,7 @@ pub fn hinges(d: &Discretised, joints: &[Interface], found: &[limit::Hinge]) -> 
         .collect()
 }
 
-/// Lines of thrust through the resultants of the joints.
+/// Lines of thrust through the resultants, of which there is one for each of `joints`, in their order.
 pub fn thrust_lines(
     d: &Discretised,
     joints: &[Interface],

@@ -330,7 +330,7 @@ impl Condensed {
         self.patterns.len()
     }
 
-    /// Gives the values of the observed functionals in the last position.
+    /// Gives the values of the observed functionals in the last position, in their order.
     pub fn observed(&self) -> Vec<f64> {
         self.current.observed.clone()
     }

@@ -101,7 +101,7 @@ fn equilibria(steps: &[Step]) -> (Vec<&Equilibrium>, Vec<(usize, &Equilibrium)>)
 }
 
 impl Condensed {
-    /// Solves `count` positions in turn, with the pattern amplitudes that `amplitudes` gives for each.
+    /// Solves `count` positions in turn, with the amplitudes that `amplitudes` gives for each: one for each pattern, in their order.
     ///
     /// A batch of positions is solved with the parts that are retained. Then the linear system is solved for all positions of the
     /// batch at once, and the eliminated parts are rechecked. The batch is valid up to the first position in which one of them is
@@ -183,7 +183,7 @@ impl Condensed {
         Ok(())
     }
 
-    /// Solves one position from the current one, in substeps where the whole step does not converge.
+    /// Solves one position from the current one, in substeps where the whole step does not converge. `to` are the amplitudes there.
     ///
     /// # Errors
     /// A part that has no answer to its displacements.

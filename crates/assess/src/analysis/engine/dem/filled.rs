@@ -191,7 +191,7 @@ pub fn as_saved(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     Ok(d)
 }
 
-/// Refuses a packing of another region: the centres of its particles must lie in this one.
+/// Refuses a packing of another region: the centres of its particles must lie in this one. Each is a centre and a radius [m].
 ///
 /// # Errors
 /// How many lie outside, and the first of them.
