@@ -9,6 +9,7 @@ mod carried;
 mod cases;
 mod caveats;
 mod checked;
+mod circles;
 mod common_gain;
 mod compare;
 mod defects;
