@@ -14,6 +14,7 @@
 //! - Results do not depend on the number of threads: every sum has a fixed order.
 
 mod acting;
+mod banded;
 pub mod blocks;
 pub mod contact;
 pub mod dem;
@@ -21,6 +22,7 @@ pub mod fem;
 pub mod ids;
 pub mod kept;
 pub mod limit;
+mod numbering;
 pub mod path;
 pub mod plane;
 pub mod watch;

@@ -2,11 +2,12 @@
 
 use super::correct::{Constraint, balance};
 use super::frame::point;
-use super::model::{HELD, Model};
+use super::model::Model;
 use super::onset::{Measure, Onset};
 use super::outcome::PathPoint;
 use super::system::{State, commit};
 use super::trace::{Heading, Path};
+use crate::numbering::HELD;
 
 /// Factors at which states are met are sought to this, relative to them.
 const EXACT: f64 = 1e-4;

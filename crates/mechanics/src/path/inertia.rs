@@ -10,7 +10,7 @@
 //! are not: what they lose as they open is as large as what presses them. There pivots turn negative without an eigenvalue that does, and the eigenvalues are
 //! asked for.
 
-use super::banded::Banded;
+use crate::banded::Banded;
 
 /// Room for an elimination.
 #[derive(Debug, Clone, Default)]

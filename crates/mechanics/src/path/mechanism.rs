@@ -1,12 +1,12 @@
 //! How the blocks move where the load no longer grows, and what gives way there.
 
 use super::correct::norm;
-use super::model::HELD;
 use super::outcome::{Cause, PathPoint};
 use super::system::State;
 use super::trace::Path;
 use crate::blocks::BlockModel;
 use crate::ids::{BlockId, Id, Table};
+use crate::numbering::HELD;
 use crate::plane::Vec2;
 
 /// Inverse iterations: at a fork the least eigenvalue is a hundred-thousandth of the others.

@@ -8,7 +8,6 @@
 //! fill which a block moves against, and `system` those of all, `correct` balances a guess, `inertia` tells whether what is balanced stands, `relax` lets blocks come to rest or
 //! fall, `stand` finds the first state, `trace` goes from state to state, `frame` and `mechanism` say what a state is like and how it ends, `sweep` follows many loads on the same blocks.
 
-mod banded;
 mod beyond;
 mod correct;
 mod dual;

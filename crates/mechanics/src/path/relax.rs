@@ -5,11 +5,11 @@
 //! Kelley and Keyes 1998). The dashpots take work out of the motion in every step, so blocks that go on moving are driven by
 //! their load, and no step is balanced by an unstable state, as Newton's method would be.
 
-use super::banded::Banded;
 use super::correct::{Balanced, norm};
 use super::model::Model;
 use super::settings::Settings;
 use super::system::{State, Workspace, advance, assemble, commit, scale};
+use crate::banded::Banded;
 use serde::{Deserialize, Serialize};
 
 /// Most corrections of a fall that another one may stand for, and of one that nothing else does: rings that begin to slide do so

@@ -1,7 +1,6 @@
 //! Many loads on the same blocks, such as a vehicle at each of its positions: the state under self-weight is sought once, and every
 //! load is followed from there to its largest factor.
 
-use super::banded::Banded;
 use super::correct::{Balanced, Constraint, balance};
 use super::first_met::fastest;
 use super::frame::point;
@@ -11,6 +10,7 @@ use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, assemble, load_of};
 use super::trace::{End, Path};
+use crate::banded::Banded;
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 use crate::contact::ContactLength;
 use crate::ids::BlockId;

@@ -1,14 +1,15 @@
 //! Equilibrium of all blocks and its exact tangent.
 
-use super::banded::Banded;
 use super::dual::{Half, between, half_of, whole};
 use super::inertia::Elimination;
 use super::joint::{Bedding, Memory, Relative, Response};
-use super::model::{HELD, Model};
+use super::model::Model;
 use super::restraint::Restrained;
 use super::settings::Settings;
 use crate::acting::Resultant;
+use crate::banded::Banded;
 use crate::contact::Bond;
+use crate::numbering::HELD;
 use crate::plane::{Vec2, vec2};
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,5 @@
 //! The path from self-weight to the largest load and past it, a step at a time: between two steps a run can be kept.
 
-use super::banded::Banded;
 use super::beyond::{Descend, Push};
 use super::correct::{Balanced, Constraint, balance, dot, norm};
 use super::frame::{frame, point};
@@ -10,6 +9,7 @@ use super::rise::Rise;
 use super::settings::{Program, Settings};
 use super::stand::{LetGo, Settle};
 use super::system::{State, Workspace, advance, assemble, commit};
+use crate::banded::Banded;
 use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::kept;
 use crate::watch::{Progress, Watch, Wish};

@@ -7,7 +7,7 @@
 /// The band, row by row: entry `(row, column)` stands at `row * width + column + below - row`. Row exchanges need room for
 /// `below` more entries above the diagonal.
 #[derive(Debug, Clone)]
-pub(super) struct Banded {
+pub(crate) struct Banded {
     size: usize,
     /// Most diagonals on either side of the main one.
     below: usize,
@@ -28,7 +28,7 @@ pub(super) struct Banded {
 
 impl Banded {
     /// A matrix of zeros. `last` tells of each equation the last one that it acts with.
-    pub(super) fn new(mut last: Vec<u32>) -> Banded {
+    pub(crate) fn new(mut last: Vec<u32>) -> Banded {
         let size = last.len();
         for k in 0..size {
             last[k] = last[k].max(k as u32).max(k.checked_sub(1).map_or(0, |before| last[before]));
@@ -50,27 +50,27 @@ impl Banded {
     }
 
     /// Number of equations.
-    pub(super) fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         self.size
     }
 
     /// Most diagonals on either side of the main one.
-    pub(super) fn below(&self) -> usize {
+    pub(crate) fn below(&self) -> usize {
         self.below
     }
 
     /// The last equation that one or one before it acts with.
-    pub(super) fn last(&self, k: usize) -> usize {
+    pub(crate) fn last(&self, k: usize) -> usize {
         self.last[k] as usize
     }
 
     /// A row of a matrix that is not factorised, over all diagonals.
-    pub(super) fn about_diagonal(&self, row: usize) -> &[f64] {
+    pub(crate) fn about_diagonal(&self, row: usize) -> &[f64] {
         &self.entries[row * self.width..][..=2 * self.below]
     }
 
     /// Back to zeros.
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.entries.fill(0.0);
     }
 
@@ -80,14 +80,14 @@ impl Banded {
     }
 
     /// Adds a multiple of another matrix of the same shape, neither of them factorised.
-    pub(super) fn add_times(&mut self, other: &Banded, factor: f64) {
+    pub(crate) fn add_times(&mut self, other: &Banded, factor: f64) {
         for (to, from) in self.entries.iter_mut().zip(&other.entries) {
             *to += factor * from;
         }
     }
 
     /// The product with a vector, of a matrix that is not factorised.
-    pub(super) fn times(&self, vector: &[f64]) -> Vec<f64> {
+    pub(crate) fn times(&self, vector: &[f64]) -> Vec<f64> {
         let row = |row: usize| {
             let columns = row.saturating_sub(self.below)..=(row + self.below).min(self.size - 1);
             columns.map(|column| self.entries[self.at(row, column)] * vector[column]).sum()
@@ -97,14 +97,14 @@ impl Banded {
 
     /// Adds to an entry within the band.
     #[inline(always)]
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub(crate) fn add(&mut self, row: usize, column: usize, value: f64) {
         let at = self.at(row, column);
         self.entries[at] += value;
     }
 
     /// Adds to neighbours in a row within the band.
     #[inline(always)]
-    pub(super) fn add_all<const N: usize>(&mut self, row: usize, column: usize, values: [f64; N]) {
+    pub(crate) fn add_all<const N: usize>(&mut self, row: usize, column: usize, values: [f64; N]) {
         let at = self.at(row, column);
         for (entry, value) in self.entries[at..at + N].iter_mut().zip(values) {
             *entry += value;
@@ -112,7 +112,7 @@ impl Banded {
     }
 
     /// Factorises in place; `false` where a pivot vanishes.
-    pub(super) fn factorise(&mut self) -> bool {
+    pub(crate) fn factorise(&mut self) -> bool {
         let (size, below) = (self.size, self.below);
         self.sign = 1;
         let mut right = 0;
@@ -166,12 +166,12 @@ impl Banded {
     }
 
     /// Solves in place with what [`factorise`](Self::factorise) left.
-    pub(super) fn solve(&self, right: &mut [f64]) {
+    pub(crate) fn solve(&self, right: &mut [f64]) {
         self.solve_together([right]);
     }
 
     /// The same for several right-hand sides at once, each to the bits that it has alone.
-    pub(super) fn solve_together<const N: usize>(&self, mut right: [&mut [f64]; N]) {
+    pub(crate) fn solve_together<const N: usize>(&self, mut right: [&mut [f64]; N]) {
         for k in 0..self.size {
             let count = self.last[k] as usize - k;
             let taken = &self.taken[k * self.below..k * self.below + count];
