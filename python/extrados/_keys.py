@@ -91,7 +91,7 @@ class Collapse:
     full_fill_pressure_load_kn_per_m: float | None
     """Load with all of the fill's passive pressure, where it presses [kN/m]."""
     non_associated_spread_kn_per_m: list[float] | None
-    """Lowest and highest non-associated load over the starts of the iteration [kN/m]."""
+    """The non-associated load, and the largest on the way to it [kN/m]."""
     unlimited_strength_load_kn_per_m: float | None
     """Collapse load of joints that never crush; the same as the collapse load where the file gives no strength [kN/m]."""
     equilibrium_residual: float | None

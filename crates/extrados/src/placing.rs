@@ -63,17 +63,12 @@ impl Placing {
         self.0.carried(position)
     }
 
-    /// The same at one of many places along the road: what is learnt at a place answers the next one where nothing slides.
-    pub fn carried_along(&mut self, position: f64) -> Carried {
-        self.0.carried_along(position)
-    }
-
     /// What is carried at a place with lines of thrust, mechanism, hinges and joints that slide.
     pub fn put(&mut self, position: f64) -> Placed {
         self.0.put(position)
     }
 
-    /// The same with dilatant friction alone, where loads move too fast for the iteration without: the answer says where that is open.
+    /// The same with dilatant friction alone, where loads move too fast for the load without: the answer says where that is open.
     pub fn put_quickly(&mut self, position: f64) -> Placed {
         self.0.put_quickly(position)
     }

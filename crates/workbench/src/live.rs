@@ -49,7 +49,7 @@ impl Placing {
 
     /// What is carried at one of many places along the road: carried and dilatant factor, NaN where there is none, how it ended, whether joints slide.
     pub fn factor(&mut self, position: f64) -> [f64; 4] {
-        let found = self.inner.carried_along(position);
+        let found = self.inner.carried(position);
         let number = |factor: Option<f64>| factor.unwrap_or(f64::NAN);
         [number(found.factor), number(found.dilatant), ended(found.status), f64::from(u8::from(found.slides))]
     }

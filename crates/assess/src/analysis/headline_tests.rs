@@ -164,7 +164,7 @@ fn two_rings(vehicles: &[&str]) -> Bridge {
     b
 }
 
-/// However the iteration without dilation fares: a sweep is never completed on a governing run that found no answer, and never
+/// However the way without dilation ends: a sweep is never completed on a governing run that found no answer, and never
 /// above what that run carries.
 #[test]
 fn a_sweep_never_says_more_than_its_governing_run() {
@@ -238,7 +238,7 @@ fn positions_of_a_check_do_not_grow_apart_with_the_length_of_the_bridge() {
     let found = crate::chain::ultimate(&b, &mut Unwatched).unwrap().unwrap();
     let swept = &found.sweep;
     assert!(swept.step <= 5.0 / 60.0 + 1e-9, "{}", swept.step);
-    assert!(found.facts.positions > 500 && found.facts.positions_not_converged == 0, "{}", found.facts.positions);
+    assert!(found.facts.positions > 500 && found.facts.positions_not_converged == 0, "{:?}", found.facts);
     // The worst place of a finer sweep around it is the same one.
     let worst = found.facts.position_m.unwrap();
     let fine = sweep(&b, Places::Between([worst - 0.1, worst + 0.1], 81), true, &mut Unwatched).unwrap();

@@ -1,8 +1,7 @@
 //! Interactive load placement: the bridge is prepared once, then solved for any position of its loads or of a vehicle.
 //!
 //! Limit analysis of rigid rings, as in a sweep and by itself: the least of the loads with and without dilation. The mechanisms that one
-//! place has taught are kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off, for what is carried without
-//! dilation is sought from the starts of an analysis by itself. Of a vehicle every case counts that a sweep tries at that place: the answer there is
+//! place has taught are kept for the next, which makes neighbours quick; answers do not depend on it beyond round-off. Of a vehicle every case counts that a sweep tries at that place: the answer there is
 //! the sweep's. `state` answers one state of the bridge.
 
 mod state;
@@ -167,7 +166,7 @@ impl Placing {
                 None => state.loads(offset, friction),
             };
             if several && put.carried.is_none() {
-                put.carried = Some(state.carried(&put, asked.starts()));
+                put.carried = Some(state.carried(&put));
             }
             let is_worse = |known: &Put| {
                 let both = put.carried.zip(known.carried);
@@ -187,18 +186,8 @@ impl Placing {
 
     /// What is carried with the loads at a place [m]: the same as by an analysis of that place by itself.
     pub fn carried(&mut self, position: f64) -> Carried {
-        self.carried_as(position, Asked::Carefully)
-    }
-
-    /// The same at one of many places along the road, where it is not asked what is carried without dilation if nothing slides and the
-    /// compressions at a place before allow the shear there.
-    pub fn carried_along(&mut self, position: f64) -> Carried {
-        self.carried_as(position, Asked::Along)
-    }
-
-    fn carried_as(&mut self, position: f64, asked: Asked) -> Carried {
-        let (k, put) = self.least(position, asked);
-        let found = put.carried.unwrap_or_else(|| self.states[k].carried(&put, asked.starts()));
+        let (k, put) = self.least(position, Asked::Carefully);
+        let found = put.carried.unwrap_or_else(|| self.states[k].carried(&put));
         Carried { factor: self.times(found.factor), dilatant: self.times(found.dilatant), ..found }
     }
 
@@ -207,7 +196,7 @@ impl Placing {
         self.placed(position, Asked::Carefully)
     }
 
-    /// The same with dilatant friction alone, where loads move too fast for the iteration without; the answer says where that is open.
+    /// The same with dilatant friction alone, where loads move too fast for the one without; the answer says where that is open.
     pub fn put_quickly(&mut self, position: f64) -> Placed {
         let mut placed = self.placed(position, Asked::Quickly);
         if self.driven().is_none() {

@@ -1,21 +1,19 @@
 //! Limit analysis with the loads moved over the bridge.
 //!
-//! Every position is answered with dilatant friction first. Cases up to twice the least factor, and those that lock, are answered again
-//! without dilation, from the end point of the one beside them; where nothing slides and the forces keep to what compressions allow there,
-//! both factors are the same. The least counts, as for loads that are analysed by themselves. The worst position is then sought between
-//! the positions and answered from every start. With the equilibrium path as the plan's method, `deformable` puts the factors of deformable joints
-//! beside them.
+//! Every position is answered with dilatant friction first. Cases up to twice the least factor, and those that lock, are answered
+//! without dilation too, each as by an analysis of these loads by themselves, and the least counts. The worst position is then sought between
+//! the positions. With the equilibrium path as the plan's method, `deformable` puts the factors of deformable joints beside them.
 
 mod continuum;
 mod deformable;
 
 use super::engine::rigid;
 use super::parallel::{self, CancelToken, Stage};
-use super::vehicles::{DILATANCY, FAR_ABOVE, REFINEMENTS};
+use super::vehicles::{DILATANCY, REFINEMENTS};
 use super::{AnalysisError, default_stiffness, policy};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
-use mechanics::limit::{self, Ground, Least, Level, Starts, Sweeper};
+use mechanics::limit::{self, Factor, Friction, Ground, Least, Sweeper};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::note;
@@ -86,11 +84,11 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     let scene = Scene { bridge, d: &d, ground: &ground, settings, first, subsets: subsets && vehicle };
     let mut rows = scene.dilatant(&list, watch);
     let mut whole = rows.len() == list.len();
-    whole &= scene.level(&mut rows, whole, watch)?;
+    whole &= scene.level(&mut rows, whole, watch);
     let step = if list.len() > 1 { list[1] - list[0] } else { 0.0 };
     let yields = structure::discretise::continuum::wanted(bridge).is_some() && bridge.plan.method == Method::Limit;
     if whole && list.len() > 1 && !yields {
-        whole = scene.refined(&mut rows, step, watch)?;
+        whole = scene.refined(&mut rows, step, watch);
     }
     if whole {
         scene.proven(&mut rows, watch);
@@ -130,7 +128,7 @@ fn notes(found: &mut Sweep, rows: &[Row]) {
         found.assumptions.push(note::Moving::Positions { apart: found.step }.into());
     }
     if rows.iter().flat_map(|row| &row.cases).any(|case| case.level) {
-        found.assumptions.push(note::Moving::WithoutDilation { times: DILATANCY, group: CHUNK }.into());
+        found.assumptions.push(note::Moving::WithoutDilation { times: DILATANCY }.into());
     }
     let proven = rows.iter().flat_map(|row| &row.cases).filter(|case| case.proven).count();
     if proven > 0 {
@@ -146,8 +144,8 @@ struct Case {
     forces: Vec<PointForce>,
     status: Status,
     factor: Option<f64>,
-    /// Whether joints slide in its mechanism.
-    slides: bool,
+    /// The answer with dilation, once it is known.
+    dilatant: Option<Factor>,
     /// Whether it was answered without dilation.
     level: bool,
     /// Whether no largest factor was found with dilation.
@@ -156,22 +154,12 @@ struct Case {
     proven: bool,
 }
 
-/// What the plan's friction makes of a case.
-#[derive(Debug, Clone)]
-struct Answer {
-    status: Status,
-    factor: Option<f64>,
-    /// Without dilation: the end point.
-    level: Option<Level>,
-}
-
-impl Answer {
-    fn of(found: Least) -> Answer {
-        Answer { status: rigid::status(found.status), factor: found.factor, level: found.level }
-    }
-
-    fn put(self, case: &mut Case) {
-        (case.status, case.factor, case.level) = (self.status, self.factor, self.level.is_some());
+impl Case {
+    /// Takes what the plan's friction makes of it.
+    fn put(&mut self, found: &Least) {
+        (self.status, self.factor) = (rigid::status(found.status), found.factor);
+        self.unknown = found.dilatant.status == limit::Status::NotConverged;
+        self.level = found.friction == Friction::NonAssociated;
     }
 }
 
@@ -191,30 +179,6 @@ fn open(rows: &mut [Row], jobs: Vec<(usize, usize)>) {
         (case.status, case.level) = (Status::Cancelled, false);
     }
 }
-
-/// The cases in turn from the least factor up that carry less with dilation than the same axles at both places beside them, and no more than
-/// [`FAR_ABOVE`] of the least. Between two of them an iteration that goes on from neighbour to neighbour may stay at an end that is not the lowest.
-fn lowest(rows: &[Row], jobs: &[(usize, usize)]) -> Vec<(usize, usize)> {
-    let factor = |r: Option<usize>, axles: [usize; 2]| {
-        let case = rows.get(r?)?.cases.iter().find(|case| case.axles == axles)?;
-        case.factor
-    };
-    let mut found: Vec<(f64, (usize, usize))> = Vec::new();
-    for &(r, c) in jobs {
-        let case = &rows[r].cases[c];
-        let Some(own) = case.factor else { continue };
-        let beside = [factor(r.checked_sub(1), case.axles), factor(Some(r + 1), case.axles)];
-        if beside.into_iter().flatten().all(|beside| own <= beside) {
-            found.push((own, (r, c)));
-        }
-    }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let least = found.first().map_or(0.0, |one| one.0);
-    found.into_iter().take_while(|one| one.0 <= FAR_ABOVE * least).map(|one| one.1).collect()
-}
-
-/// Places sought without dilation that are answered from every start: starts agree less well than places so near one another differ.
-const FROM_EVERY_START: usize = 3;
 
 /// What all positions share.
 struct Scene<'a> {
@@ -248,8 +212,8 @@ impl Scene<'_> {
             let forces: Vec<_> = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();
             let force = chosen.iter().map(|s| s.strip.force).sum();
             let (status, factor) = (Status::Locks, None);
-            let [slides, level, unknown, proven] = [false; 4];
-            let case = Case { axles, force, forces, status, factor, slides, level, unknown, proven };
+            let [level, unknown, proven] = [false; 3];
+            let case = Case { axles, force, forces, status, factor, dilatant: None, level, unknown, proven };
             (!case.forces.is_empty()).then_some(case)
         };
         Row { position, cases: runs.into_iter().filter_map(case).collect(), axles: n }
@@ -267,8 +231,9 @@ impl Scene<'_> {
             if token.is_cancelled() {
                 return None;
             }
-            (case.status, case.factor, case.slides) = (rigid::status(found.status), found.lower, found.slides);
+            (case.status, case.factor) = (rigid::status(found.status), found.lower);
             case.unknown = found.status == limit::Status::NotConverged;
+            case.dilatant = Some(found);
         }
         token.step();
         Some(row)
@@ -303,37 +268,25 @@ impl Scene<'_> {
         jobs
     }
 
-    /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open.
-    fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
+    /// Answers cases that may govern as the plan's friction says; tells whether all of them were. Without it, they are open.
+    fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> bool {
         let jobs = self.asked(rows);
         if !whole {
             open(rows, jobs);
-            return Ok(false);
+            return false;
         }
-        if rows.len() == 1 {
-            // Nothing stands beside a single place: its cases are answered as by an analysis of each by itself.
-            return Ok(self.levelled(rows, jobs, None, watch));
-        }
-        let lowest = lowest(rows, &jobs);
-        let stage = Stage { name: "the worst cases without dilation", steps: lowest.len() as u64, shares: [0.4, 0.42] };
-        let (found, done) = parallel::each(&lowest, &stage, watch, |&(r, c), token| {
-            self.as_planned(&rows[r].cases[c], Starts::Every, None, token)
-        });
-        if !done {
-            open(rows, jobs);
-            return Ok(false);
-        }
-        let ends: Vec<Answer> = found.into_iter().flatten().flatten().collect();
-        let near = ends.iter().find_map(|answer| answer.level.as_ref());
-        let done = self.levelled(rows, jobs, near, watch);
-        for ((r, c), answer) in lowest.into_iter().zip(ends) {
-            let case = &mut rows[r].cases[c];
-            // The way there is a start as well.
-            if case.factor.is_none_or(|beside| answer.factor.is_some_and(|own| own < beside)) {
-                answer.put(case);
+        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.4, 0.9] };
+        let (found, done) =
+            parallel::each(&jobs, &stage, watch, |&(r, c), token| self.as_planned(&rows[r].cases[c], token));
+        let mut unanswered = Vec::new();
+        for ((r, c), found) in jobs.into_iter().zip(found) {
+            match found.flatten() {
+                Some(found) => rows[r].cases[c].put(&found),
+                None => unanswered.push((r, c)),
             }
         }
-        Ok(done)
+        open(rows, unanswered);
+        done
     }
 
     /// Cases of which nothing is known, where a factor above the least of the others is proven to be carried: it stands in place of the
@@ -362,140 +315,60 @@ impl Scene<'_> {
         }
     }
 
-    /// Answers cases without dilation in groups; tells whether all of them were.
-    fn levelled(
-        &self,
-        rows: &mut [Row],
-        jobs: Vec<(usize, usize)>,
-        near: Option<&Level>,
-        watch: &mut dyn Watch,
-    ) -> bool {
-        let axles = |&(r, c): &(usize, usize)| rows[r].cases[c].axles;
-        let groups: Vec<_> = jobs.chunk_by(|a, b| axles(a) == axles(b)).flat_map(|run| run.chunks(CHUNK)).collect();
-        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.42, 0.9] };
-        let (found, done) =
-            parallel::each(&groups, &stage, watch, |group, token| self.beside_one_another(rows, group, near, token));
-        let mut unanswered = Vec::new();
-        let mut answers = Vec::new();
-        for (group, found) in groups.iter().zip(found) {
-            let found = found.unwrap_or_default();
-            unanswered.extend(group[found.len()..].iter().copied());
-            answers.extend(group.iter().copied().zip(found));
-        }
-        for ((r, c), answer) in answers {
-            answer.put(&mut rows[r].cases[c]);
-        }
-        open(rows, unanswered);
-        done
-    }
-
-    /// Cases without dilation, each from the end point of the one before it; those answered in time. `worst` is the end point of the worst
-    /// case with dilation, against which those are held in which nothing slides.
-    fn beside_one_another(
-        &self,
-        rows: &[Row],
-        group: &[(usize, usize)],
-        worst: Option<&Level>,
-        token: &CancelToken,
-    ) -> Vec<Answer> {
-        let mut sweeper = self.ground.sweeper().paced(token);
-        let mut near: Option<Level> = None;
-        let answered = group.iter().map_while(|&(r, c)| {
-            let case = &rows[r].cases[c];
-            let effect = sweeper.effect(&case.forces);
-            let still = !case.slides && case.status == Status::Collapsed;
-            let beside = near.as_ref().or(worst.filter(|_| still));
-            let answer = Answer::of(sweeper.least(&effect, self.settings.friction, Starts::Nearby, beside));
-            near = answer.level.clone().or(near.take());
-            token.step().then_some(answer)
-        });
-        answered.collect()
-    }
-
-    /// One case as the plan's friction says, without dilation from the end point of a case nearby; none where the work does not go on.
-    fn as_planned(&self, case: &Case, starts: Starts, near: Option<&Level>, token: &CancelToken) -> Option<Answer> {
+    /// One case as the plan's friction says; none where the work does not go on.
+    fn as_planned(&self, case: &Case, token: &CancelToken) -> Option<Least> {
         let mut sweeper = self.ground.sweeper().paced(token);
         let effect = sweeper.effect(&case.forces);
-        let answer = Answer::of(sweeper.least(&effect, self.settings.friction, starts, near));
-        token.step().then_some(answer)
+        let dilatant = case.dilatant.unwrap_or_else(|| sweeper.factor(&effect));
+        let found = sweeper.least_beside(&effect, self.settings.friction, dilatant);
+        token.step().then_some(found)
     }
 
-    /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Without dilation
-    /// places start from the end point of the worst one before, and the worst ones are answered from every start. Tells whether the
+    /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Tells whether the
     /// work was done.
-    fn refined(&self, rows: &mut Vec<Row>, step: f64, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
-        let all = rows.iter().enumerate();
-        let cases = all.flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)));
-        let factors = cases.filter_map(|(r, c, case)| Some((r, c, case.factor?)));
-        let Some((r, c, mut factor)) = factors.min_by(|a, b| a.2.total_cmp(&b.2)) else { return Ok(true) };
-        let (started, axles) = (rows[r].position, rows[r].cases[c].axles);
-        let mut ask = |list: &[f64], starts: Starts, near: Option<&Level>, shares| {
-            let stage = Stage { name: "places beside the worst one", steps: list.len() as u64, shares };
-            let (found, done) = parallel::each(list, &stage, watch, |&place, token| {
-                let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
-                case.and_then(|case| self.as_planned(&case, starts, near, token))
-            });
-            let found = list.iter().zip(found).filter_map(|(place, answer)| Some((*place, answer.flatten()?)));
-            done.then(|| found.collect::<Vec<_>>())
-        };
-        let Some(own) = ask(&[started], Starts::Every, None, [0.9, 0.92]) else { return Ok(false) };
-        let mut near = own.into_iter().next().and_then(|(_, answer)| {
-            factor = answer.factor.map_or(factor, |own| own.min(factor));
-            answer.level
-        });
-        let (mut position, mut width, mut sought) = (started, step, Vec::new());
+    fn refined(&self, rows: &mut Vec<Row>, step: f64, watch: &mut dyn Watch) -> bool {
+        let cases = rows.iter().flat_map(|row| row.cases.iter().map(move |case| (row.position, case)));
+        let factors = cases.filter_map(|(position, case)| Some((position, case.axles, case.factor?)));
+        let Some((started, axles, mut factor)) = factors.min_by(|a, b| a.2.total_cmp(&b.2)) else { return true };
+        let (mut position, mut width) = (started, step);
         for round in 0..REFINEMENTS {
             let list: Vec<f64> = (-10..=10).map(|k| position + 0.1 * width * f64::from(k)).collect();
-            let share = |round: usize| 0.92 + 0.06 * round as f64 / REFINEMENTS as f64;
+            let share = |round: usize| 0.9 + 0.1 * round as f64 / REFINEMENTS as f64;
             let shares = [share(round), share(round + 1)];
-            let Some(found) = ask(&list, Starts::Nearby, near.as_ref(), shares) else { return Ok(false) };
-            for (place, answer) in found {
-                let Some(smaller) = answer.factor else { continue };
-                sought.extend(answer.level.is_some().then_some((smaller, place)));
-                if smaller < factor {
-                    (factor, position, near) = (smaller, place, answer.level.or(near.take()));
+            let stage = Stage { name: "places beside the worst one", steps: list.len() as u64, shares };
+            let (found, done) = parallel::each(&list, &stage, watch, |&place, token| {
+                let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
+                case.and_then(|case| self.as_planned(&case, token))
+            });
+            if !done {
+                return false;
+            }
+            for (place, found) in list.into_iter().zip(found) {
+                if let Some(smaller) = found.flatten().and_then(|found| found.factor)
+                    && smaller < factor
+                {
+                    (factor, position) = (smaller, place);
                 }
             }
             width *= 0.1;
         }
-        sought.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut worst: Vec<f64> = sought.iter().map(|one| one.1).take(FROM_EVERY_START).collect();
-        if !worst.contains(&position) && position != started {
-            worst.push(position);
-        }
-        let Some(found) = ask(&worst, Starts::Every, None, [0.98, 1.0]) else { return Ok(false) };
-        for (place, answer) in found {
-            if let Some(smaller) = answer.factor
-                && smaller < factor
-            {
-                (factor, position, near) = (smaller, place, answer.level.or(near.take()));
-            }
-        }
         if position == started {
-            rows[r].cases[c].factor = Some(factor);
-            return Ok(true);
+            return true;
         }
-        let (mut row, done) = self.answered_again(position, near.as_ref(), watch);
-        if done {
-            // The way there is a start as well.
-            let sought = row.cases.iter_mut().filter(|case| case.axles == axles);
-            sought.for_each(|case| case.factor = case.factor.map(|full| full.min(factor)));
-            rows.push(row);
-        }
-        Ok(done)
+        let (row, done) = self.answered_again(position, watch);
+        rows.extend(done.then_some(row));
+        done
     }
 
     /// Every case at one position as the plan's friction says; whether all were answered.
-    fn answered_again(&self, position: f64, near: Option<&Level>, watch: &mut dyn Watch) -> (Row, bool) {
+    fn answered_again(&self, position: f64, watch: &mut dyn Watch) -> (Row, bool) {
         let mut row = self.row(position);
         let steps = row.cases.len() as u64;
         let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
-        let (found, done) = parallel::each(&row.cases, &stage, watch, |case, token| {
-            self.as_planned(case, Starts::Doubtful, near, token)
-        });
+        let (found, done) = parallel::each(&row.cases, &stage, watch, |case, token| self.as_planned(case, token));
         for (case, found) in row.cases.iter_mut().zip(found) {
             match found.flatten() {
-                Some(answer) => answer.put(case),
+                Some(found) => case.put(&found),
                 None => (case.status, case.factor, case.level) = (Status::Cancelled, None, false),
             }
         }

@@ -103,8 +103,9 @@ fn a_vehicle_is_the_same_from_both_sides_and_never_below_its_sweep() {
 #[test]
 fn a_quick_answer_says_where_it_is_open() {
     let (mut open, mut closed, mut lower) = (0, 0, 0);
-    for angle in ["35 deg", "20 deg"] {
-        let project = project(&TINY.replace("35 deg", angle));
+    let two_rings = include_str!("../../../../examples/two-ring/bridge.toml");
+    for text in [TINY.to_owned(), TINY.replace("35 deg", "20 deg"), two_rings.to_owned()] {
+        let project = project(&text);
         let mut placing = Placing::loads(&project, &Choice::default()).expect("a bridge that waits");
         for step in 1..20 {
             let place = 0.2 * f64::from(step);

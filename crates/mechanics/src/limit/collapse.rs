@@ -4,7 +4,7 @@ use super::bounds;
 use super::compliance::{Resistance, Stiffness};
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength, joints};
-use super::level::{Governs, Level, WithoutDilation, without_dilation};
+use super::level::{Governs, WithDilation, WithoutDilation, without_dilation};
 use super::mechanism::mechanism;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Ending, Interpretation, Program, Solution};
@@ -55,33 +55,32 @@ pub fn collapse_load_while(
     Ok(outcome)
 }
 
-/// Puts the answer without dilation in place of the one with it, where it counts by this friction. The end of the iteration, where it was
-/// made and found one.
+/// Puts the answer without dilation in place of the one with it, where it counts by this friction.
 pub(super) fn by_friction(
     friction: Friction,
     (model, equilibrium, joints, strengths): (&BlockModel, &Equilibrium, &[Joint], &[Strength]),
     found: &Found,
     at_rest: &Rest,
     outcome: &mut Outcome,
-) -> Option<Level> {
+) {
     if friction == Friction::Associated || !matches!(found.status, Status::Solved | Status::Locks) {
-        return None;
+        return;
     }
     let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty());
-    let level = without_dilation(equilibrium, joints, strengths, found, None, at_rest);
+    let beside = WithDilation { status: found.status, factor: found.solution.factor, slides };
+    let level = without_dilation(equilibrium, joints, strengths, &beside, at_rest);
     let scale = equilibrium.factor_scale;
-    let end = level.end(scale);
-    if level.governs(friction, found, slides) == Governs::WithDilation {
-        return end;
+    if level.governs(friction, &beside) == Governs::WithDilation {
+        return;
     }
     outcome.friction = Friction::NonAssociated;
     match level {
-        WithoutDilation::Load(settled) => {
+        WithoutDilation::Load(level) => {
             outcome.status = Status::Solved;
-            outcome.iterations += settled.iterations;
-            outcome.spread = Some(settled.spread.map(|f| f * scale));
-            state(equilibrium, joints, strengths, &settled.solution, outcome);
-            outcome.mechanism = mechanism(model, equilibrium, joints, &settled.solution.velocities);
+            outcome.iterations += level.solution.iterations;
+            outcome.spread = Some(level.spread.map(|f| f * scale));
+            state(equilibrium, joints, strengths, &level.solution, outcome);
+            outcome.mechanism = mechanism(model, equilibrium, joints, &level.solution.velocities);
         }
         WithoutDilation::Locks => outcome.status = Status::Locks,
         WithoutDilation::Jammed => {
@@ -96,7 +95,6 @@ pub(super) fn by_friction(
             (outcome.factor, outcome.lower_bound) = (None, carried.map(|f| f * scale));
         }
     }
-    end
 }
 
 /// A solved program and what it means.
@@ -140,7 +138,7 @@ pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[
         let solution = Solution { ending: Ending::Solved, forces, factor: 1.0, velocities, iterations: 0 };
         return Carried { carried: Some(true), solution, roomy: OnceLock::new(), at_rest: Rest::default() };
     }
-    let solution = share(equilibrium, joints, strengths, 0.0, 1e-8);
+    let solution = share(equilibrium, joints, strengths, 1e-8);
     let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
     Carried { carried, solution, roomy: OnceLock::new(), at_rest: Rest::default() }
 }
@@ -225,7 +223,6 @@ pub(super) fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
         constant_loads: &rest,
         cap,
         objective: Vec::new(),
-        quadratic_weight: 0.0,
         interpretation: Interpretation::Factor,
     }
     .solve(1e-8)

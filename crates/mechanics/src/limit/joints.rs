@@ -34,8 +34,6 @@ pub(super) struct Strength {
     pub cohesion: f64,
     /// Largest compression of the whole joint; infinite for no crushing.
     pub crushing: f64,
-    /// Largest shear whatever the compression; infinite but for the fictitious surfaces of non-associated friction.
-    pub most_shear: f64,
 }
 
 impl Joint {
@@ -88,7 +86,6 @@ fn joint(model: &BlockModel, settings: &Settings, face: &Interface) -> Joint {
             friction: law.friction + (law.cohesion - bonded) / law.crushing,
             cohesion: bonded * length,
             crushing: if settings.crushing { law.crushing * length } else { f64::INFINITY },
-            most_shear: f64::INFINITY,
         },
         points,
     }

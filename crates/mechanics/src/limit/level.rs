@@ -5,43 +5,43 @@
 //! drive no mechanism, whatever the flow rule: the blocks lock. Where blocks stand on the friction of compressions that nothing but
 //! self-stress brings about, what they carry depends on how hard they were jammed, and no load is known.
 
-use super::collapse::{Found, locks};
+use super::collapse::locks;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::nonassociated::{Settled, settle, settle_near};
 use super::outcome::Status;
-use super::program::Ending;
+use super::program::{Ending, Solution};
 use super::rest::Rest;
 use super::settings::Friction;
+use super::stiff::Grown;
 
 /// Beside a load so many times all permanent loads, these are less than what the solver can see: geometry and friction alone carry the
 /// load, and would carry any other.
 const LOCKED: f64 = 1e3;
 
-/// How far below the load with dilation one without it lies that is a load of its own, relative: starts of the iteration agree to this.
-const BELOW: f64 = 1e-4;
+/// How far below the load with dilation one without it lies that is a load of its own: relative, ten times what the chords of crushing take; and
+/// beside all permanent loads.
+const BELOW: [f64; 2] = [1e-4, 1e-8];
 
 /// Loads this far below zero, scaled, are zero.
 const ZERO: f64 = 1e-6;
 
-/// A load without dilation, and what the iteration for a load that differs a little may start from. It belongs to its ground.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Level {
-    /// The load factor.
-    pub factor: f64,
-    /// Scaled compressions of the joints at the end of the iteration.
-    pub(super) compressions: Vec<f64>,
+/// A load without dilation.
+pub(super) struct Level {
+    /// The state in which blocks give way.
+    pub solution: Solution,
+    /// Scaled factors: there, and the largest on the way to it.
+    pub spread: [f64; 2],
 }
 
 /// What is carried where sliding does not dilate.
 pub(super) enum WithoutDilation {
-    /// The lowest load of the iteration.
-    Load(Settled),
+    /// A load, at which blocks give way.
+    Load(Level),
     /// Every load.
     Locks,
     /// What blocks carry depends on how hard they are jammed.
     Jammed,
-    /// The iteration found no end.
+    /// The way has no end.
     Unsettled,
 }
 
@@ -52,66 +52,66 @@ pub(super) enum Governs {
     WithoutDilation,
 }
 
-/// The load without dilation: from the end point of a load nearby alone, where one is given and leads to an end, or the lowest from all
-/// starts. `found` is the load with dilation; how blocks rest under the permanent loads is asked once for all.
+/// The load with dilation beside it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct WithDilation {
+    /// Solved, or every load is carried.
+    pub status: Status,
+    /// Its scaled factor, where it is solved.
+    pub factor: f64,
+    /// Whether joints slide in its mechanism.
+    pub slides: bool,
+}
+
+/// The load without dilation, beside one with it; how blocks rest under the permanent loads is asked once for all.
 pub(super) fn without_dilation(
     equilibrium: &Equilibrium,
     joints: &[Joint],
     strengths: &[Strength],
-    found: &Found,
-    near: Option<&[f64]>,
+    beside: &WithDilation,
     at_rest: &Rest,
 ) -> WithoutDilation {
-    let endless = found.status == Status::Locks;
+    let endless = beside.status == Status::Locks;
     // Where any load is carried with dilation, blocks may be held by compressions that nothing brings about.
-    let jammed = || match endless {
-        true => !at_rest.is_sure(equilibrium, joints, strengths),
-        false => at_rest.slips(equilibrium, joints, strengths),
-    };
-    if endless && drives_nothing(equilibrium, joints, strengths) {
-        return if jammed() { WithoutDilation::Jammed } else { WithoutDilation::Locks };
-    }
-    let beside = near.and_then(|near| settle_near(equilibrium, joints, strengths, near));
-    let associated = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
-    let Some(mut settled) = beside.or_else(|| settle(equilibrium, joints, strengths, associated)) else {
-        return match endless && jammed() {
-            true => WithoutDilation::Jammed,
-            false => WithoutDilation::Unsettled,
-        };
-    };
-    let factor = settled.solution.factor;
-    let lower = endless || factor < (1.0 - BELOW) * found.solution.factor;
-    if factor < -ZERO || (lower && jammed()) {
+    if endless && !at_rest.is_sure(equilibrium, joints, strengths) {
         return WithoutDilation::Jammed;
     }
-    if endless && factor > LOCKED {
+    if endless && drives_nothing(equilibrium, joints, strengths) {
         return WithoutDilation::Locks;
     }
-    settled.solution.factor = factor.max(0.0);
-    settled.spread = settled.spread.map(|factor| factor.max(0.0));
-    WithoutDilation::Load(settled)
+    let Some(stood) = at_rest.stood(equilibrium, joints, strengths) else { return WithoutDilation::Jammed };
+    match stood.under(equilibrium, if endless { LOCKED } else { f64::INFINITY }) {
+        Grown::GivesWay { solution, .. } if solution.factor < -ZERO => WithoutDilation::Jammed,
+        Grown::GivesWay { mut solution, most } => {
+            solution.factor = solution.factor.max(0.0);
+            let spread = [solution.factor, most.max(solution.factor)];
+            WithoutDilation::Load(Level { solution, spread })
+        }
+        Grown::Carried => WithoutDilation::Locks,
+        Grown::Lost => WithoutDilation::Unsettled,
+    }
 }
 
 impl WithoutDilation {
-    /// The end of the iteration, for loads nearby; `scale` is the factor of a scaled one.
-    pub(super) fn end(&self, scale: f64) -> Option<Level> {
+    /// The load factor; `scale` is that of a scaled one.
+    pub(super) fn factor(&self, scale: f64) -> Option<f64> {
         match self {
-            WithoutDilation::Load(settled) => {
-                Some(Level { factor: settled.solution.factor * scale, compressions: settled.compressions.clone() })
-            }
+            WithoutDilation::Load(level) => Some(level.solution.factor * scale),
             _ => None,
         }
     }
 
-    /// Which load counts by the friction that is asked for, beside a load with dilation in whose mechanism joints slide or not.
-    pub(super) fn governs(&self, friction: Friction, found: &Found, slides: bool) -> Governs {
+    /// Which load counts by the friction that is asked for.
+    pub(super) fn governs(&self, friction: Friction, beside: &WithDilation) -> Governs {
+        let WithDilation { status, factor, slides } = *beside;
+        let below = |level: &Level| level.solution.factor < (1.0 - BELOW[0]) * factor - BELOW[1];
         let own = match friction {
             Friction::Associated => false,
             Friction::NonAssociated => true,
-            Friction::Automatic if found.status == Status::Locks => true,
+            Friction::Automatic if status == Status::Locks => true,
             // A mechanism in which no joint slides forms without dilation as well, but another one may form below it.
             Friction::Automatic => match self {
-                WithoutDilation::Load(level) => slides || level.solution.factor < (1.0 - BELOW) * found.solution.factor,
+                WithoutDilation::Load(level) => slides || below(level),
                 WithoutDilation::Jammed => true,
                 WithoutDilation::Locks => false,
                 WithoutDilation::Unsettled => slides,

@@ -23,8 +23,6 @@ pub(super) struct Program<'a> {
     pub cap: Option<f64>,
     /// Weights of the forces in the objective: column and weight. Empty to make `t` largest.
     pub objective: Vec<Entry>,
-    /// Weight of the squares of all compressions in the objective: picks one of many states of self-stress. Zero for a linear program.
-    pub quadratic_weight: f64,
     /// What `t` means beside that.
     pub interpretation: Interpretation,
 }
@@ -46,14 +44,14 @@ pub(super) enum Interpretation {
 pub(super) enum Ending {
     /// To its tolerance.
     Solved,
-    /// To [`NEARLY`], or as nearly as was asked for: the interior point came to rest a little early, as it does where joints crush.
+    /// To [`NEARLY`]: the interior point came to rest a little early, as it does where joints crush.
     Nearly,
     /// Anything else; not an answer by itself.
     Unknown,
 }
 
 /// Relative gap and residuals of a program that is nearly solved.
-pub(super) const NEARLY: f64 = 1e-6;
+const NEARLY: f64 = 1e-6;
 
 /// What a program returned, scaled.
 #[derive(Debug, Clone)]
@@ -85,18 +83,12 @@ impl<'a> Program<'a> {
             constant_loads: &equilibrium.permanent,
             cap: None,
             objective: Vec::new(),
-            quadratic_weight: 0.0,
             interpretation: Interpretation::Factor,
         }
     }
 
     /// Solves to a relative gap and residual of `tolerance`.
     pub(super) fn solve(&self, tolerance: f64) -> Solution {
-        self.solve_or(tolerance, NEARLY)
-    }
-
-    /// The same, where a program that comes to rest early counts as nearly solved down to another gap and residual.
-    pub(super) fn solve_or(&self, tolerance: f64, nearly: f64) -> Solution {
         let forces = self.equilibrium.columns.len();
         let (a, b, cones) = self.constraints();
         let mut q = vec![0.0; forces + 1];
@@ -106,7 +98,7 @@ impl<'a> Program<'a> {
         for &(i, v) in &self.objective {
             q[i] -= v;
         }
-        let p = self.quadratic(forces + 1);
+        let p = CscMatrix::zeros((forces + 1, forces + 1));
         let unknown = || Solution {
             ending: Ending::Unknown,
             forces: vec![0.0; forces],
@@ -115,7 +107,7 @@ impl<'a> Program<'a> {
             iterations: 0,
         };
         let token = &self.equilibrium.token;
-        let accuracy = Accuracy { tolerance, nearly, iterations: 100, refinements: 10 };
+        let accuracy = Accuracy { tolerance, nearly: NEARLY, iterations: 100, refinements: 10 };
         let found = (!token.is_cancelled()).then(|| minimise((&p, &q), (&a, &b), &cones, accuracy, token)).flatten();
         let Some(found) = found else { return unknown() };
         Solution {
@@ -129,19 +121,6 @@ impl<'a> Program<'a> {
             velocities: found.z[..self.equilibrium.rows].to_vec(),
             iterations: found.iterations,
         }
-    }
-
-    fn quadratic(&self, size: usize) -> CscMatrix<f64> {
-        if self.quadratic_weight == 0.0 {
-            return CscMatrix::zeros((size, size));
-        }
-        let mut columns = vec![Vec::new(); size];
-        for (joint, &c) in self.joints.iter().zip(&self.equilibrium.first_column) {
-            for (k, column) in columns[c..c + joint.points.len()].iter_mut().enumerate() {
-                column.push((c + k, self.quadratic_weight));
-            }
-        }
-        compressed(size, &columns)
     }
 
     /// `b - A x` lies in the cones: equations, then linear limits, then one parabola per contact point.
@@ -190,11 +169,6 @@ impl<'a> Program<'a> {
                     let mut entries = vec![(c + n, sign)];
                     entries.extend((0..n).map(|k| (c + k, strength.friction)));
                     limit(&mut columns, &entries, strength.cohesion / unit, true);
-                }
-            }
-            if strength.most_shear.is_finite() {
-                for sign in [1.0, -1.0] {
-                    limit(&mut columns, &[(c + n, sign)], strength.most_shear / unit, true);
                 }
             }
         }

@@ -32,7 +32,6 @@ pub(super) fn roomy(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
         // A room of the whole weight at every contact keeps the program bounded.
         cap: Some(1.0),
         objective: Vec::new(),
-        quadratic_weight: 0.0,
         interpretation: Interpretation::Margin,
     };
     let found = program.solve(TOLERANCE);

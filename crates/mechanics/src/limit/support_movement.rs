@@ -264,7 +264,6 @@ impl Chain<'_> {
             // `t` has no part in this program.
             cap: Some(0.0),
             objective: offsets.iter().map(|o| -o / unit).enumerate().collect(),
-            quadratic_weight: 0.0,
             interpretation: Interpretation::Factor,
         }
         .solve(TOLERANCE);

@@ -3,7 +3,7 @@
 use super::ground::Ground;
 use super::outcome::Status;
 use super::settings::{Friction, Settings};
-use super::sweeper::{Starts, Sweeper};
+use super::sweeper::Sweeper;
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 
 /// The answer for one place of the load.
@@ -59,7 +59,7 @@ impl Sweeper<'_> {
     /// The load factor of a load by itself.
     pub fn place(&mut self, load: &[PointForce], friction: Friction) -> LoadPosition {
         let effect = self.effect(load);
-        let found = self.least(&effect, friction, Starts::Every, None);
+        let found = self.least(&effect, friction);
         LoadPosition {
             status: found.status,
             factor: found.factor,

@@ -6,8 +6,7 @@ use super::boxed::{Bounded, greatest_between};
 use super::collapse::{Found, by_friction, largest_factor_of_carried, report};
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
-use super::joints::{Joint, Strength};
-use super::level::{Governs, Level, WithoutDilation, without_dilation};
+use super::level::{Governs, WithDilation, WithoutDilation, without_dilation};
 use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
 use super::proven::carried_up_to;
@@ -49,19 +48,6 @@ pub struct Factor {
     pub by_interior_point: bool,
 }
 
-/// Where the iteration without dilation starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Starts {
-    /// From every start, as an analysis of the load by itself does, whatever was answered before; the least load counts.
-    Every,
-    /// The same where it may end lower: where something slides, or the forces keep not to the shear that the compressions at the end of the
-    /// iteration for a load nearby allow. Elsewhere the iteration from there begins and ends with the load of the mechanism with dilation, and is not
-    /// made.
-    Doubtful,
-    /// The same again, but from the end of the iteration for a load nearby, where that leads to an end: one start in place of three.
-    Nearby,
-}
-
 /// The least of what is carried with dilation and without it, as an analysis of the load by itself has it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Least {
@@ -73,8 +59,6 @@ pub struct Least {
     pub factor: Option<f64>,
     /// The flow rule that the factor belongs to.
     pub friction: Friction,
-    /// The end of the iteration without dilation, where there was one: a start for loads nearby.
-    pub level: Option<Level>,
 }
 
 impl Ground<'_> {
@@ -91,21 +75,6 @@ impl Ground<'_> {
         let reduced = reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
         Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, token: CancelToken::default() }
     }
-}
-
-/// Whether forces keep to the shear that these compressions allow.
-fn keeps_to(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    forces: &[f64],
-    compressions: &[f64],
-) -> bool {
-    let each = joints.iter().zip(strengths).zip(&equilibrium.first_column).zip(compressions);
-    each.into_iter().all(|(((joint, strength), &c), compression)| {
-        let most = strength.friction * compression.max(0.0) + strength.cohesion / equilibrium.force;
-        !strength.friction.is_finite() || forces[c + joint.points.len()].abs() <= most
-    })
 }
 
 impl Factor {
@@ -221,7 +190,7 @@ impl Sweeper<'_> {
     pub fn factor(&mut self, effect: &Effect) -> Factor {
         let reached = self.corner(effect);
         match &reached {
-            Reached::Lost => self.slowly(effect).0,
+            Reached::Lost => self.slowly(effect),
             reached => self.quickly(reached),
         }
     }
@@ -243,10 +212,10 @@ impl Sweeper<'_> {
     }
 
     /// The same by the interior-point method.
-    fn slowly(&mut self, effect: &Effect) -> (Factor, Equilibrium, Found) {
+    fn slowly(&mut self, effect: &Effect) -> Factor {
         let (equilibrium, found) = self.by_interior_point(effect);
         if self.token.is_cancelled() {
-            return (Factor::without_numbers(Status::Cancelled), equilibrium, found);
+            return Factor::without_numbers(Status::Cancelled);
         }
         let ground = self.ground;
         let solved = found.status == Status::Solved;
@@ -259,79 +228,52 @@ impl Sweeper<'_> {
                 * scale
         });
         self.learn(&found.solution.velocities);
-        let factor = Factor {
+        Factor {
             status: found.status,
             lower: solved.then_some(found.solution.factor * scale),
             upper,
             slides: solved && mechanism.is_some_and(|m| !m.sliding.is_empty()),
             iterations: found.iterations as usize,
             by_interior_point: true,
-        };
-        (factor, equilibrium, found)
+        }
     }
 
     /// The factor by the friction that is asked for: with [`Friction::Automatic`] the least of those with and without dilation, as an
-    /// analysis of the load by itself has it. `near` is the end of the iteration for a load nearby; without one, starts are those of an analysis
-    /// by itself.
-    pub fn least(&mut self, effect: &Effect, friction: Friction, starts: Starts, near: Option<&Level>) -> Least {
-        let reached = self.corner(effect);
-        let (dilatant, slow) = match &reached {
-            Reached::Lost => {
-                let (factor, equilibrium, found) = self.slowly(effect);
-                (factor, Some((equilibrium, found)))
-            }
-            reached => (self.quickly(reached), None),
-        };
+    /// analysis of the load by itself has it.
+    pub fn least(&mut self, effect: &Effect, friction: Friction) -> Least {
+        let dilatant = self.factor(effect);
+        self.least_beside(effect, friction, dilatant)
+    }
+
+    /// The same where the factor with dilation is known.
+    pub fn least_beside(&mut self, effect: &Effect, friction: Friction, mut dilatant: Factor) -> Least {
+        // That a load is endless is asked twice.
+        if dilatant.status == Status::Locks && !dilatant.by_interior_point && friction != Friction::Associated {
+            dilatant = self.slowly(effect);
+        }
         let Factor { status, lower, slides, .. } = dilatant;
-        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated, level: None };
+        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated };
         if friction == Friction::Associated || !matches!(status, Status::Solved | Status::Locks) {
             return dilates;
         }
-        let (equilibrium, found) = match (slow, &reached) {
-            (Some(slow), _) => slow,
-            (None, Reached::Corner(corner, _)) => (self.loaded(effect), self.solution(effect, corner)),
-            (None, _) => self.by_interior_point(effect),
-        };
-        let near = near.filter(|_| starts != Starts::Every);
-        let still = friction == Friction::Automatic && status == Status::Solved && !slides;
-        if still && near.is_some_and(|near| self.keeps(&equilibrium, &found, near)) {
-            return dilates;
-        }
-        let near = near.filter(|_| starts == Starts::Nearby).map(|near| &near.compressions[..]);
-        let by_corner = matches!(reached, Reached::Corner(..));
-        let found = if near.is_none() && by_corner { self.by_itself(&equilibrium, found) } else { found };
-        let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
-        let level = without_dilation(&equilibrium, joints, strengths, &found, near, &self.ground.stands.at_rest);
+        let equilibrium = self.loaded(effect);
+        let scale = equilibrium.factor_scale;
+        let beside = WithDilation { status, factor: lower.unwrap_or(0.0) / scale, slides };
+        let Ground { joints, strengths, stands, .. } = self.ground;
+        let level = without_dilation(&equilibrium, joints, strengths, &beside, &stands.at_rest);
         if self.token.is_cancelled() {
             let dilatant = Factor::without_numbers(Status::Cancelled);
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
         }
-        let counts = level.governs(friction, &found, slides) == Governs::WithoutDilation;
-        let end = level.end(equilibrium.factor_scale);
-        if !counts {
-            return Least { level: end, ..dilates };
+        if level.governs(friction, &beside) == Governs::WithDilation {
+            return dilates;
         }
         let status = match level {
             WithoutDilation::Load(_) => Status::Solved,
             WithoutDilation::Locks => Status::Locks,
             WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
         };
-        let factor = end.as_ref().map(|level| level.factor);
-        Least { status, factor, friction: Friction::NonAssociated, level: end, ..dilates }
-    }
-
-    /// Whether forces keep to the shear that the compressions of a load nearby allow.
-    fn keeps(&self, equilibrium: &Equilibrium, found: &Found, near: &Level) -> bool {
-        let Ground { joints, strengths, .. } = self.ground;
-        keeps_to(equilibrium, joints, strengths, &found.solution.forces, &near.compressions)
-    }
-
-    /// The load with dilation as the interior-point method finds it, which is in the middle of the states that carry it. A corner is some other one of
-    /// them, by what was answered before, and the iteration without dilation that starts there may end at another load.
-    fn by_itself(&self, equilibrium: &Equilibrium, found: Found) -> Found {
-        let Ground { joints, strengths, stands, .. } = self.ground;
-        let middle = largest_factor_of_carried(equilibrium, joints, strengths, stands);
-        if middle.status == found.status { middle } else { found }
+        Least { status, factor: level.factor(scale), friction: Friction::NonAssociated, ..dilates }
     }
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.
@@ -405,22 +347,19 @@ impl Sweeper<'_> {
         report(&ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
     }
 
-    /// The same by the friction of [`Sweeper::least`] from every start, and the end of the iteration without dilation, where it was made.
-    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> (Outcome, Option<Level>) {
+    /// The same by the friction of [`Sweeper::least`].
+    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> Outcome {
         let ground = self.ground;
         let (equilibrium, found) = self.found(effect);
         let (model, joints, strengths) = (&ground.model, &ground.joints, &ground.strengths);
         let mut outcome = report(model, &equilibrium, joints, strengths, ground.interfaces.clone(), &found);
-        let solved = matches!(found.status, Status::Solved | Status::Locks);
-        let found =
-            if friction != Friction::Associated && solved { self.by_itself(&equilibrium, found) } else { found };
         let parts = (&*ground.model, &equilibrium, &joints[..], &strengths[..]);
-        let level = by_friction(friction, parts, &found, &ground.stands.at_rest, &mut outcome);
+        by_friction(friction, parts, &found, &ground.stands.at_rest, &mut outcome);
         if self.token.is_cancelled() {
             let Outcome { interfaces, iterations, friction, .. } = outcome;
-            return (Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations), None);
+            return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
         }
-        (outcome, level)
+        outcome
     }
 
     /// Scaled velocities of the mechanism at that factor.
@@ -446,15 +385,16 @@ impl Sweeper<'_> {
             return None;
         }
         let mut last = self.reduced.as_ref()?.lasts(0, effect, size);
-        let mut start = self.least_kept(&last).map(|(_, index)| self.kept[index].start.clone());
+        let bounding = self.least_kept(&last).map(|(_, index)| index);
+        let mut start = bounding.map(|index| self.kept[index].start.clone());
         let count = self.ground.equilibrium.restraints.len();
         for round in 0..ROUNDS {
             let reduced = self.reduced.as_ref()?;
             let bounded = Bounded { first: reduced.standing - 2 * count, count };
             let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_ref(), &self.token) {
                 Ended::Best(corner) => corner,
-                // Tangents of joints that crush may still be missing.
-                Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
+                // Tangents of joints that crush may still be missing. No load is endless that a known mechanism bounds.
+                Ended::Unbounded if !self.ground.crushes() && bounding.is_none() => return Some(Reached::Locks),
                 Ended::Unbounded | Ended::Lost => return None,
             };
             let factor = corner.z.last().copied()?;

@@ -152,7 +152,6 @@ fn margin(
         // A margin of the whole weight at every contact is more than anyone asks for, and keeps the program bounded.
         cap: Some(1.0),
         objective: Vec::new(),
-        quadratic_weight: 0.0,
         interpretation: Interpretation::Margin,
     };
     let solution = program.solve(TOLERANCE);

@@ -95,7 +95,6 @@ impl Zone {
             constant_loads: &nothing,
             cap: None,
             objective: vec![(c, -side), (c + 1, side)],
-            quadratic_weight: 0.0,
             interpretation: Interpretation::UnitCompression(j),
         }
         .solve(TOLERANCE);
@@ -119,7 +118,6 @@ impl Zone {
             // `t` has no part in this program.
             cap: Some(0.0),
             objective,
-            quadratic_weight: 0.0,
             interpretation: Interpretation::Factor,
         }
         .solve(TOLERANCE);

@@ -10,10 +10,10 @@ notes! {
         RigidAsMoved => "Rigid blocks that follow the support as a mechanism; displacements are large.";
         FrictionAssociated => "Friction is associated; no joint slides in the mechanism, so it forms without dilation too.";
         FrictionNonAssociated { associated_load [N/m]: Option<f64> } =>
-            "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006){}.",
+            "Sliding does not dilate: blocks between stiff joints are followed from rest to their collapse{}.",
             associated_load.map_or(String::new(), |load| format!("; the associated load is {} kN/m", kilo(load)));
-        NoBound => "Where joints slide without dilation the load is the lowest that the iteration found from its starts, and no bound: other \
-                    states of self-stress may carry less.";
+        NoBound => "Where joints slide without dilation the load is that of the self-stress which weight and load bring about, and no bound: other \
+                    states may carry less.";
         Crushing { strength [Pa]: f64, load [N/m]: f64, without [N/m]: f64 } =>
             "Joints crush at {:.1} MPa, which lowers the load by {:.1} % from the {} kN/m without crushing.",
             strength / 1e6, 100.0 * (1.0 - load / without), kilo(*without);

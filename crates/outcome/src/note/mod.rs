@@ -78,7 +78,7 @@ mod tests {
         let kept = serde_json::to_string(&notes).unwrap();
         assert_eq!(serde_json::from_str::<Vec<Note>>(&kept).unwrap(), notes);
         let [friction, cracks, counted, mortar] = notes.map(|note| note.to_string());
-        assert!(friction.ends_with("2006); the associated load is 12.35 kN/m."), "{friction}");
+        assert!(friction.ends_with("collapse; the associated load is 12.35 kN/m."), "{friction}");
         assert!(
             cracks.starts_with("Longitudinal cracks through the barrel leave strips of 2.00 m, 2.50 m: each"),
             "{cracks}"

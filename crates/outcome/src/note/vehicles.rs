@@ -17,10 +17,10 @@ notes! {
         /// Distance of positions, of vehicles.
         PositionsOfVehicles { apart [m]: f64 } => "Positions lie {apart:.3} m apart; the worst one is then sought to a hundredth of that. \
                                                    Between positions the factor changes steadily.";
-        /// Up to how many times the least factor friction without dilation is asked, in groups of so many.
-        WithoutDilation { times: f64, group: usize } =>
-            "Cases up to {times} times the least factor are answered without dilation too, from the end point of the one beside them in groups \
-             of {group}, and the worst one from every start; the least counts. Others keep dilatant friction, which gives more.";
+        /// Up to how many times the least factor friction without dilation is asked.
+        WithoutDilation { times: f64 } =>
+            "Cases up to {times} times the least factor are answered without dilation too, and the least counts. Others keep dilatant friction, \
+             which gives more.";
         Proven { cases: usize } => "For {cases} cases no largest factor was found, but one above the least of the others is proven to be \
                                     carried, and stands in its place.";
         DeformableJoints => "On deformable joints the axles that govern for rigid blocks are followed at every position; of all axles, and of \
@@ -64,8 +64,8 @@ notes! {
              than {times} times above the least factor at the position, and as many times more as such bounds lay too high at the position \
              before.";
         Sliding { vehicles: usize } =>
-            "For {} joints slide in cases up to twice the least factor: the three worst of these were answered again without dilation, and the \
-             least factor counts.",
+            "For {} joints slide: cases were answered without dilation too, from the least factor with dilation up to where one could govern \
+             only if dilation were worth a quarter more there than in any case before, and the least counts.",
             counted(*vehicles, "vehicle");
         Inset { by [m]: f64 } =>
             "Discrete elements bear on contact points {:.0} mm inside the edges of the blocks, where the thrusts of limit analysis at its \

@@ -127,9 +127,9 @@ findings::cards! {
     /// Rings that share shear by friction alone.
     RINGS_SHARE = "A124", "the shear between rings that slide on one another is statically indeterminate",
         "The shear between rings depends on the force that presses them together, and equilibrium allows many such \
-         forces. Limit analysis finds the largest load, with or without dilation, and so may choose a state in which \
-         the rings are pressed together strongly; for nine bridges with two rings discrete elements gave 0.66 to 0.82 \
-         of its load (docs/verification/profiles.md). Use the smaller result of both methods, or a low friction angle \
+         forces. Limit analysis finds the largest load with dilation, and without it the one that weight and load between stiff \
+         joints come to, where rings are pressed together more than by discrete elements: for nine bridges with two rings these \
+         gave 0.66 to 0.83 of its load (docs/verification/profiles.md). Use the smaller result of both methods, or a low friction angle \
          in [ring_joint].";
     /// One packing is one sample.
     ONE_PACKING = "A125", "one packing of particles is one sample",
@@ -223,9 +223,9 @@ findings::cards! {
     NOT_SHEARED = "A165", "sheared samples were left out",
         "A sample counts only if it came to rest under every confining pressure and failed under each. The message \
          says how many did not.";
-    /// No end of the iteration without dilation; a lower load in its place.
+    /// No end of the way without dilation; a lower load in its place.
     WITHOUT_FRICTION = "A170", "a lower load without friction where joints slide",
-        "Joints slide in the mechanism, and the iteration for the load without dilation did not converge. The \
+        "Joints slide in the mechanism, and the way to a load without dilation has no end. The \
          associated load is an upper bound that real joints may not reach, so it never replaces the result. The load \
          reported as carried is that of the same blocks without friction and cohesion in the joints that slide. It is \
          proven for some mechanisms only: no mechanism in which only these joints slide can form below it (Radenkovic \
@@ -233,8 +233,8 @@ findings::cards! {
          The status stays not-converged: use discrete elements for a closer result.";
     /// Positions without an answer.
     POSITIONS_NOT_CONVERGED = "A175", "positions of a sweep have no result",
-        "At the positions that the message counts, limit analysis found no reliable result: the iteration for friction \
-         without dilation, or the solver, did not converge. These positions may govern, so the vehicle has no adequacy \
+        "At the positions that the message counts, limit analysis found no reliable result: the way without dilation \
+         has no end, or the solver did not converge. These positions may govern, so the vehicle has no adequacy \
          factor and the sweep is undetermined. The factor in the message is the least of the other cases: the true one \
          is not above it. Analyse such a position by discrete elements (extrados collapse --method dem), or check \
          friction and thickness of the rings.";

@@ -10,7 +10,7 @@ warnings! {
         ASSOCIATED_SLIDING: Sliding { joints: usize } =>
             "{} in the mechanism and friction is associated: the load is an upper bound", sliding(*joints);
         ASSOCIATED_SLIDING: NotSettled { joints: usize, associated_load [N/m]: Option<f64> } =>
-            "{} in the mechanism, and the iteration for friction without dilation did not converge: the associated load{} is only an upper \
+            "{} in the mechanism, and the way without dilation has no end: the associated load{} is only an upper \
              bound",
             sliding(*joints), associated_load.map_or(String::new(), |load| format!(" of {} kN/m", kilo(load)));
         ASSOCIATED_SLIDING: Walls { load [N/m]: Option<f64> } => "walls of blocks: {}", match load {
@@ -40,8 +40,8 @@ warnings! {
             "joints between rings have the cohesion of [joint], {:.1} kPa: describe them in [ring_joint]", cohesion / 1e3;
         ONE_PIECE: OnePiece { thickness [m]: f64 } =>
             "a ring of {thickness:.3} m is modelled in one piece: separation of brick rings is not checked";
-        RINGS_SHARE: RingsShare => "rings slide on one another: limit analysis takes the state of self-stress that carries most; for nine \
-                                    bridges with two rings discrete elements gave 0.66 to 0.82 of its load";
+        RINGS_SHARE: RingsShare => "rings slide on one another: how strongly they are pressed together is not determined; for nine bridges \
+                                    with two rings discrete elements gave 0.66 to 0.83 of this load";
         INSET: Inset { rounding [m]: f64, thickness [m]: f64 } =>
             "contact points lie {:.1} mm inside the edges: {:.4} m of a ring of {thickness:.4} m count", 1e3 * rounding, thickness - 2.0 * rounding;
         INSET: InsetBlocks { rounding [m]: f64 } => "contact points lie up to {:.1} mm inside the edges of the blocks", 1e3 * rounding;

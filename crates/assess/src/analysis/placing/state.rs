@@ -6,7 +6,7 @@ use super::super::vehicles::{Asked, Driven, Driving};
 use super::Carried;
 use bridge::Bridge;
 use mechanics::blocks::PointForce;
-use mechanics::limit::{self, Experience, Friction, Ground, Level, Outcome, Starts, Sweeper};
+use mechanics::limit::{self, Experience, Friction, Ground, Outcome, Sweeper};
 use outcome::collapse::Status;
 use outcome::vehicles::Case;
 use structure::discretise::Discretised;
@@ -19,8 +19,6 @@ pub(super) struct State {
     pub built: Vec<Discretised>,
     grounds: Vec<Ground<'static>>,
     learnt: Vec<Experience>,
-    /// The ends of the last iterations without dilation, against which places along the road are held, under each combination.
-    ends: Vec<Option<Level>>,
     /// The vehicle that is put on it, and what it may do there; none where loads are those of the file.
     pub vehicle: Option<(Driven, Driving)>,
 }
@@ -67,8 +65,7 @@ impl State {
             built.push(d);
         }
         let learnt = bridges.iter().map(|_| Experience::default()).collect();
-        let ends = vec![None; bridges.len()];
-        Ok(State { bridge: bridges[0].clone(), built, grounds, learnt, ends, vehicle: None })
+        Ok(State { bridge: bridges[0].clone(), built, grounds, learnt, vehicle: None })
     }
 
     /// Whether the blocks carry their own weight.
@@ -106,12 +103,7 @@ impl State {
         let begun = self.grounds.iter().zip(&mut self.learnt);
         let mut sweepers: Vec<Sweeper<'_>> =
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
-        let mut ends = match asked {
-            Asked::Along => std::mem::take(&mut self.ends),
-            Asked::Carefully | Asked::Quickly => vec![None; self.grounds.len()],
-        };
-        let governing = driving.governing(&self.built[0], (&self.grounds, &mut sweepers), &mut ends, position, asked);
-        self.ends = ends;
+        let governing = driving.governing(&self.built[0], (&self.grounds, &mut sweepers), position, asked);
         self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
         put.carried = Some(Carried {
             status: rigid::status(governing.status),
@@ -136,7 +128,7 @@ impl State {
     }
 
     /// What is carried under the loads of the file.
-    pub(super) fn carried(&mut self, put: &Put, starts: Starts) -> Carried {
+    pub(super) fn carried(&mut self, put: &Put) -> Carried {
         if !self.stands() {
             return Carried::nothing(Status::UnstableUnderSelfWeight);
         }
@@ -145,11 +137,10 @@ impl State {
         }
         let mut sweeper = self.grounds[0].sweeper_with(std::mem::take(&mut self.learnt[0]));
         let effect = sweeper.effect(&put.forces);
-        let found = sweeper.least(&effect, put.friction, starts, self.ends[0].as_ref());
+        let found = sweeper.least(&effect, put.friction);
         self.learnt[0] = sweeper.learnt();
         let dilatant = found.dilatant.lower;
         let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
-        self.ends[0] = found.level.or(self.ends[0].take());
         Carried { status: rigid::status(found.status), factor, dilatant, slides: found.dilatant.slides }
     }
 
@@ -158,9 +149,8 @@ impl State {
         let k = put.weights;
         let mut sweeper = self.grounds[k].sweeper_with(std::mem::take(&mut self.learnt[k]));
         let effect = sweeper.effect(&put.forces);
-        let (outcome, level) = sweeper.outcome_by(&effect, put.friction);
+        let outcome = sweeper.outcome_by(&effect, put.friction);
         self.learnt[k] = sweeper.learnt();
-        self.ends[k] = level.or(self.ends[k].take());
         outcome
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn beside(
     if let Some(best) = own.answers.get(rows.len()).and_then(Option::as_ref).map(|best| best.case)
         && rows.iter().all(|row| row.position != best.position)
     {
-        let (row, done) = scene.answered_again(best.position, None, watch);
+        let (row, done) = scene.answered_again(best.position, watch);
         rows.push(row);
         whole &= done;
     }

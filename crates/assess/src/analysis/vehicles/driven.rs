@@ -4,13 +4,14 @@ use super::beside;
 use super::cases::{Drive, borders, drives, places_apart, reach};
 use super::factored::{self, Footprint, footprint, with_case};
 use super::least::{Answer, least};
-use super::search::{DILATANCY, FAR_ABOVE, SLIDING};
+use super::search::{DILATANCY, FAR_ABOVE};
 use super::standing::{Key, Scene};
+use super::turns::Turns;
 use super::weights;
 use crate::analysis::AnalysisError;
 use crate::vehicles::{Chosen, Refused, chosen};
 use bridge::{Bridge, Directions, SweepPlan};
-use mechanics::limit::{Effect, Friction, Ground, Level, Starts, Status, Sweeper};
+use mechanics::limit::{Effect, Factor, Friction, Ground, Status, Sweeper};
 use mechanics::watch::Unwatched;
 use outcome::note;
 use outcome::vehicles::{Case, Direction, Weights};
@@ -147,17 +148,8 @@ pub(in crate::analysis) struct Governing {
 pub(in crate::analysis) enum Asked {
     /// As a sweep does; loads of the file as an analysis by itself does.
     Carefully,
-    /// The same, but held against the place before.
-    Along,
     /// Not: the answer says where it is open.
     Quickly,
-}
-
-impl Asked {
-    /// From where loads of the file start without dilation.
-    pub(crate) fn starts(self) -> Starts {
-        if self == Asked::Carefully { Starts::Every } else { Starts::Doubtful }
-    }
 }
 
 impl Driving {
@@ -188,13 +180,12 @@ impl Driving {
         Driving { feet, drives: all, borders, weights: driven.weights.clone(), capacity, range }
     }
 
-    /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground, one sweeper and one end of an
-    /// iteration without dilation, against which places are held where nothing slides, for each combination of weights.
+    /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground and one sweeper for each
+    /// combination of weights.
     pub(crate) fn governing(
         &self,
         d: &Discretised,
         (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),
-        ends: &mut [Option<Level>],
         position: f64,
         asked: Asked,
     ) -> Governing {
@@ -206,7 +197,7 @@ impl Driving {
             match (found.lower, found.upper) {
                 (Some(factor), Some(upper)) => {
                     let answer = Answer { key, factor, upper };
-                    answered.push(Answered { answer, effect, slides: found.slides });
+                    answered.push(Answered { answer, effect, dilatant: found });
                 }
                 _ if found.status == Status::Locks => {}
                 _ => open.push((key, effect)),
@@ -224,36 +215,38 @@ impl Driving {
         if !open.iter().all(is_carried) {
             return Governing::nothing(Status::NotConverged);
         }
-        let again = again(&answered, &worst);
-        let slides = again.iter().any(|case| case.slides);
+        // Those that tie for the least in their order: the one that governs first.
+        answered.sort_by(|a, b| a.answer.factor.total_cmp(&b.answer.factor));
+        let first = answered.iter().position(|case| case.answer.key == worst.key).unwrap_or(0);
+        answered[..=first].rotate_right(1);
+        let may_slide = |case: &Answered| case.dilatant.slides && case.answer.factor <= DILATANCY * worst.factor;
         let mut governing = Governing {
             case: Some(scene.told(&worst.key)),
             weights: worst.key.weights,
             status: Status::Solved,
             factor: Some(worst.factor),
             dilatant: Some(worst.factor),
-            slides: again[0].slides,
+            slides: answered[0].dilatant.slides,
             level: false,
-            is_open: asked == Asked::Quickly && (skipped || slides),
+            is_open: asked == Asked::Quickly && (skipped || answered.iter().any(may_slide)),
         };
         if asked == Asked::Quickly {
             return governing;
         }
-        let mut factor = worst.factor;
-        for Answered { answer: Answer { key, .. }, effect, .. } in again {
-            let end = &mut ends[key.weights];
-            let found = sweepers[key.weights].least(effect, Friction::Automatic, Starts::Doubtful, end.as_ref());
-            *end = found.level.or(end.take());
-            if found.friction == Friction::Associated {
-                continue;
+        let (mut factor, mut turns) = (worst.factor, Turns::from(worst.factor));
+        for Answered { answer: Answer { key, factor: dilates, .. }, effect, dilatant } in &answered {
+            if !turns.may_govern(*dilates) {
+                break;
             }
-            let Some(level) = found.factor else { return Governing::nothing(Status::NotConverged) };
-            if level < factor {
-                factor = level;
+            let found = sweepers[key.weights].least_beside(effect, Friction::Automatic, *dilatant);
+            let Some(own) = found.factor else { return Governing::nothing(Status::NotConverged) };
+            turns.met(*dilates, own);
+            if found.friction == Friction::NonAssociated && own < factor {
+                factor = own;
                 governing = Governing {
                     case: Some(scene.told(key)),
                     weights: key.weights,
-                    factor: Some(level),
+                    factor: Some(own),
                     slides: true,
                     level: true,
                     ..governing
@@ -313,8 +306,7 @@ impl Driving {
 struct Answered {
     answer: Answer,
     effect: Effect,
-    /// Whether joints slide in its mechanism.
-    slides: bool,
+    dilatant: Factor,
 }
 
 impl Governing {
@@ -331,15 +323,4 @@ impl Governing {
             is_open: false,
         }
     }
-}
-
-/// The cases that a sweep answers again without dilation: the worst one, whether it slides or not, and the lowest of those that slide.
-fn again<'a>(answered: &'a [Answered], worst: &Answer) -> Vec<&'a Answered> {
-    let (first, others): (Vec<&Answered>, Vec<&Answered>) =
-        answered.iter().partition(|case| case.answer.key == worst.key);
-    let mut sliding: Vec<&Answered> = others.into_iter().filter(|case| case.slides).collect();
-    sliding.sort_by(|a, b| a.answer.factor.total_cmp(&b.answer.factor));
-    sliding.truncate(SLIDING);
-    sliding.retain(|case| case.answer.factor <= DILATANCY * worst.factor);
-    first.into_iter().chain(sliding).collect()
 }

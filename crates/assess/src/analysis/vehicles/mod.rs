@@ -29,6 +29,7 @@ mod standing;
 #[cfg(test)]
 pub(crate) mod tests;
 mod told;
+mod turns;
 mod twins;
 mod weights;
 
@@ -40,7 +41,7 @@ pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;
 pub use outcome::vehicles::Weights;
 pub use outcome::vehicles::{Extreme, SectionEnvelope};
-pub(super) use search::{DILATANCY, FAR_ABOVE, REFINEMENTS};
+pub(super) use search::{DILATANCY, REFINEMENTS};
 
 use super::parallel::Portion;
 use super::state::{self, Change};

@@ -9,10 +9,11 @@ use super::least::{Answer, least};
 use super::sections::{Extremes, Watched, watched};
 use super::seeds::seeds;
 use super::standing::{Key, Scene};
+use super::turns::Turns;
 use super::twins::twins;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
-use mechanics::limit::{self, Effect, Friction, Ground, Level, Starts, Sweeper};
+use mechanics::limit::{self, Effect, Friction, Ground, Sweeper};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::vehicles::Weights;
@@ -25,15 +26,11 @@ use structure::discretise::Discretised;
 const CHUNK: usize = 24;
 /// Where cases are slow, one is left out whose upper bound by the mechanisms met before is this many times above the least factor
 /// at its position, and as many times more as such bounds lay above the answers at the position before.
-pub(crate) const FAR_ABOVE: f64 = 1.25;
+pub(super) const FAR_ABOVE: f64 = 1.25;
 /// How many times too high bounds are taken to be before any was held against an answer.
 const LOOSE: f64 = 2.0;
 /// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
 const NEAR: f64 = 2.0;
-/// Cases in which joints slide that are answered again without dilation, for each vehicle; and as many in which none does.
-pub(super) const SLIDING: usize = 3;
-/// Positions, the lowest, at which nothing slides that are held against the end of the iteration without dilation at the worst one.
-const STILL: usize = 24;
 /// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
 /// associated load in walls of blocks (docs/theory/limit-analysis.md), less in arches.
 pub(crate) const DILATANCY: f64 = 2.0;
@@ -66,7 +63,7 @@ struct Part {
     envelope: Vec<EnvelopePoint>,
     /// What governs at each position where anything does.
     governing: Vec<Answer>,
-    /// The lowest cases in which joints slide, best first.
+    /// The lowest case in which joints slide at each position where they do.
     sliding: Vec<Answer>,
     /// Cases without an answer.
     open: Vec<Open>,
@@ -312,9 +309,11 @@ impl Scene<'_> {
         };
         let answer = Answer { key, factor, upper };
         if found.slides {
-            part.sliding.push(answer);
-            part.sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
-            part.sliding.truncate(SLIDING);
+            match part.sliding.last_mut().filter(|last| last.key.position == key.position) {
+                Some(last) if last.factor <= factor => {}
+                Some(last) => *last = answer,
+                None => part.sliding.push(answer),
+            }
         }
         CaseResult::Factor(answer)
     }
@@ -354,31 +353,23 @@ impl Scene<'_> {
         swept.envelope.push(EnvelopePoint { adequacy: Some(worst.factor * self.capacity), ..self.point(&worst.key) });
         swept.bounds = Some([worst.factor, worst.upper].map(|f| f * self.capacity));
         self.settle(&mut sweepers, &mut swept, &open, worst.factor);
-        let near = |answer: &Answer| answer.factor <= DILATANCY * worst.factor;
-        let sorted = |mut all: Vec<Answer>, most: usize| {
-            all.retain(near);
-            all.sort_by(|a, b| a.factor.total_cmp(&b.factor));
-            all.truncate(most);
-            all
-        };
-        let (mut sliding, still) = (sorted(sliding, SLIDING), sorted(governing, STILL));
-        sliding.extend(again.sliding.into_iter().filter(near));
-        let mut governing = (worst.factor, worst.key);
-        // The refined position comes first: it may slide too. Where nothing slides, what is carried there without dilation tells of others.
-        let (mut ends, mut iterated): (Vec<Option<Level>>, usize) = (vec![None; self.grounds.len()], 0);
-        let (first, others) = (std::iter::once((worst, true)), sliding.into_iter().map(|answer| (answer, true)));
-        for (answer, slides) in first.chain(others).chain(still.into_iter().map(|answer| (answer, false))) {
-            if token.is_cancelled() || (!slides && iterated == SLIDING) {
+        // The refined position comes first: it may slide too.
+        let mut others = [governing, sliding, again.sliding].concat();
+        others.sort_by(|a, b| a.factor.total_cmp(&b.factor));
+        others.dedup_by(|a, b| a.key == b.key);
+        let (mut governing, mut turns) = ((worst.factor, worst.key), Turns::from(worst.factor));
+        for answer in std::iter::once(worst).chain(others) {
+            if token.is_cancelled() || !turns.may_govern(answer.factor) {
                 break;
             }
             let Some((key, effect)) = self.again(&mut sweepers, &answer.key, answer.key.position) else { continue };
-            let end = ends[key.weights].as_ref();
-            let found = sweepers[key.weights].least(&effect, Friction::Automatic, Starts::Doubtful, end);
+            let found = sweepers[key.weights].least(&effect, Friction::Automatic);
             if token.is_cancelled() {
                 break;
             }
-            iterated += usize::from(!slides && found.level.is_some());
-            ends[key.weights] = found.level.or(ends[key.weights].take());
+            if let Some(own) = found.factor {
+                turns.met(answer.factor, own);
+            }
             if found.friction == Friction::Associated {
                 continue;
             }
