@@ -42,7 +42,7 @@ fn both_strips_are_asked_for_and_lead_with_their_sum() {
     }
 }
 
-/// Two rings that slide on one another, under one axle: today's iteration without dilation may or may not find an answer.
+/// Two rings that slide on one another, under one axle: the way without dilation may or may not have an end.
 #[test]
 fn a_sweep_is_not_completed_on_a_governing_run_without_an_answer() {
     let stage = Stage::with_example("carried-sweep", "two-ring");

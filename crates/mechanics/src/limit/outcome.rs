@@ -102,7 +102,7 @@ pub struct Outcome {
     /// Load factor of the variable loads at collapse; `None` unless solved.
     pub factor: Option<f64>,
     /// Load factor that the returned forces balance, recomputed from them; a lower bound for associated friction as far
-    /// as `equilibrium_residual` and `yield_violation` vanish. Where the non-associated iteration finds no end, the load
+    /// as `equilibrium_residual` and `yield_violation` vanish. Where the way without dilation has no end, the load
     /// factor without friction in the joints that slide, if there is one.
     pub lower_bound: Option<f64>,
     /// Load factor recomputed from the velocities of the associated mechanism by the work equation; an upper bound, for
@@ -126,7 +126,7 @@ pub struct Outcome {
     pub friction: Friction,
     /// Load factor with associated friction, where it was found.
     pub associated_factor: Option<f64>,
-    /// Lowest and highest load factor over the starts of the non-associated iteration; `factor` is the lowest.
+    /// The load factor without dilation, and the largest on the way to it.
     pub spread: Option<[f64; 2]>,
     /// Whether blocks stand without dilation only as far as they are jammed: by friction on compressions that self-stress alone brings about.
     /// What they carry then is not known.

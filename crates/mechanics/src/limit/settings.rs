@@ -5,7 +5,7 @@
 pub enum Friction {
     /// Sliding dilates by the friction angle: one convex program, an upper bound on what real joints carry.
     Associated,
-    /// Sliding without dilation, by the iteration of Gilbert, Casapulla and Ahmed (2006).
+    /// Sliding without dilation: blocks between stiff joints, followed from rest to collapse.
     NonAssociated,
     /// Non-associated where sliding takes part in the associated mechanism.
     Automatic,

@@ -1,4 +1,4 @@
-//! A lower answer where the iteration without dilation finds no end: no friction in the joints that slide.
+//! A lower answer where the way without dilation has no end: no friction in the joints that slide.
 //!
 //! Sliding without dilation is not associated, so that forces within the friction cones prove nothing by themselves.
 //! They do for a smaller strength to which level sliding is normal and which lies inside every cone that the true forces

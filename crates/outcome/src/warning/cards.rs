@@ -28,7 +28,7 @@ findings::cards! {
         "In limit analysis with associated friction a sliding joint also opens, at the friction angle. Real joints do \
          not, so where joints slide in the mechanism the load is an upper bound, which can be one and a half times \
          what the blocks carry. Use friction = \"non-associated\" or \"automatic\" in the plan, or the discrete \
-         element method (Gilbert, Casapulla and Ahmed 2006).";
+         element method (docs/theory/limit-analysis.md).";
     /// The dispersal rule moves the load.
     SHIFTED_LOAD = "A102", "the dispersal rule moves the load along the bridge",
         "A pressure inversely proportional to depth (Rouxinol, Providência and Lemos, eq. 2) conserves the force but \

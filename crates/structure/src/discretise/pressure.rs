@@ -347,7 +347,7 @@ mod tests {
         }
     }
 
-    /// Stones with sharp corners on steep backs: the iteration without dilation comes to an end.
+    /// Stones with sharp corners on steep backs: the way without dilation comes to an end.
     #[test]
     fn sharp_backing_of_blocks_that_crush_has_a_load() {
         for (profile, rise) in [(Profile::Semicircular, 3.0), (Profile::Elliptical, 2.0)] {
