@@ -13,6 +13,7 @@ mod geometry;
 mod ground;
 mod loads_acting;
 mod movement;
+mod moving;
 mod notes;
 mod of_blocks;
 pub(crate) mod parallel;

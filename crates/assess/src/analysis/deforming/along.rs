@@ -3,9 +3,9 @@
 //! At every place likely cases are followed along their equilibrium paths; then what was found to govern beside it, from place to place there and
 //! back. The worst place is sought between the places, and what stands there is varied.
 
+use super::super::moving::REFINEMENTS;
 use super::super::parallel::{self, Stage};
 use super::super::service::Service;
-use super::super::vehicles::REFINEMENTS;
 use super::{Asked, Bound, Deforming, Followed, InService};
 use mechanics::blocks::PointForce;
 use mechanics::path::Sweeper;

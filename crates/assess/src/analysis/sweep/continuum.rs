@@ -3,7 +3,7 @@
 //! Rigid blocks with fill as weight are answered first, in milliseconds: they tell which neighbouring axles govern where. On the continuum
 //! the whole vehicle and these axles are answered, and the smaller lower bound counts.
 
-use super::{Case, Row, Scene};
+use super::{Loads, Place};
 use crate::analysis::AnalysisError;
 use crate::analysis::engine::continuum::Moving;
 use crate::analysis::engine::continuum::moved::{self, Answer, Asked};
@@ -26,13 +26,13 @@ struct Run {
 
 /// Puts bounds in place of the factors of rows that rigid blocks gave. Tells whether all positions were answered.
 pub(super) fn instead(
-    scene: &Scene<'_>,
-    rows: &[Row],
+    loads: &Loads<'_>,
+    rows: &[Place],
     found: &mut Sweep,
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
-    let body = [Moving::new(scene.bridge, scene.d)?];
-    let (runs, asked) = runs(scene, rows);
+    let body = [Moving::new(loads.bridge, loads.d)?];
+    let (runs, asked) = runs(loads, rows);
     let (answers, whole) = moved::all(&body, &asked, body[0].ratio(), &mut Portion::new(watch, [0.1, 1.0]))?;
     let mut places: Vec<Option<Vec<(&Run, Answer)>>> = rows.iter().map(|_| Some(Vec::new())).collect();
     for (run, answer) in runs.iter().zip(answers) {
@@ -44,7 +44,7 @@ pub(super) fn instead(
         }
     }
     let answered = rows.iter().zip(&places).filter_map(|(row, runs)| Some((row, runs.as_ref()?)));
-    found.points = answered.map(|(row, runs)| point(scene.point(row), runs)).collect();
+    found.points = answered.map(|(row, runs)| point(loads.point(row), runs)).collect();
     notes(found);
     Ok(whole)
 }
@@ -58,14 +58,13 @@ fn notes(found: &mut Sweep) {
 }
 
 /// The whole vehicle at every position, and the axles that govern there where fill is weight.
-fn runs(scene: &Scene<'_>, rows: &[Row]) -> (Vec<Run>, Vec<Asked>) {
-    let least = |a: &&Case, b: &&Case| a.factor.unwrap_or(f64::INFINITY).total_cmp(&b.factor.unwrap_or(f64::INFINITY));
+fn runs(loads: &Loads<'_>, rows: &[Place]) -> (Vec<Run>, Vec<Asked>) {
     let (mut runs, mut asked): (Vec<Run>, Vec<Asked>) = (Vec::new(), Vec::new());
     let mut kinds: Vec<[usize; 2]> = Vec::new();
     for (place, row) in rows.iter().enumerate() {
-        let strips = strips(scene, row.position);
+        let strips = strips(loads, row.at.position);
         let all = [0, strips.len().saturating_sub(1)];
-        let governing = row.cases.iter().filter(|case| case.factor.is_some()).min_by(least).map(|case| case.axles);
+        let governing = row.least.and_then(|least| least.key.axles);
         for axles in [all].into_iter().chain(governing.filter(|axles| *axles != all)) {
             let kind = kinds.iter().position(|kind| *kind == axles).unwrap_or_else(|| {
                 kinds.push(axles);
@@ -73,7 +72,7 @@ fn runs(scene: &Scene<'_>, rows: &[Row]) -> (Vec<Run>, Vec<Asked>) {
             });
             let chosen = strips[axles[0]..=axles[1]].to_vec();
             runs.push(Run { place, axles, force: chosen.iter().map(|s| s.force).sum() });
-            asked.push(Asked { body: 0, row: kind, position: row.position, strips: chosen });
+            asked.push(Asked { body: 0, row: kind, position: row.at.position, strips: chosen });
         }
     }
     (runs, asked)
@@ -114,9 +113,9 @@ fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
 }
 
 /// The loads of the file at a position.
-fn strips(scene: &Scene<'_>, position: f64) -> Vec<Strip> {
-    let offset = position - scene.first;
-    scene.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect()
+fn strips(loads: &Loads<'_>, position: f64) -> Vec<Strip> {
+    let offset = position - loads.first;
+    loads.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect()
 }
 
 #[cfg(test)]

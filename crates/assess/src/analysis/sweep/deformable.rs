@@ -6,7 +6,9 @@ use super::super::AnalysisError;
 use super::super::deforming::along::{Found, Moves, Places, along};
 use super::super::deforming::{Bound, Deforming};
 use super::super::engine::joints::require_stiffness;
-use super::{Case, Row, Scene};
+use super::super::moving::{Place, Scene};
+use super::super::parallel::{self, Stage};
+use super::Loads;
 use mechanics::blocks::PointForce;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
@@ -19,13 +21,14 @@ const MANY: f64 = 20.0;
 
 /// Puts the factors of deformable joints beside those of rigid blocks. Tells whether all of it was done.
 pub(super) fn beside(
-    scene: &Scene<'_>,
-    (rows, step): (&mut Vec<Row>, f64),
+    scene: &Scene<'_, Loads<'_>>,
+    (rows, step): (&mut Vec<Place>, f64),
     found: &mut Sweep,
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
-    require_stiffness(scene.bridge)?;
-    let deforming = [Deforming::new(scene.bridge, scene.d, watch)?];
+    let loads = scene.stands;
+    require_stiffness(loads.bridge)?;
+    let deforming = [Deforming::new(loads.bridge, loads.d, watch)?];
     if !deforming[0].stands() {
         let falls = deforming[0].falls();
         found.points.iter_mut().for_each(|point| unknown(point, falls));
@@ -34,27 +37,28 @@ pub(super) fn beside(
         return Ok(true);
     }
     let lowest = rows.iter().filter_map(rigid).min_by(f64::total_cmp);
-    let bounds = rows.iter().map(|row| Bound::of(rigid(row), lowest).or_else(|| asked(scene, row))).collect();
+    let bounds = rows.iter().map(|row| Bound::of(rigid(row), lowest).or_else(|| asked(loads, row))).collect();
     let places = Places { deforming: &deforming, bounds, step, in_service: None };
-    let (mut all, mut whole) = along(&[Loads { scene, rows, places }], watch);
+    let (mut all, mut whole) = along(&[Moved { loads, rows, places }], watch);
     let Some(own) = all.pop() else { return Ok(false) };
     // The worst position, where it lies between the others.
     if let Some(best) = own.answers.get(rows.len()).and_then(Option::as_ref).map(|best| best.case)
-        && rows.iter().all(|row| row.position != best.position)
+        && rows.iter().all(|row| row.at.position != best.position)
     {
-        let (row, done) = scene.answered_again(best.position, watch);
-        rows.push(row);
+        let stage = Stage { name: "runs of axles at the worst place", steps: 1, shares: [1.0, 1.0] };
+        let (row, done) = parallel::each(&[best.position], &stage, watch, |&at, token| scene.by_itself(at, token));
+        rows.extend(row.into_iter().flatten().flatten());
         whole &= done;
     }
-    put(scene, rows, &own, found);
+    put(loads, rows, &own, found);
     Ok(whole)
 }
 
 /// How far loads are followed where rigid blocks lock at every position: as far as the file asks, and no further than many times what the bridge weighs.
-fn asked(scene: &Scene<'_>, row: &Row) -> Option<Bound> {
-    let force = row.cases.iter().map(|case| case.force).fold(0.0, f64::max);
-    let many = MANY * scene.d.model.free_weight();
-    let limit = scene.bridge.plan.load_limit.map_or(many, |limit| limit.min(many));
+fn asked(loads: &Loads<'_>, row: &Place) -> Option<Bound> {
+    let force = loads.runs(row.at.position).iter().map(|run| run.force).fold(0.0, f64::max);
+    let many = MANY * loads.d.model.free_weight();
+    let limit = loads.bridge.plan.load_limit.map_or(many, |limit| limit.min(many));
     (force > 0.0).then(|| Bound::below(limit / force))
 }
 
@@ -66,80 +70,74 @@ fn unknown(point: &mut SweepPoint, falls: bool) {
 
 /// A run of neighbouring axles at a position [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Run {
+struct Stood {
     position: f64,
     axles: [usize; 2],
 }
 
-struct Loads<'a> {
-    scene: &'a Scene<'a>,
-    rows: &'a [Row],
+struct Moved<'a> {
+    loads: &'a Loads<'a>,
+    rows: &'a [Place],
     places: Places<'a>,
 }
 
-impl Loads<'_> {
-    fn row(&self, position: f64) -> Row {
-        self.rows.iter().find(|row| row.position == position).cloned().unwrap_or_else(|| self.scene.row(position))
-    }
-}
-
-impl Moves for Loads<'_> {
-    type Case = Run;
+impl Moves for Moved<'_> {
+    type Case = Stood;
 
     fn places(&self) -> &Places<'_> {
         &self.places
     }
 
-    fn likely(&self, place: usize) -> Vec<Run> {
+    fn likely(&self, place: usize) -> Vec<Stood> {
         let row = &self.rows[place];
-        let factor = |case: &&Case| case.factor.unwrap_or(f64::INFINITY);
-        let governs = row.cases.iter().min_by(|a, b| factor(a).total_cmp(&factor(b)));
-        let all = row.cases.iter().max_by(|a, b| a.force.total_cmp(&b.force));
-        let mut runs: Vec<Run> =
-            governs.into_iter().chain(all).map(|case| Run { position: row.position, axles: case.axles }).collect();
-        runs.dedup();
-        runs
+        let position = row.at.position;
+        let runs = self.loads.runs(position);
+        let all = runs.iter().max_by(|a, b| a.force.total_cmp(&b.force)).map(|run| run.axles);
+        let governs = row.least.map_or(runs.first().map(|run| run.axles), |least| least.key.axles);
+        let mut stood: Vec<Stood> = governs.into_iter().chain(all).map(|axles| Stood { position, axles }).collect();
+        stood.dedup();
+        stood
     }
 
-    fn like(&self, run: &Run, place: usize) -> Option<Run> {
-        let row = &self.rows[place];
-        let stands = row.cases.iter().any(|case| case.axles == run.axles);
-        stands.then_some(Run { position: row.position, ..*run })
+    fn like(&self, stood: &Stood, place: usize) -> Option<Stood> {
+        let position = self.rows[place].at.position;
+        let stands = self.loads.runs(position).iter().any(|run| run.axles == stood.axles);
+        stands.then_some(Stood { position, ..*stood })
     }
 
-    fn shifted(&self, run: &Run, by: f64) -> Run {
-        Run { position: run.position + by, ..*run }
+    fn shifted(&self, stood: &Stood, by: f64) -> Stood {
+        Stood { position: stood.position + by, ..*stood }
     }
 
-    fn varied(&self, run: &Run) -> Vec<Run> {
-        let cases = self.row(run.position).cases.into_iter();
-        cases.map(|case| Run { axles: case.axles, ..*run }).filter(|other| other != run).collect()
+    fn varied(&self, stood: &Stood) -> Vec<Stood> {
+        let runs = self.loads.runs(stood.position).into_iter();
+        runs.map(|run| Stood { axles: run.axles, ..*stood }).filter(|other| other != stood).collect()
     }
 
-    fn forces(&self, run: &Run) -> Option<(Vec<PointForce>, usize)> {
-        let mut cases = self.row(run.position).cases.into_iter();
-        cases.find(|case| case.axles == run.axles).map(|case| (case.forces, 0))
+    fn forces(&self, stood: &Stood) -> Option<(Vec<PointForce>, usize)> {
+        let mut runs = self.loads.runs(stood.position).into_iter();
+        runs.find(|run| run.axles == stood.axles).map(|run| (run.forces, 0))
     }
 
-    fn position(run: &Run) -> f64 {
-        run.position
+    fn position(stood: &Stood) -> f64 {
+        stood.position
     }
 }
 
 /// The least factor of rigid blocks.
-fn rigid(row: &Row) -> Option<f64> {
-    row.cases.iter().filter_map(|case| case.factor).min_by(f64::total_cmp)
+fn rigid(row: &Place) -> Option<f64> {
+    row.least.map(|least| least.factor)
 }
 
 /// Both factors of every position, and what is to be said of them.
-fn put(scene: &Scene<'_>, rows: &[Row], own: &Found<Run>, found: &mut Sweep) {
-    found.points = rows.iter().map(|row| scene.point(row)).collect();
+fn put(loads: &Loads<'_>, rows: &[Place], own: &Found<Stood>, found: &mut Sweep) {
+    found.points = rows.iter().map(|row| loads.point(row)).collect();
     for (point, row) in found.points.iter_mut().zip(rows) {
         point.rigid_factor = point.load_factor;
-        let here = own.answers.iter().flatten().filter(|answer| answer.case.position == row.position);
+        let here = own.answers.iter().flatten().filter(|answer| answer.case.position == row.at.position);
         let Some(least) = here.min_by(|a, b| a.found.factor.total_cmp(&b.found.factor)) else { continue };
         let (factor, axles) = (least.found.factor, least.case.axles);
-        let force = row.cases.iter().find(|case| case.axles == axles).map_or(0.0, |case| case.force);
+        let force = loads.force(row.at.position, axles);
         point.deformable_factor = Some(factor);
         if point.bound().is_none_or(|bound| factor < bound) {
             (point.axles, point.collapse_load) = (axles, Some(factor * force));

@@ -1,4 +1,4 @@
-//! What may stand where: positions of a vehicle, runs of its axles, runs of half spans with uniform loads.
+//! What may stand where: positions of a vehicle, and borders of half spans with uniform loads.
 
 use bridge::{Bridge, Directions, SweepPlan};
 use outcome::vehicles::Direction;
@@ -88,13 +88,4 @@ pub(super) fn borders(bridge: &Bridge, [from, to]: [f64; 2]) -> Vec<f64> {
     }
     borders.push(to);
     borders
-}
-
-/// Every run of neighbours among `count`.
-pub(super) fn runs(count: usize, all: bool) -> Vec<[usize; 2]> {
-    match (count, all) {
-        (0, _) => Vec::new(),
-        (_, false) => vec![[0, count - 1]],
-        (_, true) => (0..count).flat_map(|a| (a..count).map(move |b| [a, b])).collect(),
-    }
 }

@@ -3,12 +3,10 @@
 use super::beside;
 use super::cases::{Drive, borders, drives, places_apart, reach};
 use super::factored::{self, Footprint, footprint, with_case};
-use super::least::{Answer, least};
-use super::search::{DILATANCY, FAR_ABOVE};
-use super::standing::{Key, Scene};
-use super::turns::Turns;
+use super::standing::Standing;
 use super::weights;
 use crate::analysis::AnalysisError;
+use crate::analysis::moving::{Answer, DILATANCY, FAR_ABOVE, Key, Stands, Turns, least};
 use crate::vehicles::{Chosen, Refused, chosen};
 use bridge::{Bridge, Directions, SweepPlan};
 use mechanics::limit::{Effect, Factor, Friction, Ground, Status, Sweeper};
@@ -118,7 +116,6 @@ pub(in crate::analysis) struct Driving {
     /// Borders of half spans [m].
     borders: Vec<f64>,
     weights: Vec<Weights>,
-    capacity: f64,
     /// Places of the first axle at which something stands over the arches [m].
     pub range: [f64; 2],
 }
@@ -176,8 +173,7 @@ impl Driving {
             Direction::Right => range[1] += longest,
             Direction::Left => range[0] -= longest,
         }
-        let capacity = driven.rule.capacity_factor();
-        Driving { feet, drives: all, borders, weights: driven.weights.clone(), capacity, range }
+        Driving { feet, drives: all, borders, weights: driven.weights.clone(), range }
     }
 
     /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground and one sweeper for each
@@ -189,8 +185,8 @@ impl Driving {
         position: f64,
         asked: Asked,
     ) -> Governing {
-        let scene = self.scene(d, grounds);
-        let (cases, skipped) = self.cases(&scene, sweepers, position, asked);
+        let standing = self.standing(d);
+        let (cases, skipped) = self.cases((&standing, grounds), sweepers, position, asked);
         let (mut answered, mut open) = (Vec::new(), Vec::new());
         for (key, effect) in cases {
             let found = sweepers[key.weights].factor(&effect);
@@ -221,7 +217,7 @@ impl Driving {
         answered[..=first].rotate_right(1);
         let may_slide = |case: &Answered| case.dilatant.slides && case.answer.factor <= DILATANCY * worst.factor;
         let mut governing = Governing {
-            case: Some(scene.told(&worst.key)),
+            case: Some(standing.told(&worst.key)),
             weights: worst.key.weights,
             status: Status::Solved,
             factor: Some(worst.factor),
@@ -244,7 +240,7 @@ impl Driving {
             if found.friction == Friction::NonAssociated && own < factor {
                 factor = own;
                 governing = Governing {
-                    case: Some(scene.told(key)),
+                    case: Some(standing.told(key)),
                     weights: key.weights,
                     factor: Some(own),
                     slides: true,
@@ -260,16 +256,16 @@ impl Driving {
     /// before lies far above the least such bound; whether any was.
     fn cases(
         &self,
-        scene: &Scene<'_>,
+        (standing, grounds): (&Standing<'_>, &[Ground<'_>]),
         sweepers: &mut [Sweeper<'_>],
         position: f64,
         asked: Asked,
     ) -> (Vec<(Key, Effect)>, bool) {
         let mut all = Vec::new();
         for drive in 0..self.drives.len() {
-            for (key, effect) in scene.cases(&mut sweepers[0], drive, position) {
-                for weights in 0..sweepers.len() {
-                    all.push((Key { weights, ..key }, scene.under(&effect, weights)));
+            for (key, effect) in standing.cases(&mut sweepers[0], drive, position) {
+                for (weights, ground) in grounds.iter().enumerate() {
+                    all.push((Key { weights, ..key }, ground.taken(&effect, &grounds[0])));
                 }
             }
         }
@@ -285,20 +281,8 @@ impl Driving {
         (near, skipped)
     }
 
-    fn scene<'a>(&'a self, d: &'a Discretised, grounds: &'a [Ground<'a>]) -> Scene<'a> {
-        Scene {
-            d,
-            grounds,
-            weights: &self.weights,
-            watched: &[],
-            feet: &self.feet,
-            drives: &self.drives,
-            borders: &self.borders,
-            capacity: self.capacity,
-            screen: false,
-            seeds: &[],
-            twins: &[],
-        }
+    fn standing<'a>(&'a self, d: &'a Discretised) -> Standing<'a> {
+        Standing { d, weights: &self.weights, feet: &self.feet, drives: &self.drives, borders: &self.borders }
     }
 }
 

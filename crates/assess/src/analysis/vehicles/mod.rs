@@ -2,8 +2,7 @@
 //! factors of a rule.
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
-//! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
-//! what joints carry meanwhile, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
+//! strengths their factors, `cases` lists places, `standing` what stands there, `search` tells what [`moving`] finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
 //! discrete elements.
 
 mod across;
@@ -16,12 +15,10 @@ mod deformable;
 mod discrete;
 mod driven;
 mod factored;
-mod least;
 mod limits;
 #[cfg(test)]
 mod screened;
 mod search;
-mod sections;
 mod seeds;
 #[cfg(test)]
 mod settled_tests;
@@ -29,7 +26,6 @@ mod standing;
 #[cfg(test)]
 pub(crate) mod tests;
 mod told;
-mod turns;
 mod twins;
 mod weights;
 
@@ -41,11 +37,10 @@ pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;
 pub use outcome::vehicles::Weights;
 pub use outcome::vehicles::{Extreme, SectionEnvelope};
-pub(super) use search::{DILATANCY, REFINEMENTS};
 
 use super::parallel::Portion;
 use super::state::{self, Change};
-use super::{AnalysisError, default_stiffness, engine, policy};
+use super::{AnalysisError, default_stiffness, engine, moving, policy};
 use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::{Bridge, JointContact, Method};
 use mechanics::watch::Watch;
@@ -218,11 +213,11 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
         note::Moving::PositionsOfVehicles { apart: found.step },
         note::Moving::UniformLoads,
         note::Moving::Across { vehicles: found.vehicles.iter().map(|v| (v.code.clone(), v.across.clone())).collect() },
-        sections::outside(found.vehicles.iter().flat_map(|v| &v.sections)),
+        moving::outside(found.vehicles.iter().flat_map(|v| &v.sections)),
     ]);
     found.assumptions = assumed.map(Note::from).collect();
     if found.vehicles.iter().any(|v| v.by_interior_point > 0) {
-        found.assumptions.push(note::Moving::FarAbove { times: search::FAR_ABOVE }.into());
+        found.assumptions.push(note::Moving::FarAbove { times: moving::FAR_ABOVE }.into());
     }
     if slides > 0 {
         found.assumptions.push(note::Moving::Sliding { vehicles: slides }.into());

@@ -1,60 +1,30 @@
 //! What may stand on the bridge with the first axle at a place: its effects, and each case in words.
 
-use super::cases::{Drive, runs};
+use super::super::moving::{Key, Stands, runs};
+use super::cases::Drive;
 use super::factored::{Footprint, clipped};
-use super::sections::Watched;
-use super::twins::Twin;
-use mechanics::limit::{Effect, Ground, Sweeper};
+use mechanics::limit::{Effect, Sweeper};
 use outcome::vehicles::Case;
 use outcome::vehicles::Weights;
 use structure::discretise::Discretised;
 use structure::discretise::dispersal::{Strip, spread};
 
-/// One case, by numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Key {
-    pub drive: usize,
-    /// Which combination of factors on weights.
-    pub weights: usize,
-    /// Position of the first axle [m].
-    pub position: f64,
-    /// First and last axle on the bridge.
-    pub axles: Option<[usize; 2]>,
-    /// The axle with the factor of the critical one.
-    pub critical: Option<usize>,
-    /// First and last piece with uniform loads.
-    pub uniform: Option<[usize; 2]>,
-}
-
-/// What all cases share.
-pub(super) struct Scene<'a> {
+/// Vehicles on a bridge.
+pub(super) struct Standing<'a> {
     /// The bridge; its shape is the same under all weights.
     pub d: &'a Discretised,
-    /// One for each combination of factors on weights.
-    pub grounds: &'a [Ground<'a>],
-    /// Those combinations.
+    /// Combinations of factors on weights.
     pub weights: &'a [Weights],
-    /// Joints whose forces are kept.
-    pub watched: &'a [Watched],
     /// How axles stand, for each vehicle.
     pub feet: &'a [Footprint],
     /// Every drive.
     pub drives: &'a [Drive],
     /// Borders of pieces with uniform loads [m].
     pub borders: &'a [f64],
-    /// By what load factors are multiplied.
-    pub capacity: f64,
-    /// Whether slow cases are left out whose upper bound lies far above the least factor.
-    pub screen: bool,
-    /// Mechanisms that bound slow cases to begin with; none where cases are fast.
-    pub seeds: &'a [Vec<f64>],
-    /// Vehicles whose answers are those of another.
-    pub twins: &'a [Option<Twin>],
 }
 
-impl Scene<'_> {
-    /// Everything that may stand with the first axle at a position. A sweeper of the first ground finds the effects.
-    pub(super) fn cases(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Key, Effect)> {
+impl Stands for Standing<'_> {
+    fn cases(&self, sweeper: &mut Sweeper<'_>, index: usize, position: f64) -> Vec<(Key, Effect)> {
         let drive = &self.drives[index];
         let foot = &self.feet[drive.vehicle];
         // Axles that reach the arches; they are neighbours, for axles follow one another.
@@ -119,7 +89,9 @@ impl Scene<'_> {
         }
         cases
     }
+}
 
+impl Standing<'_> {
     /// Uniform loads: none, and every run of half spans; all of them where they may not be left out.
     fn uniform(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Option<[usize; 2]>, Option<Effect>)> {
         let drive = &self.drives[index];
@@ -209,18 +181,5 @@ impl Scene<'_> {
             case.load += parts.iter().map(|(from, to, pressure)| pressure * (to - from)).sum::<f64>();
         }
         case
-    }
-
-    /// The effect of one case at another position.
-    pub(super) fn again(&self, sweepers: &mut [Sweeper], key: &Key, position: f64) -> Option<(Key, Effect)> {
-        let wanted = Key { position, ..*key };
-        let cases = self.cases(&mut sweepers[0], key.drive, position);
-        let (_, effect) = cases.into_iter().find(|(other, _)| Key { weights: key.weights, ..*other } == wanted)?;
-        Some((wanted, self.under(&effect, key.weights)))
-    }
-
-    /// An effect as the ground of other weights counts it.
-    pub(super) fn under(&self, effect: &Effect, weights: usize) -> Effect {
-        self.grounds[weights].taken(effect, &self.grounds[0])
     }
 }

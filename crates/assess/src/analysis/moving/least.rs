@@ -1,6 +1,6 @@
 //! Which of several answers governs.
 
-use super::standing::Key;
+use super::Key;
 
 /// Cases tie whose factors differ by less than this, relative. Two bounds of one factor may lie 1e-9 of it apart, and round-off
 /// below that differs from one machine to another; what differs in a vehicle or its place moves a factor by far more, or not at all.
@@ -8,7 +8,7 @@ const TIES: f64 = 1e-7;
 
 /// An answered case.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Answer {
+pub(crate) struct Answer {
     pub key: Key,
     /// Factor of forces within strength.
     pub factor: f64,
@@ -17,7 +17,7 @@ pub(super) struct Answer {
 }
 
 /// The least factor of answers, with the first case of those that tie for it: which one governs does not hang on round-off.
-pub(super) fn least(answers: &[Answer]) -> Option<Answer> {
+pub(crate) fn least(answers: &[Answer]) -> Option<Answer> {
     let least = answers.iter().min_by(|a, b| a.factor.total_cmp(&b.factor))?;
     let first = answers.iter().find(|answer| answer.factor <= least.factor * (1.0 + TIES))?;
     Some(Answer { key: first.key, ..*least })
@@ -29,11 +29,8 @@ mod tests {
 
     #[test]
     fn the_first_case_that_ties_governs_by_the_least_factor() {
-        let answer = |position: f64, factor: f64| Answer {
-            key: Key { drive: 0, weights: 0, position, axles: None, critical: None, uniform: None },
-            factor,
-            upper: factor * (1.0 + 1e-12),
-        };
+        let answer =
+            |position: f64, factor: f64| Answer { key: Key::at(0, position), factor, upper: factor * (1.0 + 1e-12) };
         let [far, last, first] = [answer(1.0, 4.1), answer(3.0, 4.0), answer(2.0, 4.0 * (1.0 + 4e-10))];
         assert_eq!(least(&[far, first, last]), Some(Answer { key: first.key, ..last }));
         assert_eq!(least(&[far, last, first]), Some(last));

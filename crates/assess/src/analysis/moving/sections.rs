@@ -9,7 +9,7 @@ use structure::discretise::{Discretised, Origin};
 
 /// A joint that is watched.
 #[derive(Debug, Clone)]
-pub(super) struct Watched {
+pub(crate) struct Watched {
     /// Its place among the interfaces.
     pub joint: usize,
     pub name: String,
@@ -20,7 +20,7 @@ pub(super) struct Watched {
 }
 
 /// Springings, quarter points and crowns of every ring, and the feet of piers.
-pub(super) fn watched(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Watched> {
+pub(crate) fn watched(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Watched> {
     let mut found = Vec::new();
     for (joint, i) in ground.interfaces().iter().enumerate() {
         let [Some(&a), Some(&b)] = [i.points.first(), i.points.get(1)] else { continue };
@@ -68,7 +68,7 @@ fn named_joint(bridge: &Bridge, span: usize, ring: usize, word: &str) -> String 
 const ROUNDING: f64 = 1e-9;
 
 /// What is to be said of thrusts that lie outside their joints; nothing where none does.
-pub(super) fn outside<'a>(envelopes: impl Iterator<Item = &'a SectionEnvelope>) -> note::Moving {
+pub(crate) fn outside<'a>(envelopes: impl Iterator<Item = &'a SectionEnvelope>) -> note::Moving {
     let all: Vec<&Extreme> = envelopes.flat_map(|envelope| &envelope.extremes).collect();
     note::Moving::Sections { outside: all.iter().filter(|extreme| extreme.outside).count(), of: all.len() }
 }
@@ -94,18 +94,18 @@ fn replaces((size, section): (f64, &Section), (before, known): (f64, &Section)) 
 
 /// Extremes of every watched joint so far: size, section and which case.
 #[derive(Debug, Clone)]
-pub(super) struct Extremes<K> {
+pub(crate) struct Extremes<K> {
     rows: Vec<[Option<(f64, Section, K)>; 5]>,
 }
 
 impl<K: Clone> Extremes<K> {
     /// Nothing seen yet.
-    pub(super) fn new(watched: &[Watched]) -> Extremes<K> {
+    pub(crate) fn new(watched: &[Watched]) -> Extremes<K> {
         Extremes { rows: watched.iter().map(|_| [const { None }; 5]).collect() }
     }
 
     /// Looks at a case; `key` says which.
-    pub(super) fn look(&mut self, ground: &Ground, watched: &[Watched], effect: &Effect, key: impl Fn() -> K) {
+    pub(crate) fn look(&mut self, ground: &Ground, watched: &[Watched], effect: &Effect, key: impl Fn() -> K) {
         for (row, w) in self.rows.iter_mut().zip(watched) {
             let Some(section) = ground.section(effect, 1.0, w.joint) else { continue };
             for (kept, size) in row.iter_mut().zip(sizes(&section)) {
@@ -117,7 +117,7 @@ impl<K: Clone> Extremes<K> {
     }
 
     /// Takes over the extremes of cases that come later.
-    pub(super) fn merge(&mut self, later: Extremes<K>) {
+    pub(crate) fn merge(&mut self, later: Extremes<K>) {
         for (row, other) in self.rows.iter_mut().zip(later.rows) {
             for (kept, new) in row.iter_mut().zip(other) {
                 if let Some(new) = new
@@ -129,7 +129,7 @@ impl<K: Clone> Extremes<K> {
         }
     }
 
-    pub(super) fn told(self, watched: &[Watched], case: impl Fn(&K) -> Case) -> Vec<SectionEnvelope> {
+    pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&K) -> Case) -> Vec<SectionEnvelope> {
         let each = watched.iter().zip(self.rows).map(|(w, row)| {
             let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {
                 let (_, s, key) = kept?;
@@ -145,8 +145,8 @@ impl<K: Clone> Extremes<K> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::plan;
-    use super::super::vehicle_sweep;
+    use super::super::super::vehicles::tests::plan;
+    use super::super::super::vehicles::vehicle_sweep;
     use super::{Section, replaces};
     use crate::samples;
     use bridge::{Method, Ring, Span};

@@ -5,7 +5,7 @@ const WORTH: f64 = 0.8;
 
 /// Cases in turn from the least factor with dilation up, as long as one of them may govern without.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Turns {
+pub(crate) struct Turns {
     /// The least share of its factor with dilation that a case had without.
     share: f64,
     /// The least factor of all.
@@ -14,17 +14,17 @@ pub(super) struct Turns {
 
 impl Turns {
     /// Begins with the least factor with dilation.
-    pub(super) fn from(least: f64) -> Turns {
+    pub(crate) fn from(least: f64) -> Turns {
         Turns { share: 1.0, least }
     }
 
     /// Whether a case with this factor with dilation may carry less than all before it.
-    pub(super) fn may_govern(&self, dilatant: f64) -> bool {
+    pub(crate) fn may_govern(&self, dilatant: f64) -> bool {
         dilatant * self.share * WORTH < self.least
     }
 
     /// Takes what a case carries without dilation.
-    pub(super) fn met(&mut self, dilatant: f64, level: f64) {
+    pub(crate) fn met(&mut self, dilatant: f64, level: f64) {
         if dilatant > 0.0 {
             self.share = self.share.min(level / dilatant);
         }

@@ -1,0 +1,120 @@
+//! Cases answered without dilation: everywhere, or in turn as long as one may govern.
+
+use super::super::parallel::{self, CancelToken, Stage};
+use super::{Answer, DILATANCY, Key, Place, Scene, Stands, Tried, Turns};
+use mechanics::limit::{Friction, Least, Status, Sweeper};
+use mechanics::watch::Watch;
+use rayon::prelude::*;
+
+impl<S: Stands> Scene<'_, S> {
+    /// Answers at every place the cases that may govern as a friction says; tells whether all of them were. Where the work does not go on,
+    /// they are open.
+    pub(super) fn level_everywhere(
+        &self,
+        (places, whole): (Vec<&mut Place>, bool),
+        friction: Friction,
+        shares: [f64; 2],
+        watch: &mut dyn Watch,
+    ) -> bool {
+        let all = places.iter().flat_map(|place| &place.tried);
+        let least = all.filter_map(|tried| tried.dilatant.lower).fold(f64::INFINITY, f64::min);
+        let mut asked: Vec<&mut Place> = places
+            .into_iter()
+            .filter(|place| place.tried.iter().any(|tried| tried.is_asked(friction, least)))
+            .collect();
+        let steps = asked.len() as u64;
+        let stage = Stage { name: "places without dilation", steps, shares };
+        let (found, done) = match whole {
+            true => parallel::each(&asked, &stage, watch, |place, token| {
+                let tried = self.level(place, friction, least, token);
+                token.step();
+                tried
+            }),
+            false => (asked.iter().map(|_| None).collect(), false),
+        };
+        for (place, found) in asked.iter_mut().zip(found) {
+            let tried = found.flatten().unwrap_or_else(|| {
+                let open = |tried: &Tried| match tried.is_asked(friction, least) {
+                    true => Tried { level: Some(cancelled(tried)), ..tried.clone() },
+                    false => tried.clone(),
+                };
+                place.tried.iter().map(open).collect()
+            });
+            place.take(tried);
+        }
+        done
+    }
+
+    /// The cases at a place, those that may govern beside a least factor as a friction says; none where the work does not go on.
+    pub(super) fn level(
+        &self,
+        place: &Place,
+        friction: Friction,
+        least: f64,
+        token: &CancelToken,
+    ) -> Option<Vec<Tried>> {
+        let mut sweepers = self.sweepers(token);
+        let cases = self.stands.cases(&mut sweepers[0], place.at.drive, place.at.position);
+        let answered = |tried: &Tried| {
+            let own = Key { weights: 0, ..tried.key };
+            let Some((_, effect)) = cases.iter().find(|(key, _)| *key == own) else { return tried.clone() };
+            if !tried.is_asked(friction, least) {
+                return tried.clone();
+            }
+            let effect = self.under(effect, tried.key.weights);
+            let mut sweeper = self.grounds[tried.key.weights].sweeper().paced(token);
+            Tried { level: Some(sweeper.least_beside(&effect, friction, tried.dilatant)), ..tried.clone() }
+        };
+        let tried: Vec<Tried> = place.tried.par_iter().map(answered).collect();
+        (!token.is_cancelled()).then_some(tried)
+    }
+
+    /// Cases from the least factor with dilation up, as long as one may govern: each with what it carries without dilation, none where
+    /// that is not known. Cases that do not slide are left out.
+    pub(super) fn in_turn(
+        &self,
+        sweepers: &mut [Sweeper<'_>],
+        worst: Answer,
+        mut others: Vec<Answer>,
+        token: &CancelToken,
+    ) -> Vec<(Key, Option<f64>)> {
+        others.sort_by(|a, b| a.factor.total_cmp(&b.factor));
+        others.dedup_by(|a, b| a.key == b.key);
+        let (mut turns, mut level) = (Turns::from(worst.factor), Vec::new());
+        for answer in std::iter::once(worst).chain(others) {
+            if token.is_cancelled() || !turns.may_govern(answer.factor) {
+                break;
+            }
+            let Some((key, effect)) = self.again(sweepers, &answer.key, answer.key.position) else { continue };
+            let found = sweepers[key.weights].least(&effect, Friction::Automatic);
+            if token.is_cancelled() {
+                break;
+            }
+            if let Some(own) = found.factor {
+                turns.met(answer.factor, own);
+            }
+            if found.friction != Friction::Associated {
+                level.push((key, found.factor));
+            }
+        }
+        level
+    }
+}
+
+impl Tried {
+    /// Whether it may govern without dilation beside a least factor.
+    fn is_asked(&self, friction: Friction, least: f64) -> bool {
+        let locks = self.dilatant.status == Status::Locks;
+        match friction {
+            Friction::Associated => false,
+            Friction::NonAssociated => locks || self.dilatant.status == Status::Solved,
+            Friction::Automatic => locks || self.dilatant.lower.is_some_and(|factor| factor <= DILATANCY * least),
+        }
+    }
+}
+
+/// Nobody knows whether a case slides.
+fn cancelled(tried: &Tried) -> Least {
+    let (dilatant, factor) = (tried.dilatant, tried.dilatant.lower);
+    Least { dilatant, status: Status::Cancelled, factor, friction: Friction::Associated }
+}

@@ -1,0 +1,251 @@
+//! Every place of everything that moves, and the worst place between them.
+
+use super::super::parallel::{self, CancelToken, Stage};
+use super::place::Part;
+use super::{Answer, DILATANCY, Extremes, Key, Place, Scene, Stands, WithoutDilation, least};
+use mechanics::limit::{Friction, Status, Sweeper};
+use mechanics::watch::Watch;
+use rayon::prelude::*;
+
+/// Places that are answered one after the other, each starting from the mechanisms of those before it. Fixed, so that
+/// the numbers do not depend on the number of threads.
+const CHUNK: usize = 24;
+/// Refinements of the worst position, each to a tenth.
+pub(crate) const REFINEMENTS: usize = 2;
+
+/// A drive: of which vehicle, where its first axle is moved [m], and whether another vehicle's answers count for it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Line<'a> {
+    pub vehicle: usize,
+    pub positions: &'a [f64],
+    pub alike: bool,
+}
+
+/// What came of one vehicle.
+pub(crate) struct Found {
+    /// Every place in order; then places without an answer beside the worst one, and the worst one.
+    pub places: Vec<Place>,
+    /// How many of them lie between the positions.
+    pub between: usize,
+    pub extremes: Extremes<Key>,
+    /// How many cases were asked, and of how many the interior-point method had to help.
+    pub cases: usize,
+    pub slow: usize,
+    /// Whether all of it was done.
+    pub whole: bool,
+    /// The least with dilation, or as the plan's friction says where that was asked everywhere.
+    pub worst: Option<Answer>,
+    /// Cases that were asked in turn, with what they carry without dilation.
+    pub level: Vec<(Key, Option<f64>)>,
+}
+
+/// Answers everything that may stand at every place of every drive, and seeks the worst place of each of so many vehicles between its places,
+/// which lie a step [m] apart; not where there is no step. Where the onlooker wishes to stop, vehicles that were not finished say so.
+pub(crate) fn search<S: Stands>(
+    scene: &Scene<'_, S>,
+    (lines, vehicles): (&[Line<'_>], usize),
+    step: f64,
+    watch: &mut dyn Watch,
+) -> Vec<Found> {
+    // Shares of the work at which all places are answered with dilation and without.
+    let shares = if scene.without_dilation == WithoutDilation::InTurn { [0.8, 0.8] } else { [0.4, 0.9] };
+    let mut found = everywhere(scene, (lines, vehicles), shares[0], watch);
+    if let WithoutDilation::Everywhere(friction) = scene.without_dilation {
+        let whole = found.iter().all(|one| one.whole);
+        let places = found.iter_mut().flat_map(|one| &mut one.places).collect();
+        let done = scene.level_everywhere((places, whole), friction, shares, watch);
+        found.iter_mut().for_each(|one| one.whole &= done);
+    }
+    let alike: Vec<bool> = (0..vehicles).map(|k| lines.iter().any(|line| line.vehicle == k && line.alike)).collect();
+    let own: Vec<usize> = (0..vehicles).filter(|&k| !alike[k]).collect();
+    let stage = Stage { name: "worst positions", steps: own.len() as u64, shares: [shares[1], 1.0] };
+    let (ends, _) = parallel::each(&own, &stage, watch, |&k, token| {
+        let end = scene.worst(&found[k], step, token);
+        token.step();
+        end
+    });
+    for (k, end) in own.into_iter().zip(ends) {
+        let end = end.unwrap_or_else(|| scene.worst(&found[k], step, &CancelToken::cancelled()));
+        found[k].end(end);
+    }
+    found
+}
+
+/// Every place with dilation, vehicle by vehicle.
+fn everywhere<S: Stands>(
+    scene: &Scene<'_, S>,
+    (lines, vehicles): (&[Line<'_>], usize),
+    share: f64,
+    watch: &mut dyn Watch,
+) -> Vec<Found> {
+    let mut jobs: Vec<(usize, usize, bool, &[f64])> = Vec::new();
+    for (drive, line) in lines.iter().enumerate() {
+        jobs.extend(line.positions.chunks(CHUNK).map(|positions| (drive, line.vehicle, line.alike, positions)));
+    }
+    // Vehicles that another answers take no time to speak of.
+    let steps = lines.iter().filter(|line| !line.alike).map(|line| line.positions.len() as u64).sum();
+    let stage = Stage { name: "positions", steps, shares: [0.0, share] };
+    let (parts, _) = parallel::each(&jobs, &stage, watch, |&(drive, _, alike, positions), token| {
+        scene.along((drive, alike), positions, token)
+    });
+    let mut found: Vec<Found> = (0..vehicles).map(|_| Found::begun(scene.part())).collect();
+    for (part, &(_, vehicle, _, positions)) in parts.into_iter().zip(&jobs) {
+        let of = &mut found[vehicle];
+        of.whole &= part.as_ref().is_some_and(|part| part.places.len() == positions.len());
+        if let Some(part) = part {
+            of.add(part);
+        }
+    }
+    found
+}
+
+/// What came of the search between the places of a vehicle.
+struct End {
+    part: Part,
+    worst: Option<Answer>,
+    level: Vec<(Key, Option<f64>)>,
+    /// Factors that are proven to be carried, by places.
+    settled: Vec<Option<f64>>,
+    whole: bool,
+}
+
+impl Found {
+    fn begun(nothing: Part) -> Found {
+        let Part { places, extremes, cases, slow } = nothing;
+        Found { places, between: 0, extremes, cases, slow, whole: true, worst: None, level: Vec::new() }
+    }
+
+    fn add(&mut self, part: Part) {
+        self.places.extend(part.places);
+        self.extremes.merge(part.extremes);
+        self.cases += part.cases;
+        self.slow += part.slow;
+    }
+
+    fn end(&mut self, end: End) {
+        let End { part, worst, level, settled, whole } = end;
+        self.between = part.places.len();
+        self.places.extend(part.places);
+        for (place, settled) in self.places.iter_mut().zip(settled) {
+            place.settled = settled;
+        }
+        self.whole &= whole;
+        (self.worst, self.level) = (worst, level);
+    }
+}
+
+impl<S: Stands> Scene<'_, S> {
+    /// Seeks the worst place between the places of a vehicle, proves what is carried where no answer was found, and asks cases without dilation
+    /// in turn.
+    fn worst(&self, found: &Found, step: f64, token: &CancelToken) -> End {
+        let governing: Vec<Answer> = found.places.iter().filter_map(|place| place.least).collect();
+        let mut part = self.part();
+        let Some(mut worst) = least(&governing) else {
+            return End { part, worst: None, level: Vec::new(), settled: Vec::new(), whole: true };
+        };
+        let mut sweepers = self.sweepers(token);
+        if step > 0.0 {
+            let unanswered;
+            (worst, unanswered) = self.refined(&mut sweepers, worst, step, token);
+            part.places.extend(unanswered);
+            let again = self.answered_again(&mut sweepers, worst.key, token);
+            let mut place = again.unwrap_or_else(|| Place::nothing(worst.key));
+            worst = least(&[Some(worst), place.least].into_iter().flatten().collect::<Vec<_>>()).unwrap_or(worst);
+            (place.at, place.least) = (worst.key, Some(worst));
+            part.places.push(place);
+        }
+        if token.is_cancelled() {
+            return End { part, worst: Some(worst), level: Vec::new(), settled: Vec::new(), whole: false };
+        }
+        let all = || found.places.iter().chain(&part.places);
+        let settled = all().map(|place| self.settled(&mut sweepers, place, worst.factor)).collect();
+        let sliding = all().filter_map(|place| place.slides).collect();
+        let level = match self.without_dilation {
+            WithoutDilation::InTurn => self.in_turn(&mut sweepers, worst, [governing, sliding].concat(), token),
+            WithoutDilation::Everywhere(_) => Vec::new(),
+        };
+        End { part, worst: Some(worst), level, settled, whole: !token.is_cancelled() }
+    }
+
+    /// Everything at the place of a case; none where the work does not go on.
+    fn answered_again(&self, sweepers: &mut [Sweeper<'_>], at: Key, token: &CancelToken) -> Option<Place> {
+        let mut place = self.alone(sweepers, at, token)?;
+        if let WithoutDilation::Everywhere(friction) = self.without_dilation {
+            let tried = self.level(&place, friction, f64::INFINITY, token)?;
+            place.take(tried);
+        }
+        Some(place)
+    }
+
+    /// The same by itself, with the first axle of the first drive at a position [m].
+    pub(crate) fn by_itself(&self, position: f64, token: &CancelToken) -> Option<Place> {
+        self.answered_again(&mut self.sweepers(token), Key::at(0, position), token)
+    }
+
+    /// The worst place beside one with the same case, and places beside it without an answer.
+    fn refined(
+        &self,
+        sweepers: &mut [Sweeper<'_>],
+        mut worst: Answer,
+        step: f64,
+        token: &CancelToken,
+    ) -> (Answer, Vec<Place>) {
+        let (mut width, mut unanswered) = (step, Vec::new());
+        for _ in 0..REFINEMENTS {
+            let beside = |k: i32| worst.key.position + 0.1 * width * f64::from(k);
+            let asked: Vec<(Key, Result<Answer, Status>)> = match self.without_dilation {
+                // One case may take a second without dilation: each place is a piece of work of its own.
+                WithoutDilation::Everywhere(friction) => (-10..=10)
+                    .into_par_iter()
+                    .filter_map(|k| self.one(&mut self.sweepers(token), &worst.key, (beside(k), friction)))
+                    .collect(),
+                WithoutDilation::InTurn => (-10..=10)
+                    .filter_map(|k| self.one(sweepers, &worst.key, (beside(k), Friction::Associated)))
+                    .collect(),
+            };
+            if token.is_cancelled() {
+                break;
+            }
+            let mut answers = vec![worst];
+            for (at, found) in asked {
+                match found {
+                    Ok(answer) => answers.push(answer),
+                    Err(Status::Locks) => {}
+                    Err(status) => {
+                        let open = vec![(at, status == Status::NotConverged)];
+                        unanswered.push(Place { open, ..Place::nothing(at) });
+                    }
+                }
+            }
+            worst = least(&answers).unwrap_or(worst);
+            width *= 0.1;
+        }
+        (worst, unanswered)
+    }
+
+    /// What one case carries at another position as a friction says; none where it cannot stand there.
+    fn one(
+        &self,
+        sweepers: &mut [Sweeper<'_>],
+        key: &Key,
+        (position, friction): (f64, Friction),
+    ) -> Option<(Key, Result<Answer, Status>)> {
+        let (key, effect) = self.again(sweepers, key, position)?;
+        let found = sweepers[key.weights].least(&effect, friction);
+        let answer = found.factor.map(|factor| Answer { key, factor, upper: found.dilatant.upper.unwrap_or(factor) });
+        Some((key, answer.ok_or(found.status)))
+    }
+
+    /// The factor at a place with cases without an answer that cannot govern: one above the least of all others is proven to be carried.
+    fn settled(&self, sweepers: &mut [Sweeper<'_>], place: &Place, least: f64) -> Option<f64> {
+        let mut lowest = place.least.map_or(f64::INFINITY, |least| least.factor);
+        for (key, is_provable) in &place.open {
+            let carried = is_provable
+                .then(|| self.again(sweepers, key, key.position))
+                .flatten()
+                .and_then(|(key, effect)| sweepers[key.weights].proven_up_to(&effect, DILATANCY * least));
+            lowest = lowest.min(carried.unwrap_or(0.0));
+        }
+        (!place.open.is_empty() && lowest > least).then_some(lowest)
+    }
+}
