@@ -94,3 +94,28 @@ fn discrete_elements_come_to_limit_analysis_as_joints_stiffen() {
     let rigid = (4.0 * stiff - soft) / 3.0;
     assert!(rigid.abs() < 0.03, "{soft} {stiff}: {rigid}");
 }
+
+/// One search, two questions: the loads of a file that stand as a vehicle without factors does come to what the vehicle comes to, also where
+/// joints slide.
+#[test]
+fn loads_of_a_file_carry_what_a_vehicle_without_factors_carries() {
+    let mut sliding = spans(1);
+    let ring = Ring { crown_thickness: 0.22, springing_thickness: 0.22, voussoirs: 21 };
+    sliding.spans[0].rings = vec![ring.clone(), ring];
+    for (b, slides) in [(bridgemill(&["cs454-bogie-10"]), false), (sliding, true)] {
+        let found = swept(&b);
+        let vehicle = &found.vehicles[0];
+        assert_eq!(vehicle.without_dilation.is_some(), slides);
+        let governs = vehicle.case.clone().unwrap();
+        let (rule, all) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+        let axles = Some([0, all[0].vehicle.patterns()[0].axles.len() - 1]);
+        let case = outcome::vehicles::Case { axles, ..governs };
+        let factored = factored::bridge(&b, &rule, &case.weights);
+        let one = factored::with_case(&factored, b.sweep.as_ref().unwrap(), &rule, &all[0], &case);
+        let places = crate::analysis::Places::Every(found.step);
+        let loads = crate::analysis::sweep(&one, places, true, &mut Unwatched).unwrap();
+        let [by_file, by_rule] =
+            [loads.worst().and_then(|point| point.load_factor), vehicle.adequacy].map(Option::unwrap);
+        assert!((by_file / by_rule - 1.0).abs() < 1e-4, "{by_file} {by_rule}");
+    }
+}
