@@ -241,14 +241,16 @@ published! {
 }
 
 impl Swept {
-    /// A position at which joints slide, answered again without dilation.
+    /// A position at which joints slide, answered again without dilation: the smaller factor counts, and where every load was carried with
+    /// dilation, this one.
     pub fn slides_at(&mut self, at: &EnvelopePoint, level: Option<f64>) {
         let same = |p: &&mut EnvelopePoint| {
             p.position == at.position && p.direction == at.direction && p.arrangement == at.arrangement
         };
         for point in self.envelope.iter_mut().filter(|p| same(p)) {
             point.converged &= level.is_some();
-            point.adequacy = point.adequacy.zip(level).map(|(old, level)| old.min(level));
+            let smaller = |level: f64| point.adequacy.map_or(level, |old| old.min(level));
+            point.adequacy = level.filter(|_| point.converged).map(smaller);
         }
     }
 

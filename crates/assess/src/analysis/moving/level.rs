@@ -69,8 +69,8 @@ impl<S: Stands> Scene<'_, S> {
         (!token.is_cancelled()).then_some(tried)
     }
 
-    /// Cases from the least factor with dilation up, as long as one may govern: each with what it carries without dilation, none where
-    /// that is not known. Cases that do not slide are left out.
+    /// Cases from the least factor with dilation up, as long as one may govern: each with what it carries without, none where that is not
+    /// known. Cases that do not slide are left out.
     pub(super) fn in_turn(
         &self,
         sweepers: &mut [Sweeper<'_>],
@@ -82,23 +82,71 @@ impl<S: Stands> Scene<'_, S> {
         others.dedup_by(|a, b| a.key == b.key);
         let (mut turns, mut level) = (Turns::from(worst.factor), Vec::new());
         for answer in std::iter::once(worst).chain(others) {
-            if token.is_cancelled() || !turns.may_govern(answer.factor) {
+            if !turns.may_govern(answer.factor) {
                 break;
             }
-            let Some((key, effect)) = self.again(sweepers, &answer.key, answer.key.position) else { continue };
-            let found = sweepers[key.weights].least(&effect, Friction::Automatic);
-            if token.is_cancelled() {
-                break;
-            }
+            let Some(found) = self.by_friction(sweepers, &answer.key, token) else { break };
             if let Some(own) = found.factor {
                 turns.met(answer.factor, own);
             }
             if found.friction != Friction::Associated {
+                level.push((answer.key, found.factor));
+            }
+        }
+        level
+    }
+
+    /// The same of cases that lock with dilation: of neighbours that lock, from those beside others inwards until one locks without it too.
+    pub(super) fn locking(
+        &self,
+        sweepers: &mut [Sweeper<'_>],
+        places: &[Place],
+        token: &CancelToken,
+    ) -> Vec<(Key, Option<f64>)> {
+        let mut level = Vec::new();
+        for way in ways(places) {
+            for key in way {
+                let Some(found) = self.by_friction(sweepers, &key, token) else { return level };
+                if found.friction == Friction::Associated || found.status == Status::Locks {
+                    break;
+                }
                 level.push((key, found.factor));
             }
         }
         level
     }
+
+    /// The least of what a case carries with and without dilation; none where the work does not go on.
+    fn by_friction(&self, sweepers: &mut [Sweeper<'_>], key: &Key, token: &CancelToken) -> Option<Least> {
+        let (key, effect) = self.again(sweepers, key, key.position).filter(|_| !token.is_cancelled())?;
+        let found = sweepers[key.weights].least(&effect, Friction::Automatic);
+        (!token.is_cancelled()).then_some(found)
+    }
+}
+
+/// Cases that lock at neighbouring places of a drive, from both ends inwards but for the ends of the drive, where loads leave the bridge; each by
+/// itself where all of a drive locks.
+fn ways(places: &[Place]) -> Vec<Vec<Key>> {
+    let mut ways = Vec::new();
+    for drive in places.chunk_by(|a, b| a.at.drive == b.at.drive) {
+        let mut from = 0;
+        for run in drive.chunk_by(|a, b| a.locks.is_some() == b.locks.is_some()) {
+            let keys: Vec<Key> = run.iter().filter_map(|place| place.locks).collect();
+            let (is_first, is_last) = (from == 0, from + run.len() == drive.len());
+            from += run.len();
+            if is_first && is_last {
+                ways.extend(keys.iter().map(|key| vec![*key]));
+                continue;
+            }
+            if !is_last {
+                ways.push(keys.iter().rev().copied().collect());
+            }
+            if !is_first {
+                ways.push(keys);
+            }
+        }
+    }
+    ways
 }
 
 impl Tried {

@@ -45,6 +45,11 @@ impl Key {
     pub(crate) fn at(drive: usize, position: f64) -> Key {
         Key { drive, weights: 0, position, axles: None, critical: None, uniform: None }
     }
+
+    /// How many axles stand on the bridge, and how many pieces with uniform loads.
+    fn extent(&self) -> [usize; 2] {
+        [self.axles, self.uniform].map(|run| run.map_or(0, |[first, last]| last + 1 - first))
+    }
 }
 
 /// What may stand where.
@@ -60,7 +65,7 @@ pub(crate) enum WithoutDilation {
     /// At every place those up to [`DILATANCY`] times the least factor of all places, and those that lock, as the plan's friction says: each
     /// place has its own answer.
     Everywhere(Friction),
-    /// In turn from the least factor up, as long as one may govern: only the worst place has its own answer.
+    /// In turn from the least factor up, as long as one may govern, and beside them those that lock: only the worst place has its own answer.
     InTurn,
 }
 

@@ -53,6 +53,8 @@ pub(crate) struct Place {
     pub tried: Vec<Tried>,
     /// The lowest case in which joints slide.
     pub slides: Option<Answer>,
+    /// Of the cases that lock the one with most on the bridge: without dilation it may fall.
+    pub locks: Option<Key>,
     /// The factor that is proven to be carried by all cases without an answer, where it stands in place of theirs.
     pub settled: Option<f64>,
 }
@@ -158,13 +160,16 @@ impl<S: Stands> Scene<'_, S> {
         let sliding = asked.iter().filter(|(_, tried)| tried.dilatant.slides).filter_map(|(_, tried)| tried.answer());
         let slides = sliding.min_by(|a, b| a.factor.total_cmp(&b.factor));
         asked.sort_by_key(|(order, _)| *order);
-        let mut place = Place { slides, ..Place::nothing(at) };
+        let locking = asked.iter().map(|(_, tried)| tried).filter(|tried| tried.dilatant.status == Status::Locks);
+        let locks = locking.map(|tried| tried.key).max_by_key(Key::extent);
+        let mut place = Place { slides, locks, ..Place::nothing(at) };
         place.take(asked.into_iter().map(|(_, tried)| tried).collect());
         let near = place.least.map_or(0.0, |least| NEAR * least.factor);
         let times = bounded.iter().filter(|[_, factor]| *factor <= near).map(|[bound, factor]| bound / factor);
         let times = times.fold(1.0, f64::max);
-        if self.without_dilation == WithoutDilation::InTurn {
-            place.tried = Vec::new();
+        match self.without_dilation {
+            WithoutDilation::InTurn => place.tried = Vec::new(),
+            WithoutDilation::Everywhere(_) => place.locks = None,
         }
         part.places.push(place);
         Some(times)
@@ -200,7 +205,7 @@ impl<S: Stands> Scene<'_, S> {
 impl Place {
     /// A place at which nothing was asked.
     pub(super) fn nothing(at: Key) -> Place {
-        Place { at, least: None, open: Vec::new(), tried: Vec::new(), slides: None, settled: None }
+        Place { at, least: None, open: Vec::new(), tried: Vec::new(), slides: None, locks: None, settled: None }
     }
 
     /// Takes what came of every case.

@@ -139,11 +139,12 @@ impl<S: Stands> Scene<'_, S> {
     /// in turn.
     fn worst(&self, found: &Found, step: f64, token: &CancelToken) -> End {
         let governing: Vec<Answer> = found.places.iter().filter_map(|place| place.least).collect();
-        let mut part = self.part();
+        let (mut part, mut sweepers) = (self.part(), self.sweepers(token));
+        // Where cases are answered without dilation everywhere, places do not keep what locks.
+        let locking = self.locking(&mut sweepers, &found.places, token);
         let Some(mut worst) = least(&governing) else {
-            return End { part, worst: None, level: Vec::new(), settled: Vec::new(), whole: true };
+            return End { part, worst: None, level: locking, settled: Vec::new(), whole: !token.is_cancelled() };
         };
-        let mut sweepers = self.sweepers(token);
         if step > 0.0 {
             let unanswered;
             (worst, unanswered) = self.refined(&mut sweepers, worst, step, token);
@@ -160,10 +161,11 @@ impl<S: Stands> Scene<'_, S> {
         let all = || found.places.iter().chain(&part.places);
         let settled = all().map(|place| self.settled(&mut sweepers, place, worst.factor)).collect();
         let sliding = all().filter_map(|place| place.slides).collect();
-        let level = match self.without_dilation {
+        let mut level = match self.without_dilation {
             WithoutDilation::InTurn => self.in_turn(&mut sweepers, worst, [governing, sliding].concat(), token),
             WithoutDilation::Everywhere(_) => Vec::new(),
         };
+        level.extend(locking);
         End { part, worst: Some(worst), level, settled, whole: !token.is_cancelled() }
     }
 

@@ -90,25 +90,21 @@ impl Telling<'_> {
         swept.envelope = found.places.iter().map(|place| self.answered(place)).collect();
         (swept.cases, swept.by_interior_point) = (found.cases, found.slow);
         swept.sections = found.extremes.told(self.watched, |key| self.standing.told(key));
-        let Some(worst) = found.worst else {
-            swept.end(found.whole, None);
-            return swept;
-        };
-        swept.bounds = Some([worst.factor, worst.upper].map(|f| f * self.capacity));
-        let (mut least, mut governing) = (worst.factor * self.capacity, worst.key);
+        swept.bounds = found.worst.map(|worst| [worst.factor, worst.upper].map(|f| f * self.capacity));
+        let mut least = found.worst.map(|worst| (worst.factor * self.capacity, worst.key));
         for (key, factor) in found.level {
             let level = factor.map(|level| level * self.capacity);
             swept.slides_at(&self.point(&key), level);
             if let Some(adequacy) = level {
                 swept.without_dilation = Some(swept.without_dilation.map_or(adequacy, |old| old.min(adequacy)));
-                if adequacy < least {
-                    (least, governing) = (adequacy, key);
+                if least.is_none_or(|(least, _)| adequacy < least) {
+                    least = Some((adequacy, key));
                 }
             }
         }
-        swept.weights = Some(self.standing.weights[governing.weights]);
-        swept.case = Some(self.standing.told(&governing));
-        swept.end(found.whole, Some(least));
+        swept.weights = least.map(|(_, governing)| self.standing.weights[governing.weights]);
+        swept.case = least.map(|(_, governing)| self.standing.told(&governing));
+        swept.end(found.whole, least.map(|(least, _)| least));
         swept
     }
 
