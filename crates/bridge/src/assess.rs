@@ -66,6 +66,8 @@ pub struct Limits {
     pub onset_factor: Option<f64>,
     /// Largest pressure on the ground below piers and abutments [Pa].
     pub bearing: Option<f64>,
+    /// Largest distance of the resultant at rest from the middle of a foot, over the foot's depth.
+    pub foot_eccentricity: Option<f64>,
     /// Cycles of load in the life that is asked for.
     pub load_cycles: Option<f64>,
     /// Support movement that is expected or was measured [m].

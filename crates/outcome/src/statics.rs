@@ -47,7 +47,8 @@ pub struct Reaction {
     pub vertical: f64,
     /// Thrust on what carries it, outwards from the span at springings, to the right at feet of piers [N/m].
     pub horizontal: f64,
-    /// Distance of the resultant from the middle of the joint [m]; none where several rings spring there.
+    /// Distance of the resultant from the middle of the joint [m], towards the extrados at springings and to the left at feet; none where
+    /// several rings spring there.
     pub eccentricity: Option<f64>,
     /// Length of the joint [m]; none where several rings spring there.
     pub depth: Option<f64>,

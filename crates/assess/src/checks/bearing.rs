@@ -34,14 +34,7 @@ impl Check for Bearing {
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let form = "bearing_limit = \"… kPa\"";
         let limit = limit(a.asked.limits.bearing, form, "from the ground investigation or the owner")?;
-        let statics = a.statics.as_ref();
-        let feet: Vec<&Reaction> =
-            statics.iter().flat_map(|statics| &statics.reactions).filter(|one| one.seat == Seat::Foot).collect();
-        if feet.is_empty() {
-            return Err(NotMade::because(
-                "no pier, and no abutment as blocks, stands on the ground with a known reaction",
-            ));
-        }
+        let feet = feet(a)?;
         let rest = feet.iter().filter_map(|foot| {
             let (depth, eccentricity) = (foot.depth?, foot.eccentricity?);
             let pascals = pressure(foot.vertical, depth, eccentricity) / foot.spread;
@@ -54,6 +47,16 @@ impl Check for Bearing {
             Some(compared(&one.code, pascals, limit, &foot.place, "with the rule's factors on loads and weights"))
         });
         Ok(rest.chain(passing).collect())
+    }
+}
+
+/// What the feet of piers and abutments carry at rest, or that there are none.
+pub(super) fn feet(a: &Evidence) -> Result<Vec<&Reaction>, NotMade> {
+    let reactions = a.statics.iter().flat_map(|statics| &statics.reactions);
+    let feet: Vec<&Reaction> = reactions.filter(|one| one.seat == Seat::Foot).collect();
+    match feet.is_empty() {
+        true => Err(NotMade::because("no pier, and no abutment as blocks, stands on the ground with a known reaction")),
+        false => Ok(feet),
     }
 }
 

@@ -9,6 +9,7 @@ mod cases;
 mod check;
 mod crown_deflection;
 mod fatigue;
+mod foot;
 mod given;
 mod joint_shear;
 pub mod mexe;
@@ -45,6 +46,7 @@ pub const CHECKS: &[&dyn Check] = &[
     &mexe_check::MexeAxle,
     &movement::SupportMovement,
     &bearing::Bearing,
+    &foot::FootEccentricity,
 ];
 
 /// Makes every check.

@@ -122,6 +122,15 @@ pub(super) static ASSESS: Section = Section {
         )
         .positive()
         .optional("the pressure on the ground is not checked"),
+        Field::new(
+            "foot_eccentricity_limit",
+            Kind::Number,
+            "largest distance of the resultant at rest from the middle of the foot of a pier or abutment, over its depth",
+            "0.1667",
+        )
+        .above(0.0)
+        .at_most(0.5)
+        .optional("where the resultant meets the ground is not checked"),
         Field::new("load_cycles", Kind::Number, "load cycles in the required life", "1e7")
             .at_least(1.0)
             .at_most(1e12)
@@ -237,6 +246,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
             permissible_share,
             onset_factor,
             bearing = "bearing_limit",
+            foot_eccentricity = "foot_eccentricity_limit",
             load_cycles,
             expected_movement,
             movement_factor;
