@@ -129,3 +129,21 @@ fn a_sweep_answers_both_quarters_of_a_symmetric_bridge_alike() {
         assert!((alone - 72.3356).abs() < 1e-3, "{alone}");
     }
 }
+
+/// An axle at the end of a bridge locks an arch that stands by most of its friction: that it depends on how the stones were put together leaves
+/// no sweep without an answer, where the stones are seen to carry it.
+#[test]
+fn loads_that_lock_at_the_ends_leave_no_sweep_without_an_answer() {
+    let mut bridge = of(
+        "profile = \"elliptical\"\nspan = \"5.457 m\"\nrise = \"0.855 m\"\nthickness = \"0.5348 m\"\nvoussoirs = 12",
+        39.3,
+        0.0,
+    );
+    bridge.masonry.compressive_strength = None;
+    let axles = vec![(116e3, 0.0), (167e3, 2.14)];
+    bridge.loads[0].kind = bridge::LoadKind::Axles { axles, contact_length: 0.3, effective_width: 3.0 };
+    let found = sweep(&bridge, Places::Between([0.0, 7.6], 13), true, &mut Unwatched).unwrap();
+    assert_eq!((found.ended(), found.positions_not_converged()), (Ended::Completed, 0));
+    let factor = found.worst().unwrap().load_factor.unwrap();
+    assert!(found.points.iter().all(|point| point.load_factor.is_some_and(|here| here >= factor)));
+}

@@ -13,6 +13,7 @@ use super::proven::carried_up_to;
 use super::reduced::{Elastic, tangents};
 use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member, Start};
+use super::stiff::Grown;
 use crate::blocks::PointForce;
 use crate::watch::CancelToken;
 
@@ -284,6 +285,19 @@ impl Sweeper<'_> {
         let roomy = ground.stands.roomy(&equilibrium, &ground.joints, &ground.strengths)?;
         let carried = carried_up_to(&equilibrium, &ground.joints, &ground.strengths, roomy, most / scale)?;
         Some(carried * scale)
+    }
+
+    /// The factor at which blocks that rest between stiff joints give way without dilation, however they were put together; infinite where they
+    /// carry any load, none where the way there has no end.
+    pub fn gives_way(&self, effect: &Effect) -> Option<f64> {
+        let Ground { joints, strengths, stands, .. } = self.ground;
+        let equilibrium = self.loaded(effect);
+        let stood = stands.at_rest.stood(&equilibrium, joints, strengths)?;
+        match stood.under(&equilibrium, 0.0) {
+            Grown::GivesWay { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
+            Grown::Carried => Some(f64::INFINITY),
+            Grown::Lost => None,
+        }
     }
 
     /// Upper bound of a load's factor by the mechanisms of loads that were answered before; infinite where none bounds it.

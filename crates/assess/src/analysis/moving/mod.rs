@@ -47,7 +47,7 @@ impl Key {
     }
 
     /// How many axles stand on the bridge, and how many pieces with uniform loads.
-    fn extent(&self) -> [usize; 2] {
+    pub(crate) fn extent(&self) -> [usize; 2] {
         [self.axles, self.uniform].map(|run| run.map_or(0, |[first, last]| last + 1 - first))
     }
 }
