@@ -174,7 +174,7 @@ impl Sweeper<'_> {
     }
 
     /// Follows a load from self-weight up to its first largest factor: what blocks might carry beyond it, once they have moved to
-    /// another state, is not sought. Where the joints press at points they leave such states at every hinge that moves to the next
+    /// another state, is not sought, unless that happens within the first increment. Where the joints press at points they leave such states at every hinge that moves to the next
     /// joint, and the path goes on from there.
     ///
     /// Of each state that the settings name it is told where the path first meets it, if that is below a factor that is given for it; where
@@ -198,9 +198,10 @@ impl Sweeper<'_> {
         path.state = state;
         path.keeps = true;
         path.keep(balanced);
-        let goes_on = |end: End| end == End::Lost || settings.contact_length != ContactLength::Distributed;
         let mut end = path.follow_up(watch);
-        if matches!(end, End::Limit | End::Lost) && goes_on(end) {
+        // Blocks that hold each other by friction may slip at the first touch of a load, and come to rest.
+        let slips = path.points.iter().all(|point| point.factor < program.increment);
+        if end == End::Lost || end == End::Limit && (slips || settings.contact_length != ContactLength::Distributed) {
             path.settings = patient;
             end = path.follow(watch);
         }
