@@ -150,6 +150,10 @@ impl Field {
         self
     }
 
+    pub(crate) const fn between(self, least: f64, most: f64) -> Field {
+        self.at_least(least).at_most(most)
+    }
+
     /// Most characters of a text: as the card says. Names stand in drawings, tables and titles; other texts are some sentences.
     pub fn most_characters(&self) -> usize {
         if self.limits.most.is_finite() {

@@ -6,6 +6,7 @@ mod asked;
 pub mod assess;
 pub mod blocks;
 mod card;
+mod cards;
 pub mod case;
 pub mod choice;
 mod companions;

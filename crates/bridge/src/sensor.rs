@@ -1,10 +1,10 @@
 //! A sensor: what it may measure and where, its card, and whether the bridge has such a place.
 
 use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::cards::*;
+use crate::choice::choice;
 use crate::fields::{loading::share, structure::PlacedSpan};
 use crate::findings::Findings;
-use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;
 use crate::tree::{At, Table};
 
@@ -118,33 +118,21 @@ pub(crate) static SENSOR: Section = Section {
     path: "sensor",
     doc: "A sensor: one channel of the record. Place it by `span` and `place`, by `at`, or by `x` and `y`.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the channel", "crown displacement"),
-        Field::new("kind", Kind::Word(Gauge::WORDS), "what it measures", "displacement"),
-        Field::new("direction", Kind::Word(Direction::WORDS), "direction of the movement, and its sign", "vertical")
+        text("name", "name of the channel", "crown displacement"),
+        word::<Gauge>("kind", "what it measures", "displacement"),
+        word::<Direction>("direction", "direction of the movement, and its sign", "vertical")
             .only("kind", &[Gauge::Displacement.word()]),
-        Field::new(
-            "gauge_length",
-            Kind::Quantity(Length),
-            "length over which strain is measured, within one voussoir",
-            "120 mm",
-        )
-        .positive()
-        .only("kind", &[Gauge::Strain.word()])
-        .default("120 mm"),
-        Field::new("span", Kind::Count, "which span, counted from 1 on the left", "1")
-            .at_least(1.0)
-            .at_most(200.0)
-            .optional("the first"),
-        Field::new("place", Kind::Word(NamedPlace::WORDS), "position on the span, by name", "crown")
-            .optional("given by `at`, or `x` and `y`"),
+        length("gauge_length", "length over which strain is measured, within one voussoir", "120 mm")
+            .positive()
+            .only("kind", &[Gauge::Strain.word()])
+            .default("120 mm"),
+        count("span", "which span, counted from 1 on the left", "1").between(1.0, 200.0).optional("the first"),
+        word::<NamedPlace>("place", "position on the span, by name", "crown").optional("given by `at`, or `x` and `y`"),
         Field::new("at", Kind::Share, "position as a share of a span", "1/4 of span 1")
             .optional("given by `place`, or `x` and `y`"),
-        Field::new("x", Kind::Quantity(Length), "distance from the left springing of the first span", "3.0 m")
-            .optional("given by `place` or `at`"),
-        Field::new("y", Kind::Quantity(Length), "height above the left springing of the first span", "1.5 m")
-            .optional("given by `place` or `at`"),
-        Field::new("face", Kind::Word(Face::WORDS), "on which face of the ring", "intrados")
-            .default(Face::Intrados.word()),
+        length("x", "distance from the left springing of the first span", "3.0 m").optional("given by `place` or `at`"),
+        length("y", "height above the left springing of the first span", "1.5 m").optional("given by `place` or `at`"),
+        word::<Face>("face", "on which face of the ring", "intrados").default(Face::Intrados.word()),
     ],
 };
 

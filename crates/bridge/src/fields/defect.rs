@@ -1,12 +1,12 @@
 //! Defects of rings: read, and whether there is a ring at their place of which something is left.
 
 use super::structure::PlacedSpan;
-use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::card::Section;
+use crate::cards::*;
+use crate::choice::choice;
 use crate::defect::{Defect, DefectKind, Face, raked, thinned};
 use crate::findings::Findings;
 use crate::model::Span;
-use crate::quantity::Dimension::{Angle, Length, Stress};
 use crate::tree::{At, Table};
 
 choice! {
@@ -37,55 +37,38 @@ pub(super) static DEFECT: Section = Section {
     path: "defect",
     doc: "What is wrong with a ring, and over which stretch of a span. Every method that divides the bridge into blocks feels it.",
     fields: &[
-        Field::new("kind", Kind::Word(Word::WORDS), "what is wrong", "lost-mortar"),
-        Field::new("span", Kind::Count, "number of the span, from the left", "1").at_least(1.0).default("1"),
-        Field::new(
-            "from",
-            Kind::Quantity(Length),
-            "where it begins, horizontally from the span's left springing",
-            "3.0 m",
-        )
-        .at_least(0.0)
-        .only("kind", STRETCHES)
-        .optional("the left springing"),
-        Field::new("to", Kind::Quantity(Length), "where it ends, horizontally from the span's left springing", "5.5 m")
+        word::<Word>("kind", "what is wrong", "lost-mortar"),
+        count("span", "number of the span, from the left", "1").at_least(1.0).default("1"),
+        length("from", "where it begins, horizontally from the span's left springing", "3.0 m")
+            .at_least(0.0)
+            .only("kind", STRETCHES)
+            .optional("the left springing"),
+        length("to", "where it ends, horizontally from the span's left springing", "5.5 m")
             .at_least(0.0)
             .only("kind", STRETCHES)
             .optional("the right springing"),
-        Field::new(
-            "at",
-            Kind::Quantity(Length),
-            "where the open joint is, horizontally from the span's left springing",
-            "2.4 m",
-        )
-        .at_least(0.0)
-        .only("kind", &["open-joint"]),
-        Field::new("face", Kind::Word(Face::WORDS), "the face from which it is lost or open", "intrados")
+        length("at", "where the open joint is, horizontally from the span's left springing", "2.4 m")
+            .at_least(0.0)
+            .only("kind", &["open-joint"]),
+        word::<Face>("face", "the face from which it is lost or open", "intrados")
             .only("kind", &["lost-mortar", "thin-ring", "open-joint"])
             .default(Face::Intrados.word()),
-        Field::new(
+        length(
             "depth",
-            Kind::Quantity(Length),
             "how deep it is lost or open, from the face as it is now; how far stones have dropped",
             "50 mm",
         )
         .positive()
         .only("kind", &["lost-mortar", "thin-ring", "open-joint", "dropped-stones"]),
-        Field::new(
-            "ring",
-            Kind::Count,
-            "number of the ring, from the intrados up; of two separated rings the lower one",
-            "1",
-        )
-        .at_least(1.0)
-        .only("kind", &["ring-separation", "weak-masonry"])
-        .optional("ring-separation: 1; weak-masonry: all rings"),
-        Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction that is left", "28 deg")
-            .at_least(0.0)
-            .at_most(1.5)
+        count("ring", "number of the ring, from the intrados up; of two separated rings the lower one", "1")
+            .at_least(1.0)
+            .only("kind", &["ring-separation", "weak-masonry"])
+            .optional("ring-separation: 1; weak-masonry: all rings"),
+        angle("friction_angle", "angle of friction that is left", "28 deg")
+            .between(0.0, 1.5)
             .only("kind", &["ring-separation", "weak-masonry"])
             .optional("as the joint has it"),
-        Field::new("compressive_strength", Kind::Quantity(Stress), "compressive strength that is left", "3 MPa")
+        stress("compressive_strength", "compressive strength that is left", "3 MPa")
             .positive()
             .only("kind", &["weak-masonry"])
             .optional("as [masonry] has it"),

@@ -1,10 +1,10 @@
 //! The road or rail surface by its levels, where it is not level.
 
 use super::structure::PlacedSpan;
-use crate::card::{Field, Kind, Section};
+use crate::card::Section;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Cover, Pier};
-use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;
 use crate::road::Road;
 use crate::tree::Table;
@@ -14,15 +14,13 @@ pub(super) static ROAD: Section = Section {
     doc: "Levels of the surface on which vehicles run, where it is not level: a gradient, a hump, a sag. The lowest layer of [[cover]] fills \
           what is left below; the layers above it keep their thickness.",
     fields: &[
-        Field::new(
+        points(
             "levels",
-            Kind::Points,
             "points of the surface from left to right: distance from the left springing of the first span, level in the survey's datum",
             "[[\"-5 m\", \"103.20 m\"], [\"9 m\", \"103.65 m\"], [\"24 m\", \"103.40 m\"]]",
         ),
-        Field::new(
+        length(
             "springing_level",
-            Kind::Quantity(Length),
             "level of the left springing of the first span, at the intrados, in the same datum",
             "99.80 m",
         )
