@@ -1,7 +1,9 @@
 //! A card of a message, and what it shows of what to write instead.
 
+use serde::Deserialize;
+
 /// The card of a code about files, with lines that raise it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub struct FileCard {
     /// The code: `B…` for errors in the file, `P…` for plausibility.
     pub code: &'static str,
