@@ -1,7 +1,7 @@
 //! What a card is: a table of a file, and a key of it.
 
 pub use crate::choice::Word;
-use crate::quantity::Dimension;
+use crate::quantity::{self, Dimension, Quantity};
 
 /// A table of the file.
 #[derive(Debug)]
@@ -76,6 +76,24 @@ pub enum Kind {
     Table(&'static Section),
     /// A list of tables.
     Tables(&'static Section),
+}
+
+impl Kind {
+    /// Whether its values stand in a file without quotes around the whole.
+    pub(crate) const fn is_bare(self) -> bool {
+        matches!(
+            self,
+            Kind::Number
+                | Kind::NumberOr(_)
+                | Kind::Numbers
+                | Kind::Count
+                | Kind::Flag
+                | Kind::Quantities(_)
+                | Kind::Points
+                | Kind::Rows(_)
+                | Kind::Values
+        )
+    }
 }
 
 /// Whether a field must be there.
@@ -171,6 +189,11 @@ impl Field {
         }
     }
 
+    /// The first quantity of the example, whose unit engineers would use here.
+    pub(crate) fn example_quantity(&self) -> Option<Quantity> {
+        self.example.split('"').find_map(|piece| quantity::parse(piece).ok())
+    }
+
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
         self.literal(self.example)
@@ -179,15 +202,7 @@ impl Field {
     /// A text of the card as the file would have it, in quotes where it is text.
     pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
-            Kind::Number
-            | Kind::NumberOr(_)
-            | Kind::Numbers
-            | Kind::Count
-            | Kind::Flag
-            | Kind::Quantities(_)
-            | Kind::Points
-            | Kind::Rows(_)
-            | Kind::Values => text.to_owned(),
+            kind if kind.is_bare() => text.to_owned(),
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{text}\""),
         }
@@ -195,10 +210,7 @@ impl Field {
 
     /// How a line of the file looks, with the unit and without a value: what a message may say, for a value of another bridge is no remedy.
     pub fn form(&self) -> String {
-        let unit = || {
-            let of_example = self.example.split('"').find_map(|piece| crate::quantity::parse(piece).ok());
-            of_example.map_or("", |quantity| quantity.unit.symbol)
-        };
+        let unit = || self.example_quantity().map_or("", |quantity| quantity.unit.symbol);
         let value = match self.kind {
             Kind::Table(_) | Kind::Tables(_) => return self.example_line(),
             Kind::Word(choices) => {
@@ -257,6 +269,16 @@ pub(crate) const fn joined<const N: usize>(lists: &[&[Field]]) -> [Field; N] {
             (count, k) = (count + 1, k + 1);
         }
         list += 1;
+    }
+    fields
+}
+
+/// The same cards, none of which must be there.
+pub(crate) const fn each_optional<const N: usize>(mut fields: [Field; N], meaning: &'static str) -> [Field; N] {
+    let mut k = 0;
+    while k < N {
+        fields[k] = fields[k].optional(meaning);
+        k += 1;
     }
     fields
 }

@@ -1,6 +1,6 @@
 //! What the rings stand on: piers with their footings, abutments.
 
-use crate::card::{Field, Section};
+use crate::card::{Field, Section, each_optional, joined};
 use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Abutment, AbutmentBody, AbutmentKind, Cutwater, Cutwaters, Footing, Pier};
@@ -67,22 +67,21 @@ pub(super) static ABUTMENT: Section = Section {
     path: "abutment",
     doc: "Both abutments: what holds the outer springings. Fixed, their size is used for drawings and limits what can rest on them; as blocks \
           they stand on the ground by friction, with the soil behind them, and can slide and overturn: docs/theory/supports.md.",
-    fields: &[
-        length("top_width", "length of the upper face behind the springing", "2.0 m").positive().default("2 m"),
-        length("height", "height of the block, from its springing down", "2.0 m").positive().default("2 m"),
-        word::<AbutmentKind>("as", "whether it is fixed or can move", "blocks").default(AbutmentKind::Fixed.word()),
-        BODY[0],
-        BODY[1],
-        BODY[2],
-        BODY[3],
-        BODY[4],
-        table("left", &ABUTMENT_LEFT, "Where the left abutment differs.").optional("like the other"),
-        table("right", &ABUTMENT_RIGHT, "Where the right abutment differs.").optional("like the other"),
-    ],
+    fields: &joined::<10>(&[
+        &[KEYS[0].default("2 m"), KEYS[1].default("2 m"), KEYS[2].default(AbutmentKind::Fixed.word())],
+        KEYS.split_at(3).1,
+        &[
+            table("left", &ABUTMENT_LEFT, "Where the left abutment differs.").optional("like the other"),
+            table("right", &ABUTMENT_RIGHT, "Where the right abutment differs.").optional("like the other"),
+        ],
+    ]),
 };
 
-/// Keys of an abutment that can move.
-const BODY: [Field; 5] = [
+/// Keys of an abutment: its size, whether it can move, and what it needs then.
+const KEYS: [Field; 8] = [
+    length("top_width", "length of the upper face behind the springing", "2.0 m").positive(),
+    length("height", "height of the block, from its springing down", "2.0 m").positive(),
+    word::<AbutmentKind>("as", "whether it is fixed or can move", "blocks"),
     length("base_width", "as blocks: width of the bottom, from the plumb front face back", "3.0 m")
         .positive()
         .at_most(200.0)
@@ -103,18 +102,8 @@ const BODY: [Field; 5] = [
         .optional("as the lowest layer of the cover"),
 ];
 
-const SIDE: &[Field] = &[
-    length("top_width", "length of the upper face behind the springing", "2.0 m")
-        .positive()
-        .optional("as [abutment] says"),
-    length("height", "height of the block, from its springing down", "2.0 m").positive().optional("as [abutment] says"),
-    word::<AbutmentKind>("as", "whether it is fixed or can move", "blocks").optional("as [abutment] says"),
-    BODY[0].optional("as [abutment] says"),
-    BODY[1].optional("as [abutment] says"),
-    BODY[2].optional("as [abutment] says"),
-    BODY[3].optional("as [abutment] says"),
-    BODY[4].optional("as [abutment] says"),
-];
+/// Those of one side, which are as for both where they are left out.
+const SIDE: &[Field] = &each_optional(KEYS, "as [abutment] says");
 
 static ABUTMENT_LEFT: Section =
     Section { path: "abutment.left", doc: "The left abutment, where it differs.", fields: SIDE };
@@ -127,11 +116,9 @@ pub(crate) fn piers(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
 }
 
 fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
-    let base_width: Option<Option<f64>> = table.read("base_width", findings);
     let batters = ["left_batter", "right_batter"].map(|key| table.read::<Option<f64>>(key, findings));
-    let across: Option<Option<f64>> = table.read("across", findings);
-    let base_across: Option<Option<f64>> = table.read("base_across", findings);
-    let length: Option<Option<f64>> = table.read("cutwater_length", findings);
+    let [base_width, across, base_across, length] =
+        ["base_width", "across", "base_across", "cutwater_length"].map(|key| table.read::<Option<f64>>(key, findings));
     let shape: Option<Cutwater> = table.read("cutwater_shape", findings);
     let ends: Option<u64> = table.read("cutwaters", findings);
     let footings =
@@ -176,7 +163,9 @@ pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Ab
             .map(|key| both.part(key, findings, |side, findings| abutment(&side.over(both), &mut missing, findings)));
         missing.sort_unstable();
         missing.dedup();
-        missing.iter().for_each(|key| both.need(key, findings));
+        for key in missing {
+            both.need(key, findings);
+        }
         fits.and(Some([sides[0]?, sides[1]?]))
     })
 }
