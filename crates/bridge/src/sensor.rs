@@ -148,14 +148,13 @@ pub(crate) fn sensors(
 ) -> Option<Vec<Sensor>> {
     let tables = file.tables("sensor", findings);
     if let Some(beyond) = tables.get(MOST) {
-        findings.error(
+        return findings.refuse(
             "B657",
             beyond.range,
             format!("there are {} sensors", tables.len()),
             "a record has a thousand channels at most",
             "remove some",
         );
-        return None;
     }
     let list = file.all("sensor", findings, |table, findings| sensor(table, spans, layout, findings))?;
     for (k, sensor) in list.iter().enumerate() {
@@ -195,14 +194,13 @@ fn sensor(
     let proper =
         !name.value.trim().is_empty() && !name.value.contains([',', '"']) && !name.value.contains(char::is_control);
     if !proper {
-        findings.error(
+        return findings.refuse(
             "B657",
             name.range,
             "this is no name for a channel",
             "it heads a column of channels.csv",
             "write a word or some, without commas, quotes and line ends",
         );
-        return None;
     }
     let sensor = Sensor { name: name.value.trim().to_owned(), kind, place: place?, face };
     stone(table, &sensor, spans?, findings).then_some(sensor)
@@ -216,16 +214,13 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
     let [x, y] = ["x", "y"].map(|key| table.read::<Option<f64>>(key, findings));
     let by_point = table.has("x") || table.has("y");
     if table.has("place") && (table.has("at") || by_point) {
-        table.exclude("place", if by_point { "`x` and `y`" } else { "`at`" }, findings);
-        return None;
+        table.exclude("place", if by_point { "`x` and `y`" } else { "`at`" }, findings)?;
     }
     if table.has("at") && by_point {
-        table.exclude("at", "`x` and `y`", findings);
-        return None;
+        table.exclude("at", "`x` and `y`", findings)?;
     }
     if table.has("span") && !table.has("place") {
-        table.exclude("span", "`at` (or `x` and `y`)", findings);
-        return None;
+        table.exclude("span", "`at` (or `x` and `y`)", findings)?;
     }
     if by_point {
         for key in ["x", "y"].into_iter().filter(|key| !table.has(key)) {
@@ -241,21 +236,19 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
         return Some(SensorPosition::Span { span, share: (at - start) / (end - start) });
     }
     if !table.has("place") {
-        table.need("place", findings);
-        return None;
+        table.need("place", findings)?;
     }
     let word = word??;
     let count = layout.spans.len();
     let span = number?.map_or(0, |number| number - 1);
     if span >= count {
-        findings.error(
+        return findings.refuse(
             "B656",
             table.place("span"),
             "there is no such span",
             format!("the bridge has {count}"),
             format!("name a span from 1 to {count}, counted from the left"),
         );
-        return None;
     }
     let (first, last) = (span == 0, span + 1 == count);
     let share = match word {

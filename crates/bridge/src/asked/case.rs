@@ -122,22 +122,18 @@ fn acting(table: &Table<'_>, loads: Option<&[Load]>, findings: &mut Findings) ->
                 known.push(load);
                 Some((load, factor))
             }
-            [_] => {
-                findings.error(
-                    "B227",
-                    range,
-                    format!("the load `{value}` acts twice"),
-                    "named above",
-                    "give its factor once",
-                );
-                None
-            }
+            [_] => findings.refuse(
+                "B227",
+                range,
+                format!("the load `{value}` acts twice"),
+                "named above",
+                "give its factor once",
+            ),
             _ => {
                 let names: Vec<String> = loads.iter().map(|load| format!("\"{}\"", load.name)).collect();
                 let message = format!("{} loads are called \"{value}\"", of_the_name.len());
                 let help = format!("give each [[load]] a `name` of its own; the file has {}", names.join(", "));
-                findings.error("B227", range, message, "one [[load]] of this name", help);
-                None
+                findings.refuse("B227", range, message, "one [[load]] of this name", help)
             }
         }
     })

@@ -231,8 +231,7 @@ fn mexe(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Opt
     let span = mexe.span;
     if spans.is_some_and(|spans| span > spans) {
         let help = format!("write a number from 1 to {}", spans.unwrap_or(1));
-        findings.error("B107", table.place("span"), format!("there is no span {span}"), "which span", help);
-        return None;
+        return findings.refuse("B107", table.place("span"), format!("there is no span {span}"), "which span", help);
     }
     Some(Mexe { span: span - 1, ..mexe })
 }
@@ -242,8 +241,7 @@ fn expected(table: &Table<'_>, findings: &mut Findings) -> Option<Expected> {
     let [lower, upper] = [ends[0]?, ends[1]?];
     if lower >= upper {
         let help = "write the lower end first";
-        findings.error("B107", table.place("lower"), "the expected range is empty", "lower end", help);
-        return None;
+        return findings.refuse("B107", table.place("lower"), "the expected range is empty", "lower end", help);
     }
     read!(table, findings, Expected { parameter, source, below, above; lower, upper })
 }

@@ -1,6 +1,7 @@
 //! The block model file: bodies that are drawn or listed, instead of a bridge that is described.
 
 use super::material::{JOINT_FIELDS, MASONRY_FIELDS};
+use super::structure::General;
 use super::{material, plan};
 use crate::blocks::{
     BlockFile, BodyLoad, DrawingPart, ListedBlock, ListedParticles, MappedLayer, Material, MaterialJoint, Role, Target,
@@ -211,7 +212,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Block
     if let Some(plan) = &plan
         && plan.analysis != Analysis::Load
     {
-        let range = file.table("analysis", &mut Findings::default()).map_or(file.range, |t| t.place("analysis"));
+        let range = file.place_in("analysis", "analysis");
         let help = "write analysis = \"load\", or describe the arch in a bridge file";
         findings.error("D405", range, "this analysis needs an arch", "blocks without a bridge have no ring", help);
     }
@@ -254,7 +255,7 @@ fn supported(part: &DrawingPart) -> bool {
 
 /// What the file leaves out and the analysis would take in silence: width, supports, loads.
 fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings) {
-    let model = file.table("model", &mut Findings::default());
+    let model = file.known("model");
     if let Some(model) = model.filter(|model| !model.has("width")) {
         findings.warning(
             "P028",
@@ -287,13 +288,6 @@ fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings
 /// All of them, or nothing where one could not be read.
 fn all<T>(rows: Vec<Option<T>>) -> Option<Vec<T>> {
     rows.into_iter().collect()
-}
-
-/// Name, width and gravity.
-struct General {
-    name: String,
-    width: f64,
-    gravity: f64,
 }
 
 fn materials(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Material>> {
@@ -381,14 +375,13 @@ fn joints(
             (true, true) => first.zip(second).map(|(a, b)| Some([a.min(b), a.max(b)])),
             (false, true) => {
                 let help = "write the material of the other side as `first`";
-                findings.error(
+                findings.refuse(
                     "B011",
                     table.place("second"),
                     "`first` is missing in [[joint]]",
                     "one side alone",
                     help,
-                );
-                None
+                )
             }
         };
         if let Some(between) = between
@@ -476,8 +469,7 @@ fn particles(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Op
     if found.circles.iter().any(|circle| circle[2] <= 0.0) {
         let help = "write each particle as [x, y, radius] in metres";
         let place = table.place("circles_m");
-        findings.error("B107", place, "a particle needs a positive radius", "x, y and radius", help);
-        return None;
+        return findings.refuse("B107", place, "a particle needs a positive radius", "x, y and radius", help);
     }
     material?.map(|_| found)
 }
@@ -501,20 +493,17 @@ fn load(number: usize, table: &Table<'_>, width: Option<f64>, findings: &mut Fin
         (false, false, true) => layer?.map(Target::Layer),
         (false, false, false) => {
             let help = "add x = \"4.575 m\" and y = \"3.10 m\", or block = \"…\", or layer = \"…\"";
-            findings.error("B011", table.range, "the load does not say where it acts", "no place", help);
-            None
+            findings.refuse("B011", table.range, "the load does not say where it acts", "no place", help)
         }
         _ => {
             let help = "keep the point, `block` or `layer`";
-            findings.error("B016", table.range, "a load acts at one kind of place", "more than one is given", help);
-            None
+            findings.refuse("B016", table.range, "a load acts at one kind of place", "more than one is given", help)
         }
     };
     let force = [right?.unwrap_or(0.0), -down?.unwrap_or(0.0)];
     if force == [0.0, 0.0] {
         let help = "add a line like down = \"1 kN/m\"";
-        findings.error("B011", table.range, "the load has no force", "neither `down` nor `right`", help);
-        return None;
+        return findings.refuse("B011", table.range, "the load has no force", "neither `down` nor `right`", help);
     }
     Some(BodyLoad {
         name: name?.unwrap_or_else(|| format!("load {number}")),

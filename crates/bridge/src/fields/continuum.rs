@@ -89,7 +89,7 @@ pub(crate) fn continuum(
     });
     // What is wrong with the cover has been reported.
     let wanted = cover.is_none_or(|cover| cover.layers.iter().any(|layer| layer.continuum));
-    if !wanted && let Some(table) = file.table("continuum", &mut Findings::default()) {
+    if !wanted && let Some(table) = file.known("continuum") {
         findings.warning(
             "P031",
             table.range,
@@ -100,7 +100,7 @@ pub(crate) fn continuum(
     }
     let mut plan = plan;
     if let (Some(plan), Some(water)) = (&mut plan, cover.and_then(|cover| cover.water)) {
-        if let Some(table) = file.table("continuum", &mut Findings::default())
+        if let Some(table) = file.known("continuum")
             && table.has("water_level")
         {
             findings.error(
@@ -116,7 +116,7 @@ pub(crate) fn continuum(
     if let Some(plan) = &plan
         && plan.confinement == Confinement::SpandrelWalls
         && !file.has("spandrel_wall")
-        && let Some(table) = file.table("continuum", &mut Findings::default())
+        && let Some(table) = file.known("continuum")
     {
         findings.error(
             "B223",

@@ -133,7 +133,7 @@ pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
             tables.iter().zip(&layers).filter(|(_, layer)| layer.slabs.is_some()).map(|(table, _)| table.place("as"));
         slabs.for_each(|place| bodies_without_particles(place, findings));
         if let Some(Some(Backing { body: BackingBody::Particles, .. })) = backing
-            && let Some(table) = file.table("backing", &mut Findings::default())
+            && let Some(table) = file.known("backing")
         {
             bodies_without_particles(table.place("as"), findings);
         }
@@ -143,7 +143,7 @@ pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
     }
     continuum::check_layers(&tables, &layers, findings);
     if let Some(Some(backing)) = &backing
-        && let Some(table) = file.table("backing", &mut Findings::default())
+        && let Some(table) = file.known("backing")
     {
         continuum::check_backing(&table, backing, layers.first().is_some_and(|lowest| lowest.continuum), findings);
     }
@@ -249,14 +249,13 @@ fn backing(table: &Table<'_>, below: f64, findings: &mut Findings) -> Option<Bac
         return Some(backing);
     }
     if matches!(backing.body, BackingBody::Continuum | BackingBody::Particles) {
-        findings.error(
+        return findings.refuse(
             "B232",
             table.place("width_share"),
             "backing over a share of the width is weight or blocks",
             "a body of soil fills the whole width of a plane model",
             "write as = \"weight\" or as = \"blocks\", or give density and strength as means over the width and leave `width_share` out",
         );
-        return None;
     }
     let density = share * backing.density + (1.0 - share) * between?.unwrap_or(below);
     Some(Backing { density, elastic_modulus: backing.elastic_modulus.map(|modulus| share * modulus), ..backing })
@@ -268,7 +267,9 @@ const STRENGTH: [&str; 2] = ["friction_angle", "cohesion"];
 /// Whether all of these keys are written; those that are missing are reported.
 fn needs(table: &Table<'_>, keys: &[&str], findings: &mut Findings) -> bool {
     let missing: Vec<&&str> = keys.iter().filter(|key| !table.has(key)).collect();
-    missing.iter().for_each(|key| table.need(key, findings));
+    for key in &missing {
+        table.need(key, findings);
+    }
     missing.is_empty()
 }
 
@@ -278,12 +279,11 @@ fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option
     match (table.has("thickness"), under_road) {
         (false, false) => table.need("thickness", findings),
         (true, true) => table.exclude("thickness", "[road]", findings),
-        _ => {}
-    }
+        _ => None,
+    };
     let body = table.read("as", findings);
     let weighs: Option<bool> = table.read("weighs", findings);
-    let density: Option<Option<f64>> = table.read("density", findings);
-    let slab: Option<Option<f64>> = table.read("block_length", findings);
+    let [density, slab] = ["density", "block_length"].map(|key| table.read::<Option<f64>>(key, findings));
     let layer = read!(
         table,
         findings,
@@ -306,12 +306,10 @@ fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option
         return None;
     }
     if body == LayerBody::Blocks && !table.has("block_length") {
-        table.need("block_length", findings);
-        return None;
+        table.need("block_length", findings)?;
     }
     if body != LayerBody::Nothing && weighs? && !table.has("density") {
-        table.need("density", findings);
-        return None;
+        table.need("density", findings)?;
     }
     if body == LayerBody::Continuum && !needs(table, &STRENGTH, findings) {
         return None;

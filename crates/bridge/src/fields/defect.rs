@@ -91,14 +91,13 @@ pub(crate) fn defects(file: &Table<'_>, spans: &mut [PlacedSpan], findings: &mut
         if had.1 >= LEAST_LEFT && least_left(span).1 < LEAST_LEFT {
             let (share, left) = least_left(span);
             let x = 100.0 * share;
-            findings.error(
+            return findings.refuse(
                 "B225",
                 table.place("depth"),
                 format!("nothing is left of the ring: {:.0} mm at {x:.0} % of its length", 1e3 * left.max(0.0)),
                 format!("defects leave at least {:.0} mm", 1e3 * LEAST_LEFT),
                 "give the depth that was measured; of several rings, mortar and stones are lost from the outer ones",
             );
-            return None;
         }
         Some(())
     })
@@ -115,11 +114,7 @@ fn least_left(span: &Span) -> (f64, f64) {
             thinned(&span.defects, face, share, n) + raked(&span.defects, face, share, n)
         };
         let (below, above) = (lost(Face::Intrados, 0), lost(Face::Extrados, last));
-        let thickness = |ring: usize| {
-            let ring = &span.rings[ring];
-            let to_crown = 1.0 - (2.0 * share - 1.0).abs();
-            ring.springing_thickness + (ring.crown_thickness - ring.springing_thickness) * to_crown
-        };
+        let thickness = |ring: usize| span.rings[ring].thickness(share);
         let least =
             if last == 0 { thickness(0) - below - above } else { (thickness(0) - below).min(thickness(last) - above) };
         (share, least)
@@ -133,50 +128,46 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
     let ends = ["from", "to"].map(|key| table.read::<Option<f64>>(key, findings));
     let at: Option<Option<At<f64>>> = table.read("at", findings);
     let face: Option<Face> = table.read("face", findings);
-    let depth: Option<Option<f64>> = table.read("depth", findings);
     let ring: Option<Option<At<usize>>> = table.read("ring", findings);
-    let friction_angle: Option<Option<f64>> = table.read("friction_angle", findings);
-    let compressive_strength: Option<Option<f64>> = table.read("compressive_strength", findings);
+    let [depth, friction_angle, compressive_strength] =
+        ["depth", "friction_angle", "compressive_strength"].map(|key| table.read::<Option<f64>>(key, findings));
     let number = number?;
     let Some(span) = number.value.checked_sub(1).and_then(|index| spans.get(index)).map(|placed| &placed.span) else {
         let count = spans.len();
         let message = format!("there is no span {}: the bridge has {count}", number.value);
-        findings.error(
+        return findings.refuse(
             "B224",
             number.range,
             message,
             "counted from the left",
             format!("write a number from 1 to {count}"),
         );
-        return None;
     };
     let at = at?;
     let place = at.as_ref().map(|at| at.value);
     if let Some(At { value, range }) = at
         && value > span.span * (1.0 + 1e-9)
     {
-        findings.error(
+        return findings.refuse(
             "B224",
             range,
             format!("the joint at {value} m lies beyond the span"),
             format!("the span is {} m long", span.span),
             format!("write a place between \"0 m\" and \"{} m\"", span.span),
         );
-        return None;
     }
     let [from, to] = match place {
         Some(at) => [at, at],
         None => [ends[0]?.unwrap_or(0.0), ends[1]?.unwrap_or(span.span)],
     };
     if place.is_none() && !(from < to && to <= span.span * (1.0 + 1e-9)) {
-        findings.error(
+        return findings.refuse(
             "B224",
             if table.has("to") { table.place("to") } else { table.place("from") },
             format!("no stretch of the span lies between {from} m and {to} m"),
             format!("the span is {} m long", span.span),
             format!("write `from` and `to` in this order, between \"0 m\" and \"{} m\"", span.span),
         );
-        return None;
     }
     let rings = span.rings.len();
     let counted = |ring: Option<At<usize>>, most: usize, findings: &mut Findings| match ring {
@@ -186,14 +177,13 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
                 0 => "leave the defect out, or describe the rings of the span with [[span.ring]]".to_owned(),
                 _ => format!("write a number from 1 to {most}"),
             };
-            findings.error(
+            findings.refuse(
                 "B224",
                 range,
                 format!("ring {value} is not {what}: it has {rings}"),
                 "from the intrados up",
                 help,
-            );
-            None
+            )
         }
         other => Some(other.map(|at| at.value - 1)),
     };
@@ -208,8 +198,7 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
         Word::WeakMasonry => {
             let (compressive_strength, friction_angle) = (compressive_strength?, friction_angle?);
             if compressive_strength.is_none() && friction_angle.is_none() {
-                table.need("compressive_strength", findings);
-                return None;
+                table.need("compressive_strength", findings)?;
             }
             DefectKind::WeakMasonry { ring: counted(ring?, rings, findings)?, compressive_strength, friction_angle }
         }
@@ -219,14 +208,13 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
         Word::MissingStones => DefectKind::MissingStones,
         Word::OpenJoint => DefectKind::OpenJoint { face: face?, depth: depth?? },
         Word::DroppedStones if rings > 1 => {
-            findings.error(
+            return findings.refuse(
                 "B224",
                 table.place("kind"),
                 "the span has several rings",
                 "stones of the lowest of several rings that have dropped bear on no ring above",
                 "write kind = \"missing-stones\" for the same stretch",
             );
-            return None;
         }
         Word::DroppedStones => DefectKind::DroppedStones { depth: depth?? },
     };
@@ -236,14 +224,13 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
 
 /// A defect of several rings, in a span that has one.
 fn single<T>(table: &Table<'_>, what: &str, findings: &mut Findings) -> Option<T> {
-    findings.error(
+    findings.refuse(
         "B224",
         table.place("kind"),
         "the span has a single ring",
         format!("only in a span of several {what}"),
         "describe the rings with [[span.ring]]; stones that lost part of their depth are a \"thin-ring\"",
-    );
-    None
+    )
 }
 
 /// Horizontal places from the left springing [m] as shares of the arc length.

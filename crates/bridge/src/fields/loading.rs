@@ -107,8 +107,7 @@ pub(super) static DISPERSAL: Section = Section {
 pub(crate) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Dispersal> {
     if !file.has("dispersal") {
         if file.has("load") && cover.is_some_and(|cover| cover.depth > 0.0) {
-            file.need("dispersal", findings);
-            return None;
+            file.need("dispersal", findings)?;
         }
         return Some(Dispersal { rule: DispersalRule::None, slope: 1.0 });
     }
@@ -213,14 +212,13 @@ fn kind(table: &Table<'_>, shape: Option<Shape>, width: Widths, findings: &mut F
         Shape::Axles => {
             let (forces, spacings) = (axle_forces?, spacings?);
             if forces.is_empty() || spacings.value.len() + 1 != forces.len() {
-                findings.error(
+                return findings.refuse(
                     "B302",
                     spacings.range,
                     format!("{} and {}", counted(forces.len(), "axle"), counted(spacings.value.len(), "spacing")),
                     "one spacing between every two adjacent axles",
                     format!("give as many spacings as axles, less one: {}", forces.len().saturating_sub(1)),
                 );
-                return None;
             }
             let mut offset = 0.0;
             let mut axles = vec![(forces[0], 0.0)];
@@ -257,14 +255,13 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
     let range = raw.span().into();
     let Some((share, number)) = read_share(text) else {
-        findings.error(
+        return findings.refuse(
             "B109",
             range,
             format!("\"{}\" is no share of a span", shorten(text)),
             field.doc,
             "write \"1/4 of span 1\", \"30% of span 2\" or \"crown of span 1\"",
         );
-        return None;
     };
     let layout = layout?;
     let spans = layout.spans.len();
@@ -272,17 +269,16 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
         None if spans == 1 => 0,
         Some(number) if (1..=spans).contains(&number) => number - 1,
         None => {
-            findings.error(
+            return findings.refuse(
                 "B109",
                 range,
                 "which span is meant?",
                 format!("the bridge has {spans} spans"),
                 format!("name the span: \"{} of span 1\"", shorten(text.split(" of").next().unwrap_or(text))),
             );
-            return None;
         }
         Some(_) => {
-            findings.error(
+            return findings.refuse(
                 "B301",
                 range,
                 "there is no such span",
@@ -293,7 +289,6 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
                     format!("name a span from 1 to {spans}, counted from the left")
                 },
             );
-            return None;
         }
     };
     let (start, end) = layout.spans[index];
@@ -323,8 +318,7 @@ pub(crate) fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
 
 /// A loading block stands on something: cover that is weight alone cannot carry it.
 pub(crate) fn check_blocks(file: &Table<'_>, plan: &Plan, loads: &[Load], on_particles: bool, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    for (table, load) in file.tables("load", &mut unheard).iter().zip(loads) {
+    for (table, load) in file.tables("load", &mut Findings::default()).iter().zip(loads) {
         if load.block.is_some() && plan.strip != Strip::Wall && !on_particles {
             findings
                 .error(

@@ -164,8 +164,7 @@ fn stiffness(
     let whole: Option<Option<f64>> = table.read(contact, findings);
     let alone: Option<Option<f64>> = table.read(mortar, findings);
     if table.has(contact) && table.has(mortar) {
-        table.exclude(mortar, &format!("`{contact}`"), findings);
-        return None;
+        table.exclude(mortar, &format!("`{contact}`"), findings)?;
     }
     let alone = alone?.map(JointStiffness::Series);
     Some(alone.or(whole?.map(JointStiffness::Contact)))

@@ -55,11 +55,9 @@ pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
         ["particles", "particle_joint", "particle_block_joint", "calibration"].into_iter().filter(|key| file.has(key));
     if !wanted {
         for key in written {
-            let mut unheard = Findings::default();
-            let range = file.table(key, &mut unheard).map_or(file.range, |table| table.range);
             findings.warning(
                 "P022",
-                range,
+                file.known(key).map_or(file.range, |table| table.range),
                 "no layer is modelled as particles",
                 "not used",
                 "write as = \"particles\" in a [[cover]], or remove this",
@@ -84,8 +82,7 @@ pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
     let stress: Option<Option<f64>> = table.read("packing_stress", findings);
     let fraction: Option<Option<f64>> = table.read("solid_fraction", findings);
     if table.has("packing_stress") && table.has("solid_fraction") {
-        table.exclude("solid_fraction", "`packing_stress`", findings);
-        return None;
+        table.exclude("solid_fraction", "`packing_stress`", findings)?;
     }
     let particles = read!(
         table,
@@ -115,39 +112,35 @@ fn sizes(table: &Table<'_>, findings: &mut Findings) -> Option<Sizes> {
     let largest: Option<Option<f64>> = table.read("largest_diameter", findings);
     if table.has("count") {
         if let Some(key) = ["smallest_diameter", "largest_diameter"].into_iter().find(|key| table.has(key)) {
-            table.exclude(key, "`count`", findings);
-            return None;
+            table.exclude(key, "`count`", findings)?;
         }
         return Some(Sizes::Count { count: count??, ratio: ratio?.unwrap_or(SIZE_RATIO) });
     }
     if table.has("size_ratio") {
-        table.exclude("size_ratio", "diameters", findings);
-        return None;
+        table.exclude("size_ratio", "diameters", findings)?;
     }
     let missing = ["smallest_diameter", "largest_diameter"].into_iter().filter(|key| !table.has(key));
     match missing.collect::<Vec<_>>()[..] {
-        [] => {}
+        [] => Some(()),
         [one] => table.need(one, findings),
         _ => table.need("count", findings),
-    }
+    }?;
     let (smallest, largest) = (smallest??, largest??);
     if smallest > largest {
-        findings.error(
+        return findings.refuse(
             "B214",
             table.place("smallest_diameter"),
             "the smallest diameter is larger than the largest",
             "above `largest_diameter`",
             "exchange the two",
         );
-        return None;
     }
     Some(Sizes::Diameters { smallest, largest })
 }
 
 fn no_tension(file: &Table<'_>, key: &str, joint: Option<&Joint>, findings: &mut Findings) {
     if joint.is_some_and(|joint| joint.tensile_strength > 0.0) {
-        let mut unheard = Findings::default();
-        let Some(table) = file.table(key, &mut unheard) else { return };
+        let Some(table) = file.known(key) else { return };
         findings.error(
             "B215",
             table.place("tensile_strength"),

@@ -114,23 +114,19 @@ fn damping(table: &Table<'_>, findings: &mut Findings) -> Option<Option<Rayleigh
     let ratio: Option<Option<f64>> = table.read("damping_ratio", findings);
     let frequencies: Option<Option<At<Vec<f64>>>> = table.read("damping_frequencies", findings);
     if table.has("damping_ratio") != table.has("damping_frequencies") {
-        table.need(if table.has("damping_ratio") { "damping_frequencies" } else { "damping_ratio" }, findings);
-        return None;
+        table.need(if table.has("damping_ratio") { "damping_frequencies" } else { "damping_ratio" }, findings)?;
     }
     let Some(ratio) = ratio? else { return Some(None) };
     let frequencies = frequencies??;
     match frequencies.value[..] {
         [low, high] if low < high => Some(Some(Rayleigh { ratio, frequencies: [low, high] })),
-        _ => {
-            findings.error(
-                "B654",
-                frequencies.range,
-                "Rayleigh damping takes two frequencies, the lower first",
-                "the damping ratio holds at both, is less in between and more outside",
-                r#"write damping_frequencies = ["8 Hz", "40 Hz"]: about the lowest, and the highest that matters"#,
-            );
-            None
-        }
+        _ => findings.refuse(
+            "B654",
+            frequencies.range,
+            "Rayleigh damping takes two frequencies, the lower first",
+            "the damping ratio holds at both, is less in between and more outside",
+            r#"write damping_frequencies = ["8 Hz", "40 Hz"]: about the lowest, and the highest that matters"#,
+        ),
     }
 }
 

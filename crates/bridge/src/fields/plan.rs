@@ -262,29 +262,23 @@ pub(crate) fn check(
     masonry: Option<&Masonry>,
     findings: &mut Findings,
 ) {
-    let mut unheard = Findings::default();
-    let place = |section: &str, key: &str, unheard: &mut Findings| {
-        file.table(section, unheard).map_or(file.range, |table| table.place(key))
-    };
     // A file that plans a passage or a sweep of vehicles, and no collapse, needs no load; `collapse` asks for one where it
     // is told to run.
     let plans_more = file.has("passage") || file.has("sweep");
     let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !plans_more);
     if needs_load && loads.is_empty() && !file.has("load") {
-        let range = place("analysis", "analysis", &mut unheard);
         findings.error(
             "B402",
-            range,
+            file.place_in("analysis", "analysis"),
             "there is no load to bring the bridge to collapse",
             "this analysis raises a load",
             "describe one with [[load]], or choose analysis = \"thickness\" or \"support-movement\"",
         );
     }
     if plan.analysis == Analysis::SupportMovement && plan.support_movement.is_none() && !file.has("support_movement") {
-        let range = place("analysis", "analysis", &mut unheard);
         findings.error(
             "B402",
-            range,
+            file.place_in("analysis", "analysis"),
             "no support movement is described",
             "this analysis moves a support",
             "describe it with [support_movement]",
@@ -313,10 +307,9 @@ pub(crate) fn check(
         if let (Some(lesser), Some(greater)) = (lesser, greater)
             && lesser > greater
         {
-            let range = place("analysis", small, &mut unheard);
             findings.error(
                 "B405",
-                range,
+                file.place_in("analysis", small),
                 format!("`{small}` is more than `{large}`"),
                 format!("`{large}` is {} kN/m", greater / 1e3),
                 format!("give a smaller `{small}` or a larger `{large}`"),
@@ -327,8 +320,7 @@ pub(crate) fn check(
 
 /// The series rule needs the moduli of the blocks.
 fn series(file: &Table<'_>, section: &str, joint: &Joint, masonry: &Masonry, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    let Some(table) = file.table(section, &mut unheard) else { return };
+    let Some(table) = file.known(section) else { return };
     let normal = matches!(joint.normal_stiffness, Some(JointStiffness::Series(_)));
     let shear = matches!(joint.shear_stiffness, Some(JointStiffness::Series(_)));
     let key = if normal { "mortar_normal_stiffness" } else { "mortar_shear_stiffness" };
@@ -378,8 +370,7 @@ pub(crate) fn steps(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
 }
 
 fn lack(file: &Table<'_>, section: &str, what: &str, line: &str, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    let range = file.table(section, &mut unheard).map_or(file.range, |table| table.range);
+    let range = file.known(section).map_or(file.range, |table| table.range);
     findings
         .error(
             "B401",

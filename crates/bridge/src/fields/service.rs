@@ -1,6 +1,6 @@
 //! What only the finite element model reads: mesh, soils, mortar, contact of fill with masonry.
 
-use crate::card::{Field, Section};
+use crate::card::{Field, Section, each_optional, joined};
 use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::Cover;
@@ -55,16 +55,8 @@ const SOIL: [Field; 9] = [
     word::<SoilLaw>("law", "yield criterion of the fill", "mohr-coulomb").default(SoilLaw::DruckerPrager.word()),
 ];
 
-/// A key of another soil, and those of a soil that are as [fill] says where they are left out.
-const fn as_fill(own: Field) -> [Field; 10] {
-    let mut fields = [own; 10];
-    let mut k = 0;
-    while k < SOIL.len() {
-        fields[k + 1] = SOIL[k].optional("as [fill] says");
-        k += 1;
-    }
-    fields
-}
+/// Those of another soil, which are as [fill] says where they are left out.
+const OTHER_SOIL: &[Field] = &each_optional(SOIL, "as [fill] says");
 
 pub(super) static FILL: Section = Section {
     path: "fill",
@@ -75,20 +67,22 @@ pub(super) static FILL: Section = Section {
 pub(super) static HAUNCH_FILL: Section = Section {
     path: "haunch_fill",
     doc: "Fill of the haunches up to a level, over piers and abutments, where it differs from [fill].",
-    fields: &as_fill(
-        length("height", "level of its upper face above the springings", "1.0 m").positive().at_most(200.0),
-    ),
+    fields: &joined::<10>(&[
+        &[length("height", "level of its upper face above the springings", "1.0 m").positive().at_most(200.0)],
+        OTHER_SOIL,
+    ]),
 };
 
 pub(super) static ABUTMENT_FILL: Section = Section {
     path: "abutment_fill",
     doc: "Fill behind the abutments, from their foundation to the surface, where it differs from [fill].",
-    fields: &as_fill(
-        length("extent", "how far it reaches behind the abutment's back", "6 m")
+    fields: &joined::<10>(&[
+        &[length("extent", "how far it reaches behind the abutment's back", "6 m")
             .positive()
             .at_most(1000.0)
-            .optional("to the side boundary"),
-    ),
+            .optional("to the side boundary")],
+        OTHER_SOIL,
+    ]),
 };
 
 pub(super) static MORTAR: Section = Section {
@@ -134,7 +128,7 @@ pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Fi
     let density = lowest.filter(|density| *density > 0.0);
     let fill = file.part("fill", findings, |t, f| soil(t, density, f));
     // What another table leaves out is as the fill is; what is wrong with the fill has been said.
-    let usual = file.table("fill", &mut Findings::default()).unwrap_or(file.without(&FILL));
+    let usual = file.known("fill").unwrap_or(file.without(&FILL));
     let haunch_fill = file.optional("haunch_fill", findings, |table, findings| {
         let soil = soil(&table.over(&usual), density, findings);
         read!(table, findings, HaunchFill { height; soil: soil? })

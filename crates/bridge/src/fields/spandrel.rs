@@ -52,14 +52,13 @@ pub(crate) fn internal_walls(table: &Table<'_>, width: Option<f64>, findings: &m
         read!(table, findings, Written { thickness, height, density, between_density })?;
     let width = width?;
     if thickness > width {
-        findings.error(
+        return findings.refuse(
             "B232",
             table.place("thickness"),
             "the internal walls are thicker than the bridge is wide",
             format!("[bridge] width is {width} m"),
             "give the thickness of all internal walls together, without the outer ones",
         );
-        return None;
     }
     let share = thickness / width;
     Some(InternalWalls { height, density: share * density + (1.0 - share) * between_density, share })
@@ -71,14 +70,13 @@ pub(crate) fn voids(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Voi
     for pair in placed.windows(2) {
         let ([_, end], [start, _]) = (pair[0].0.range, pair[1].0.range);
         if start < end {
-            findings.error(
+            return findings.refuse(
                 "B231",
                 pair[1].1,
                 "two voids lie over one another",
                 format!("another one ends at {end:.3} m"),
                 "write one void for what is hollow over one place, from its floor to the roof that carries the fill",
             );
-            return None;
         }
     }
     Some(placed.into_iter().map(|(void, _)| void).collect())
@@ -90,8 +88,7 @@ fn void(table: &Table<'_>, findings: &mut Findings) -> Option<Void> {
     let (from, to, floor, roof) = (from?, to?, floor?, roof?);
     let carried = carried?.unwrap_or_else(|| vec![from, to]);
     let mut wrong = |key: &str, message: &str, label: String, help: &str| {
-        findings.error("B231", table.place(key), message, label, help);
-        None
+        findings.refuse("B231", table.place(key), message, label, help)
     };
     if !(from < to) {
         return wrong(

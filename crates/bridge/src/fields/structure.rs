@@ -157,14 +157,13 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
         let span = span(&table, findings);
         match span.zip(repeat) {
             Some((_, repeat)) if spans.len() as u64 + repeat > MOST_SPANS => {
-                findings.error(
+                return findings.refuse(
                     "B212",
                     table.range,
                     format!("the bridge has more than {MOST_SPANS} spans"),
                     "too many to analyse as one structure",
                     "describe the part of the viaduct that acts together: a few spans on each side of the load",
                 );
-                return None;
             }
             Some((span, repeat)) => spans.extend((0..repeat).map(|_| span.clone())),
             None => complete = false,
@@ -172,14 +171,13 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
     }
     let voussoirs: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
     if voussoirs > MOST_BLOCKS {
-        findings.error(
+        return findings.refuse(
             "B212",
             file.place("span"),
             format!("the bridge has {voussoirs} voussoirs"),
             format!("more than {MOST_BLOCKS} are too many to analyse as one structure"),
             "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs describe a ring well",
         );
-        return None;
     }
     (complete && !spans.is_empty()).then_some(spans)
 }
@@ -217,8 +215,7 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
         let entries = table.entry(misfit.key).and_then(|(_, raw)| raw.get_ref().as_array());
         let entry = misfit.entry.and_then(|index| entries?.get(index));
         let place = entry.map_or(table.place(misfit.key), |entry| entry.span().into());
-        findings.error(misfit.code, place, misfit.message, misfit.label, misfit.help);
-        return None;
+        return findings.refuse(misfit.code, place, misfit.message, misfit.label, misfit.help);
     }
     let (rings, places) = rings?.into_iter().unzip();
     Some(PlacedSpan {
@@ -264,8 +261,8 @@ fn ring(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedRing> {
             (false, false) => table.need("thickness", findings),
             (true, false) => table.need("springing_thickness", findings),
             (false, true) => table.need("crown_thickness", findings),
-            (true, true) => {}
-        }
+            (true, true) => Some(()),
+        }?;
         (crown?, springing?)
     };
     let At { value: voussoirs, range } = voussoirs??;

@@ -298,12 +298,10 @@ fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> O
     let height = or("side_force_height", GRAVITY_HEIGHT);
     let (radius, speed) = (radius?, speed?);
     if radius.is_some() && speed.is_none() {
-        table.need("speed", findings);
-        return None;
+        table.need("speed", findings)?;
     }
     if speed.is_some() && radius.is_none() {
-        table.need("curve_radius", findings);
-        return None;
+        table.need("curve_radius", findings)?;
     }
     let (cant, gauge) = (cant?, gauge?);
     let found = Sideways { curve: radius.zip(speed), cant, side_force: side_force?, height: height?, gauge };
@@ -314,14 +312,13 @@ fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> O
             _ if found.cant > 0.0 => "cant",
             _ => "side_force",
         };
-        findings.error(
+        return findings.refuse(
             "B242",
             table.place(key),
             format!("the resultant of a vehicle lies {shift:.2} m beside the middle of its track"),
             format!("beyond {:.2} m, half of `track_gauge`, it overturns", 0.5 * gauge),
             "check radius, speed, cant and side force, and the height at which they act",
         );
-        return None;
     }
     Some(found)
 }

@@ -113,8 +113,7 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
     let path: Option<Option<String>> = table.read("file", findings);
     let written = vehicles(&table, findings);
     if table.has("file") && table.has("vehicle") {
-        table.exclude("file", "[[train.vehicle]]", findings);
-        return None;
+        table.exclude("file", "[[train.vehicle]]", findings)?;
     }
     let named = name?;
     if let Some(path) = path? {
@@ -133,16 +132,13 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
             let vehicles = read_toml(found.text.as_bytes()).vehicles?;
             Some(Train { name: found.name.to_owned(), file: None, vehicles })
         }
-        None => {
-            findings.error(
-                "B651",
-                table.place("name"),
-                "the library has no such train, and there are no vehicles",
-                "a train of the library, or one described here",
-                format!("write one of {list}, or describe the train with [[train.vehicle]] or file = \"train.toml\""),
-            );
-            None
-        }
+        None => findings.refuse(
+            "B651",
+            table.place("name"),
+            "the library has no such train, and there are no vehicles",
+            "a train of the library, or one described here",
+            format!("write one of {list}, or describe the train with [[train.vehicle]] or file = \"train.toml\""),
+        ),
     }
 }
 
@@ -153,14 +149,13 @@ pub(crate) fn vehicles(table: &Table<'_>, findings: &mut Findings) -> Option<Vec
     let list: Vec<Vehicle> = list.into_iter().collect::<Option<_>>()?;
     let axles: usize = list.iter().map(|vehicle| vehicle.count.saturating_mul(vehicle.spacings.len() + 1)).sum();
     if axles > MOST_AXLES {
-        findings.error(
+        return findings.refuse(
             "B652",
             tables.first().map_or(table.range, |table| table.range),
             format!("the train has {axles} axles"),
             "the longest trains have some 3,000",
             format!("write a smaller `count`: {MOST_AXLES} axles at most"),
         );
-        return None;
     }
     (!list.is_empty()).then_some(list)
 }
@@ -190,14 +185,13 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
         1 => vec![given.value[0]; axles],
         same if same == axles => given.value,
         other => {
-            findings.error(
+            return findings.refuse(
                 "B652",
                 given.range,
                 format!("{} for {}", counted(other, "load"), counted(axles, "axle")),
                 "one for each axle, or one for all",
                 format!("give {axles} loads or one; there is one spacing between every two adjacent axles"),
             );
-            return None;
         }
     };
     Some(Vehicle {

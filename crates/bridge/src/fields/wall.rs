@@ -82,11 +82,9 @@ pub(crate) fn spandrel_wall(
     let own = if file.has("wall_joint") { Some(joint(file, "wall_joint", findings)) } else { None };
     if !file.has("spandrel_wall") {
         if file.has("wall_joint") {
-            let mut unheard = Findings::default();
-            let range = file.table("wall_joint", &mut unheard).map_or(file.range, |table| table.range);
             findings.error(
                 "B213",
-                range,
+                file.known("wall_joint").map_or(file.range, |table| table.range),
                 "there is no spandrel wall for these joints",
                 "joints of a wall that the file does not describe",
                 "describe the wall with [spandrel_wall], or remove [wall_joint]",
@@ -96,10 +94,8 @@ pub(crate) fn spandrel_wall(
     }
     let table = &file.table("spandrel_wall", findings)?;
     let bond = table.read("bond", findings);
-    let density: Option<Option<f64>> = table.read("density", findings);
-    let rounding: Option<Option<f64>> = table.read("rounding", findings);
-    let given_density = density?;
-    let given_rounding = rounding?;
+    let [density, rounding] = ["density", "rounding"].map(|key| table.read::<Option<f64>>(key, findings));
+    let (density, rounding) = (density?, rounding?);
     // A contact point of a ring joint stands for half the ring's thickness; that of a wall's joint for half its own.
     let inherited = || parts.joint.map(|joint| Joint { fixed_length: None, least_length: None, ..*joint });
     let wall = read!(
@@ -117,8 +113,8 @@ pub(crate) fn spandrel_wall(
             loaded_bricks,
             least_piece;
             bond: Bond::shift(bond?),
-            density: given_density.or(parts.masonry.map(|masonry| masonry.density))?,
-            rounding: given_rounding.or(parts.masonry.map(|masonry| masonry.rounding))?,
+            density: density.or(parts.masonry.map(|masonry| masonry.density))?,
+            rounding: rounding.or(parts.masonry.map(|masonry| masonry.rounding))?,
             joint: match own {
                 Some(own) => own?,
                 None => inherited()?,
