@@ -1,6 +1,6 @@
 //! A bridge file's text, edited in one place with everything else kept as it is written: comments, order, spelling.
 
-use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::path::Path;
 
@@ -155,13 +155,11 @@ fn entry_mut(item: &mut Item, index: Option<usize>) -> Option<&mut dyn TableLike
     let place = place(item, index)?;
     match item {
         Item::ArrayOfTables(list) => list.get_mut(place).map(|table| table as &mut dyn TableLike),
-        Item::Value(Value::Array(list)) => array_entry(list, place),
+        Item::Value(Value::Array(list)) => {
+            list.get_mut(place)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
+        }
         other => other.as_table_like_mut(),
     }
-}
-
-fn array_entry(list: &mut Array, place: usize) -> Option<&mut dyn TableLike> {
-    list.get_mut(place)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
 }
 
 fn place(item: &Item, index: Option<usize>) -> Option<usize> {
