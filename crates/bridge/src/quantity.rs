@@ -377,28 +377,12 @@ const SPELLINGS: &[(&str, &str)] = &[
 
 /// One spelling for what keyboards and word processors write differently.
 fn plain(symbol: &str) -> String {
-    let mut out = String::with_capacity(symbol.len());
-    for character in symbol.chars() {
-        match character {
-            '²' => out.push_str("^2"),
-            '³' => out.push_str("^3"),
-            ' ' | '\u{a0}' | '\u{202f}' => {}
-            other => out.push(other),
-        }
+    let mut out = symbol.replace('²', "^2").replace('³', "^3").replace([' ', '\u{a0}', '\u{202f}'], "");
+    if let Some((_, short)) = SPELLINGS.iter().find(|(long, _)| out == *long) {
+        return (*short).to_owned();
     }
-    for (long, short) in SPELLINGS {
-        if out == *long {
-            return (*short).to_owned();
-        }
-    }
-    for power in ["m2", "m3", "s2", "ft2", "ft3", "in2", "in3"] {
-        let (base, exponent) = power.split_at(power.len() - 1);
-        if out.ends_with(power) {
-            out.truncate(out.len() - 1);
-            out.push('^');
-            out.push_str(exponent);
-            debug_assert!(out.contains(base));
-        }
+    if ["m2", "m3", "s2", "ft2", "ft3", "in2", "in3"].iter().any(|power| out.ends_with(power)) {
+        out.insert(out.len() - 1, '^');
     }
     out
 }

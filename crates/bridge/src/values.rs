@@ -365,15 +365,10 @@ fn unreadable<T>(
     range: TextRange,
     findings: &mut Findings,
 ) -> Option<T> {
-    match reason {
+    let (code, message, help) = match reason {
         Unreadable::NoUnit(number) => {
-            findings.error(
-                "B102",
-                range,
-                format!("`{}` has no unit", field.key),
-                field.doc,
-                format!("write \"{number} {unit}\", if {unit} is meant"),
-            );
+            let help = format!("write \"{number} {unit}\", if {unit} is meant");
+            ("B102", format!("`{}` has no unit", field.key), help)
         }
         Unreadable::UnknownUnit(number, symbol, near) => {
             // A number never goes into another unit as it is.
@@ -392,30 +387,19 @@ fn unreadable<T>(
                     format!("convert the number into one of these units: {}", list.join(", "))
                 }
             };
-            let message = format!("`{}` is not a unit that is known here", shorten(&symbol));
-            findings.error("B103", range, message, field.doc, help);
+            ("B103", format!("`{}` is not a unit that is known here", shorten(&symbol)), help)
         }
         Unreadable::Comma(meant) => {
-            findings.error(
-                "B105",
-                range,
-                format!("`{}` is written with a decimal comma", field.key),
-                field.doc,
-                format!("use a decimal point: \"{}\"", shorten(&meant)),
-            );
+            let message = format!("`{}` is written with a decimal comma", field.key);
+            ("B105", message, format!("use a decimal point: \"{}\"", shorten(&meant)))
         }
         Unreadable::NoNumber => {
-            findings.error(
-                "B105",
-                range,
-                format!("\"{}\" does not start with a number", shorten(text)),
-                field.doc,
-                format!("write {}", field.form()),
-            );
+            let message = format!("\"{}\" does not start with a number", shorten(text));
+            ("B105", message, format!("write {}", field.form()))
         }
         Unreadable::Infinite => return not_finite(field, range, findings),
-    }
-    None
+    };
+    findings.refuse(code, range, message, field.doc, help)
 }
 
 fn not_finite<T>(field: &Field, range: TextRange, findings: &mut Findings) -> Option<T> {
@@ -432,28 +416,14 @@ fn not_finite<T>(field: &Field, range: TextRange, findings: &mut Findings) -> Op
 fn check_size(field: &Field, quantity: Quantity, range: TextRange, findings: &mut Findings) -> bool {
     let value = quantity.si();
     let most = quantity.unit.dimension.most();
-    if value.abs() > most {
-        findings.error(
-            "B106",
-            range,
-            format!("`{}` is beyond anything that a bridge can have", field.key),
-            field.doc,
-            "check number and unit".to_owned(),
-        );
-        return false;
-    }
-    // A number that vanishes in SI would divide by zero later on.
-    if value != 0.0 && value.abs() < 1e-12 * most.min(1.0) {
-        findings.error(
-            "B106",
-            range,
-            format!("`{}` is so small that it vanishes", field.key),
-            field.doc,
-            "check number and unit".to_owned(),
-        );
-        return false;
-    }
-    check_limits(field, value, range, findings)
+    let slip = match value.abs() {
+        size if size > most => "is beyond anything that a bridge can have",
+        // A number that vanishes in SI would divide by zero later on.
+        size if size != 0.0 && size < 1e-12 * most.min(1.0) => "is so small that it vanishes",
+        _ => return check_limits(field, value, range, findings),
+    };
+    findings.error("B106", range, format!("`{}` {slip}", field.key), field.doc, "check number and unit");
+    false
 }
 
 fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Findings) -> bool {
