@@ -96,13 +96,10 @@ impl Document {
         for step in before {
             let item = table.get_mut(&step.key).ok_or(Unfit::NoPlace)?;
             if let Item::Value(whole) = item {
-                let others = comment(whole);
-                let others =
-                    others.split("; ").filter(|one| !one.is_empty() && !one.starts_with(&format!("{}: ", last.key)));
-                let all: Vec<&str> = others.collect();
-                let all = [all.join("; "), format!("{}: {words}", last.key)].into_iter().filter(|one| !one.is_empty());
-                let all = all.collect::<Vec<_>>().join("; ");
-                whole.decor_mut().set_suffix(format!("  # {all}"));
+                let (said, own) = (comment(whole), format!("{}: ", last.key));
+                let others = said.split("; ").filter(|one| !one.is_empty() && !one.starts_with(&own));
+                let all: Vec<String> = others.map(str::to_owned).chain([format!("{own}{words}")]).collect();
+                whole.decor_mut().set_suffix(format!("  # {}", all.join("; ")));
                 return Ok(());
             }
             table = entry_mut(item, step.index).ok_or(Unfit::NoPlace)?;

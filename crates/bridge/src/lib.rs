@@ -135,8 +135,7 @@ pub fn read_blocks(text: &[u8]) -> ReadBlocks {
         |_, table, findings| fields::blocks::resolve(table, findings),
         &mut findings,
     );
-    let file = file.flatten();
-    let file = if findings.any_error() { None } else { file };
+    let file = file.flatten().filter(|_| !findings.any_error());
     ReadBlocks { file, diagnostics: findings.in_order(text.len()) }
 }
 

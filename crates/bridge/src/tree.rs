@@ -115,17 +115,13 @@ impl<'t> Table<'t> {
     pub(crate) fn table(&self, key: &str, findings: &mut Findings) -> Option<Table<'t>> {
         let (field, raw) = self.entry(key)?;
         let Kind::Table(section) = field.kind else { return None };
-        match raw.get_ref() {
-            DeValue::Table(entries) => Some(self.inner(section, entries, raw.span().into(), findings)),
+        let one = match raw.get_ref() {
             // One `[[joint]]` is as good as `[joint]`.
-            DeValue::Array(items) if items.len() == 1 => {
-                match items.iter().next().map(|item| (item.get_ref(), item.span())) {
-                    Some((DeValue::Table(entries), range)) => {
-                        Some(self.inner(section, entries, range.into(), findings))
-                    }
-                    _ => wrong_type(field, raw, findings),
-                }
-            }
+            DeValue::Array(items) if items.len() == 1 => items.iter().next()?,
+            _ => raw,
+        };
+        match one.get_ref() {
+            DeValue::Table(entries) => Some(self.inner(section, entries, one.span().into(), findings)),
             _ => wrong_type(field, raw, findings),
         }
     }

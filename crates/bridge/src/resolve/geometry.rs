@@ -203,12 +203,12 @@ fn check_piers(
     }
     for gap in 0..needed {
         let pier = &piers[gap.min(piers.len() - 1)];
+        let table = places.get(gap.min(places.len().saturating_sub(1)));
         // A springing's normal leans away from its span, so the extrados reaches over the pier by this much.
         let [left, right] =
             [reach(&spans[gap].span, &skewbacks[gap][1]), reach(&spans[gap + 1].span, &skewbacks[gap + 1][0])];
         let needed_width = left[0].max(0.0) + (-right[0]).max(0.0);
         if pier.width < needed_width * (1.0 - 1e-9) {
-            let table = places.get(gap.min(places.len().saturating_sub(1)));
             let range = table.map_or(file.range, |table| table.place("width"));
             findings.error(
                 "B210",
@@ -223,7 +223,6 @@ fn check_piers(
             break;
         }
         if pier.step != 0.0 && !is_convex(pier, left, right) {
-            let table = places.get(gap.min(places.len().saturating_sub(1)));
             let room = pier.width - needed_width;
             findings.error(
                 "B230",
