@@ -151,6 +151,10 @@ impl Field {
         self.above(0.0)
     }
 
+    pub(crate) const fn positive_up_to(self, most: f64) -> Field {
+        self.positive().at_most(most)
+    }
+
     pub(crate) const fn above(mut self, least: f64) -> Field {
         self.limits.least = least;
         self.limits.least_included = false;

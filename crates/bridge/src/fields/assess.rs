@@ -72,11 +72,12 @@ pub(super) static ASSESS: Section = Section {
             "1.1",
         )
         .between(1.0, 4.0)
-        .optional("under `adequacy_factor` and in a `rule_file` that of tests to collapse \
-             (docs/verification/model-factor.md); the factors of a standard cover its own method"),
+        .optional(
+            "under `adequacy_factor` and in a `rule_file` that of tests to collapse \
+             (docs/verification/model-factor.md); the factors of a standard cover its own method",
+        ),
         number("permissible_share", "largest share of the ultimate load in service", "0.5")
-            .above(0.0)
-            .at_most(1.0)
+            .positive_up_to(1.0)
             .optional("the share is not checked"),
         number("onset_factor", "least factor on loads at which a joint is half open or at half its strength", "1.0")
             .above(0.0)
@@ -110,7 +111,7 @@ pub(super) static SERVICE_LOAD: Section = Section {
 };
 
 const fn factor(key: &'static str, doc: &'static str, example: &'static str) -> Field {
-    number(key, doc, example).above(0.0).at_most(2.0)
+    number(key, doc, example).positive_up_to(2.0)
 }
 
 pub(super) static MEXE: Section = Section {

@@ -58,12 +58,10 @@ static MODEL: Section = Section {
     fields: &[
         text("name", "name of the model, for titles", "Arch of the old mill"),
         length("width", "width that forces over the whole width are spread over", "8.30 m")
-            .positive()
-            .at_most(100.0)
+            .positive_up_to(100.0)
             .default("1 m"),
         Field::new("gravity", Kind::Quantity(Acceleration), "acceleration of gravity", "9.81 m/s^2")
-            .positive()
-            .at_most(30.0)
+            .positive_up_to(30.0)
             .default("9.81 m/s^2"),
     ],
 };
@@ -86,13 +84,9 @@ static DRAWING: Section = Section {
         text("file", "path of the drawing, relative to this file", "bridge.dxf"),
         word::<DrawingUnit>("unit", "unit of the drawing, in place of what its header says", "mm")
             .optional("the unit in the header of the drawing; an error asks for it if there is none"),
-        length("chord_tolerance", "how far a chord may lie from its curve", "1 mm")
-            .positive()
-            .at_most(1.0)
-            .default("1 mm"),
+        length("chord_tolerance", "how far a chord may lie from its curve", "1 mm").positive_up_to(1.0).default("1 mm"),
         length("gap_tolerance", "largest distance of ends that are meant to meet", "1 mm")
-            .positive()
-            .at_most(1.0)
+            .positive_up_to(1.0)
             .default("1 mm"),
         word::<Concave>("concave", "how an outline that is not convex is treated", "refuse")
             .default(Concave::Refuse.word()),

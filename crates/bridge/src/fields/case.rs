@@ -13,13 +13,11 @@ pub(super) static CASE: Section = Section {
             .at_most(200.0)
             .optional("all loads of the file, each once"),
         number("masonry_weight", "factor on the weight of rings, piers and walls", "1.15")
-            .positive()
-            .at_most(10.0)
+            .positive_up_to(10.0)
             .default("1"),
-        number("fill_weight", "factor on the weight of fill and backing", "1.2").positive().at_most(10.0).default("1"),
+        number("fill_weight", "factor on the weight of fill and backing", "1.2").positive_up_to(10.0).default("1"),
         number("surfacing_weight", "factor on the weight of surfacing and ballast", "1.75")
-            .positive()
-            .at_most(10.0)
+            .positive_up_to(10.0)
             .default("1"),
         tables("change", &CASE_CHANGE, "Quantities of this file that are otherwise in this case.")
             .at_most(200.0)
@@ -32,7 +30,7 @@ static CASE_LOAD: Section = Section {
     doc: "A load that acts in a case.",
     fields: &[
         text("name", "name of a [[load]]", "tandem"),
-        number("factor", "factor on it", "1.35").positive().at_most(1000.0).default("1"),
+        number("factor", "factor on it", "1.35").positive_up_to(1000.0).default("1"),
     ],
 };
 

@@ -25,8 +25,7 @@ pub(super) static CONTINUUM: Section = Section {
             "share of cohesion and of the tangent of the friction angle that is mobilised at collapse",
             "0.6",
         )
-        .positive()
-        .at_most(1.0)
+        .positive_up_to(1.0)
         .default(MOBILISED_SHARE),
         angle(
             "dilatancy_angle",

@@ -80,8 +80,7 @@ pub(super) static BACKING: Section = Section {
             "share of the bridge's width that it fills: haunching between internal walls, or under a part of the width",
             "0.4",
         )
-        .positive()
-        .at_most(1.0)
+        .positive_up_to(1.0)
         .default("1"),
         density(
             "between_density",

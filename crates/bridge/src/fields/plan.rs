@@ -43,19 +43,17 @@ pub(super) static ANALYSIS: Section = Section {
             .at_least(1.0)
             .optional("as coarse as the increment"),
         number("tolerance", "out-of-balance force at rest over the acting forces", "1e-5")
-            .above(0.0)
-            .at_most(0.1)
+            .positive_up_to(0.1)
             .default("1e-5"),
         count("step_limit", "most iterations in one load step", "2000000").between(1.0, 1e12).default("2000000"),
         word::<DampingRule>("damping", "numerical damping", "local").default(DampingRule::Local.word()),
         number("damping_share", "share of the out-of-balance force, or of critical damping", "0.8")
-            .above(0.0)
-            .at_most(1.0)
+            .positive_up_to(1.0)
             .only("damping", &["local", "viscous"])
             .default("0.8"),
         word::<ContactLength>("contact_length", "length of joint that a contact point represents", "fixed")
             .default(ContactLength::Fixed.word()),
-        number("time_step_factor", "share of the critical time step", "0.8").above(0.0).at_most(1.0).default("0.8"),
+        number("time_step_factor", "share of the critical time step", "0.8").positive_up_to(1.0).default("0.8"),
         word::<Friction>("friction", "friction rule of limit analysis", "automatic")
             .default(Friction::Automatic.word()),
         word::<ContactPoints>(

@@ -23,8 +23,7 @@ pub(super) static MESH: Section = Section {
             .between(2.0, 100.0)
             .default("7"),
         length("side_distance", "distance from the back of an abutment to the side boundary", "15 m")
-            .positive()
-            .at_most(1000.0)
+            .positive_up_to(1000.0)
             .optional("twice the height from the lowest foundation to the surface"),
     ],
 };
@@ -68,7 +67,7 @@ pub(super) static HAUNCH_FILL: Section = Section {
     path: "haunch_fill",
     doc: "Fill of the haunches up to a level, over piers and abutments, where it differs from [fill].",
     fields: &joined::<10>(&[
-        &[length("height", "level of its upper face above the springings", "1.0 m").positive().at_most(200.0)],
+        &[length("height", "level of its upper face above the springings", "1.0 m").positive_up_to(200.0)],
         OTHER_SOIL,
     ]),
 };
@@ -78,8 +77,7 @@ pub(super) static ABUTMENT_FILL: Section = Section {
     doc: "Fill behind the abutments, from their foundation to the surface, where it differs from [fill].",
     fields: &joined::<10>(&[
         &[length("extent", "how far it reaches behind the abutment's back", "6 m")
-            .positive()
-            .at_most(1000.0)
+            .positive_up_to(1000.0)
             .optional("to the side boundary")],
         OTHER_SOIL,
     ]),
@@ -93,8 +91,7 @@ pub(super) static MORTAR: Section = Section {
             .positive()
             .optional("unknown; `respond` needs it"),
         length("thickness", "thickness of a joint", "12.5 mm")
-            .positive()
-            .at_most(1.0)
+            .positive_up_to(1.0)
             .optional("unknown; `respond` needs it"),
         force("lift_off", "tension at which a spring lifts off, in a strip one metre wide", "1 kN")
             .at_least(0.0)

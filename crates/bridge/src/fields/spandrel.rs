@@ -12,8 +12,8 @@ pub(super) static INTERNAL_WALLS: Section = Section {
     doc: "Internal spandrel walls: walls along the bridge between the outer ones, up to a level, with voids or fill between them. In a plane model \
           they are weight with their mean density over the width, docs/theory/spandrels.md.",
     fields: &[
-        length("thickness", "thickness of all of them together across the bridge", "1.4 m").positive().at_most(100.0),
-        length("height", "level of their tops above the springings", "2.4 m").positive().at_most(200.0),
+        length("thickness", "thickness of all of them together across the bridge", "1.4 m").positive_up_to(100.0),
+        length("height", "level of their tops above the springings", "2.4 m").positive_up_to(200.0),
         density("density", "mass density of the walls", "2100 kg/m^3").positive(),
         density("between_density", "mass density of what lies between them; 0 for voids", "0 kg/m^3")
             .at_least(0.0)

@@ -17,10 +17,9 @@ pub(super) static BRIDGE: Section = Section {
     doc: "The bridge as a whole.",
     fields: &[
         text("name", "name of the bridge, for titles", "Bridgemill"),
-        length("width", "width of the barrel, which carries the loads", "8.30 m").positive().at_most(100.0),
+        length("width", "width of the barrel, which carries the loads", "8.30 m").positive_up_to(100.0),
         Field::new("gravity", Kind::Quantity(Acceleration), "acceleration of gravity", "9.81 m/s^2")
-            .positive()
-            .at_most(30.0)
+            .positive_up_to(30.0)
             .default("9.81 m/s^2"),
     ],
 };
@@ -36,13 +35,11 @@ const SPAN_KEYS: &[&[Field]] = &[
     &[
         word::<Shape>("profile", "shape of the intrados", "segmental"),
         length("span", "horizontal distance between the springings, at the intrados, along the road", "18.30 m")
-            .positive()
-            .at_most(500.0)
+            .positive_up_to(500.0)
             .only("profile", &WITH_SPAN)
             .optional("given by `square_span`; the points of a measured profile have theirs"),
         length("rise", "rise is measured from springing to crown, on the intrados", "2.85 m")
-            .positive()
-            .at_most(500.0)
+            .positive_up_to(500.0)
             .only("profile", &WITH_RISE),
         length(
             "right_springing",
@@ -56,20 +53,17 @@ const SPAN_KEYS: &[&[Field]] = &[
     &joined::<{ total(OWN_KEYS) }>(OWN_KEYS),
     &[
         length("thickness", "thickness of the ring, constant", "0.711 m")
-            .positive()
-            .at_most(50.0)
+            .positive_up_to(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`, or by [[span.ring]]"),
         length("crown_thickness", "thickness of the ring at the crown", "0.60 m")
-            .positive()
-            .at_most(50.0)
+            .positive_up_to(50.0)
             .optional("given by `thickness`, or by [[span.ring]]"),
         length(
             "springing_thickness",
             "thickness of the ring at the springings; linear in arc length to the crown",
             "0.80 m",
         )
-        .positive()
-        .at_most(50.0)
+        .positive_up_to(50.0)
         .optional("given by `thickness`, or by [[span.ring]]"),
         count("voussoirs", "number of voussoirs of the ring, equal in length", "62")
             .between(3.0, 5000.0)
@@ -85,8 +79,7 @@ const SPAN_KEYS: &[&[Field]] = &[
             "span square to the springings, in place of `span`; with `skew` the profile is stretched to what it is along the road",
             "7.80 m",
         )
-        .positive()
-        .at_most(500.0)
+        .positive_up_to(500.0)
         .only("profile", &WITH_SPAN)
         .optional("given by `span`"),
         count("repeat", "how many spans like this follow one another", "3").between(1.0, 1000.0).default("1"),
@@ -98,20 +91,17 @@ pub(super) static RING: Section = Section {
     doc: "One ring of a span with several, from the intrados up.",
     fields: &[
         length("thickness", "thickness of the ring, constant", "0.225 m")
-            .positive()
-            .at_most(50.0)
+            .positive_up_to(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`"),
         length("crown_thickness", "thickness of the ring at the crown", "0.225 m")
-            .positive()
-            .at_most(50.0)
+            .positive_up_to(50.0)
             .optional("given by `thickness`"),
         length(
             "springing_thickness",
             "thickness of the ring at the springings; linear in arc length to the crown",
             "0.338 m",
         )
-        .positive()
-        .at_most(50.0)
+        .positive_up_to(50.0)
         .optional("given by `thickness`"),
         count("voussoirs", "number of voussoirs of the ring, equal in length", "40").between(3.0, 5000.0),
     ],

@@ -33,13 +33,11 @@ pub(super) static PIER: Section = Section {
             .between(-50.0, 50.0)
             .default("0 m"),
         length("across", "width across the bridge at the top, without cutwaters", "9.0 m")
-            .positive()
-            .at_most(200.0)
+            .positive_up_to(200.0)
             .optional("as wide as the barrel"),
-        length("base_across", "the same at the bottom", "9.6 m").positive().at_most(200.0).optional("as at the top"),
+        length("base_across", "the same at the bottom", "9.6 m").positive_up_to(200.0).optional("as at the top"),
         length("cutwater_length", "how far each cutwater reaches beyond that width, over the whole height", "1.2 m")
-            .positive()
-            .at_most(50.0)
+            .positive_up_to(50.0)
             .optional("no cutwaters"),
         word::<Cutwater>("cutwater_shape", "form of the cutwaters in plan", "pointed")
             .default(Cutwater::Pointed.word()),
@@ -54,11 +52,10 @@ pub(super) static FOOTING: Section = Section {
     path: "pier.footing",
     doc: "A step of a footing under a pier, centred under its bottom: a course of its own that can slide and tilt.",
     fields: &[
-        length("width", "width along the road", "2.2 m").positive().at_most(100.0),
-        length("height", "height of the step", "0.5 m").positive().at_most(50.0),
+        length("width", "width along the road", "2.2 m").positive_up_to(100.0),
+        length("height", "height of the step", "0.5 m").positive_up_to(50.0),
         length("across", "width across the bridge", "11.0 m")
-            .positive()
-            .at_most(200.0)
+            .positive_up_to(200.0)
             .optional("as the pier's bottom, cutwaters by their area"),
     ],
 };
@@ -83,8 +80,7 @@ const KEYS: [Field; 8] = [
     length("height", "height of the block, from its springing down", "2.0 m").positive(),
     word::<AbutmentKind>("as", "whether it is fixed or can move", "blocks"),
     length("base_width", "as blocks: width of the bottom, from the plumb front face back", "3.0 m")
-        .positive()
-        .at_most(200.0)
+        .positive_up_to(200.0)
         .optional("as wide as the top: the back is plumb"),
     count("courses", "as blocks: number of courses", "4").between(1.0, 1000.0).optional("one block"),
     angle("ground_friction_angle", "as blocks: angle of friction between the bottom and the ground", "30 deg")

@@ -159,8 +159,7 @@ pub(super) static FILL_PRESSURE: Section = Section {
              below the top of the fill; method \"path\"",
             "0.01",
         )
-        .above(0.0)
-        .at_most(1.0)
+        .positive_up_to(1.0)
         .default("0.02"),
     ],
 };

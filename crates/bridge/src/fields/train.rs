@@ -18,16 +18,14 @@ pub(crate) static VEHICLE: Section = Section {
         text("name", "name of the vehicle", "locomotive").optional("vehicle"),
         count("count", "how many of them follow one another", "2").between(1.0, 1000.0).default("1"),
         masses("axle_loads", "mass on each axle, from the first one back; a single value is for all", r#"["20.5 t"]"#)
-            .positive()
-            .at_most(1e6)
+            .positive_up_to(1e6)
             .optional("given by `axle_forces`"),
         forces(
             "axle_forces",
             "force of each axle, from the first one back; a single value is for all",
             r#"["250 kN"]"#,
         )
-        .positive()
-        .at_most(1e7)
+        .positive_up_to(1e7)
         .optional("given by `axle_loads`"),
         lengths(
             "axle_spacings",
