@@ -287,9 +287,13 @@ impl BlockModel {
             })
             .collect()
     }
-    /// Where each block's centre of mass is built.
+    /// Where each block's centre of mass is built [m].
+    pub fn centroids(&self) -> Table<BlockId, Vec2> {
+        self.blocks.iter().map(|b| b.outline.centroid()).collect()
+    }
+    /// The same of blocks that have not turned.
     pub fn poses(&self) -> Table<BlockId, Pose> {
-        self.blocks.iter().map(|b| Pose::at(b.outline.centroid())).collect()
+        self.centroids().iter().map(|&at| Pose::at(at)).collect()
     }
     /// Weight of the free blocks [N/m], positive.
     pub fn free_weight(&self) -> f64 {

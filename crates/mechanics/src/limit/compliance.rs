@@ -2,12 +2,14 @@
 //! it gives an elastic state; with projections it takes out of velocities what a mechanism must not do.
 
 use super::equilibrium::Equilibrium;
-use super::joints::Joint;
 use clarabel::algebra::CscMatrix;
 use clarabel::qdldl::QDLDLFactorisation;
 
 /// A symmetric matrix for the forces of one joint: compressions, then the shear.
 pub(super) type Resistance = [[f64; 3]; 3];
+
+/// Resistance of one to everything.
+pub(super) const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Added to the diagonal of `K`, whose entries are of the order of one: far below the smallest stiffness of a chain of
 /// a thousand blocks, far above round-off.
@@ -16,29 +18,24 @@ const SHIFT: f64 = 1e-12;
 /// `K`, factorised, together with what it was made from.
 pub(super) struct Stiffness<'a> {
     equilibrium: &'a Equilibrium,
-    joints: &'a [Joint],
-    resistances: &'a [Resistance],
+    resistances: Vec<Resistance>,
     factor: QDLDLFactorisation,
 }
 
 impl<'a> Stiffness<'a> {
-    /// Factorises; `None` where that fails.
-    pub(super) fn new(
-        equilibrium: &'a Equilibrium,
-        joints: &'a [Joint],
-        resistances: &'a [Resistance],
-    ) -> Option<Self> {
+    /// Factorises, with a resistance for each joint; `None` where that fails.
+    pub(super) fn new(equilibrium: &'a Equilibrium, resistances: Vec<Resistance>) -> Option<Self> {
         let (mut rows, mut columns, mut values) = (Vec::new(), Vec::new(), Vec::new());
         let mut push = |i: usize, j: usize, v: f64| {
             rows.push(i);
             columns.push(j);
             values.push(v);
         };
-        for ((joint, &c), resistance) in joints.iter().zip(&equilibrium.first_column).zip(resistances) {
+        for (joint, resistance) in equilibrium.joints.iter().zip(&resistances) {
             // The equations that the joint takes part in, and its part in each.
             let mut part: Vec<(usize, [f64; 3])> = Vec::with_capacity(6);
             for k in 0..joint.forces() {
-                for &(i, v) in &equilibrium.columns[c + k] {
+                for &(i, v) in &equilibrium.columns[joint.column + k] {
                     match part.iter_mut().find(|p| p.0 == i) {
                         Some(p) => p.1[k] += v,
                         None => {
@@ -62,7 +59,7 @@ impl<'a> Stiffness<'a> {
         let n = equilibrium.rows;
         let matrix = CscMatrix::new_from_triplets(n, n, rows, columns, values);
         let factor = QDLDLFactorisation::new(&matrix, None).ok()?;
-        Some(Stiffness { equilibrium, joints, resistances, factor })
+        Some(Stiffness { equilibrium, resistances, factor })
     }
 
     /// Solves `(K + SHIFT) x = b`.
@@ -75,11 +72,11 @@ impl<'a> Stiffness<'a> {
     /// Joint forces `C_j B_j^T u` of velocities `u`.
     pub(super) fn forces(&self, velocities: &[f64]) -> Vec<f64> {
         let mut forces = self.equilibrium.deformations(velocities);
-        for ((joint, &c), resistance) in self.joints.iter().zip(&self.equilibrium.first_column).zip(self.resistances) {
-            let n = joint.forces();
+        for (joint, resistance) in self.equilibrium.joints.iter().zip(&self.resistances) {
+            let own = &mut forces[joint.columns()];
             let mut one = [0.0; 3];
-            one[..n].copy_from_slice(&forces[c..c + n]);
-            forces[c..c + n].copy_from_slice(&apply(resistance, one)[..n]);
+            one[..own.len()].copy_from_slice(own);
+            own.copy_from_slice(&apply(resistance, one)[..own.len()]);
         }
         // What answers movement is no joint and has no stiffness.
         forces[self.equilibrium.joint_columns()..].fill(0.0);

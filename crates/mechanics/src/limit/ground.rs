@@ -2,10 +2,8 @@
 
 use super::bedded::Bedded;
 use super::collapse::{Carried, carried};
-use super::compliance::Resistance;
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength, joints};
-use super::reduced::{Elastic, Row, alike, rows, self_stress};
+use super::reduced::{Elastic, Row, rows, self_stress};
 use super::rows::Rows;
 use super::settings::Settings;
 use super::simplex::{Member, Start};
@@ -16,9 +14,6 @@ use std::borrow::Cow;
 pub struct Ground<'a> {
     pub(super) model: Cow<'a, BlockModel>,
     pub(super) interfaces: Vec<Interface>,
-    pub(super) joints: Vec<Joint>,
-    pub(super) strengths: Vec<Strength>,
-    pub(super) resistances: Vec<Resistance>,
     pub(super) equilibrium: Equilibrium,
     pub(super) stands: Carried,
     pub(super) reduced: Option<Reduced>,
@@ -55,7 +50,8 @@ pub(super) struct Reduced {
 }
 
 impl Reduced {
-    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, limits: Vec<Row>, stands: &Carried) -> Option<Reduced> {
+    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, stands: &Carried) -> Option<Reduced> {
+        let limits = rows(equilibrium);
         let states = self_stress(elastic)?;
         let mut start = stands.forces().to_vec();
         // What the proof leaves out of balance is taken out.
@@ -168,26 +164,16 @@ impl<'a> Ground<'a> {
     }
 
     fn of<'m>(model: Cow<'m, BlockModel>, loading: &Loading, settings: &Settings) -> Result<Ground<'m>, ModelError> {
-        if model.blocks.iter().all(|b| b.held.is_fixed()) {
-            return Err(ModelError::NothingFree);
-        }
-        let (interfaces, joints) = joints(&model, settings)?;
         let permanent = Loading { variable: Vec::new(), ..loading.clone() };
-        let equilibrium = Equilibrium::new(&model, &permanent, &joints);
-        let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
-        let stands = carried(&equilibrium, &joints, &strengths);
-        let resistances = alike(&joints);
-        let limits = rows(&equilibrium, &joints, &strengths);
-        let resting = Elastic::new(&equilibrium, &joints, &resistances)
-            .and_then(|mut elastic| elastic.balance(&equilibrium.permanent));
-        let reduced = match stands.is_carried() {
-            true => Elastic::new(&equilibrium, &joints, &resistances)
-                .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
-            false => None,
-        };
-        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(&model, &equilibrium, &joints, &reduced.states));
+        let (interfaces, equilibrium) = Equilibrium::of_free(&model, &permanent, settings)?;
+        let stands = carried(&equilibrium);
+        let mut elastic = Elastic::new(&equilibrium);
+        let resting = elastic.as_mut().and_then(|elastic| elastic.balance(&equilibrium.permanent));
+        let reduced = elastic.as_mut().filter(|_| stands.is_carried());
+        let reduced = reduced.and_then(|elastic| Reduced::new(&equilibrium, elastic, &stands));
+        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(&model, &equilibrium, &reduced.states));
         let resting = resting.map(|forces| bedded.as_ref().map_or(forces.clone(), |bedded| bedded.relaxed(&forces)));
-        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting, bedded })
+        Ok(Ground { model, interfaces, equilibrium, stands, reduced, resting, bedded })
     }
 
     /// Whether the permanent loads by themselves are carried.
@@ -209,12 +195,8 @@ impl<'a> Ground<'a> {
 
     /// A load in the equations' units of force.
     pub(super) fn scaled(&self, load: &[PointForce]) -> Vec<f64> {
-        let loads = self.equilibrium.of_load(&self.model, load);
+        let loads = self.equilibrium.of_loads(load.iter().copied());
         loads.iter().map(|p| p / self.equilibrium.force).collect()
-    }
-
-    pub(super) fn crushes(&self) -> bool {
-        self.strengths.iter().any(|s| s.crushing.is_finite())
     }
 
     /// The joints, in the order of all forces.
@@ -234,9 +216,8 @@ impl<'a> Ground<'a> {
     }
 
     fn section_under(&self, joint: usize, more: impl Fn(usize) -> f64) -> Option<Section> {
-        let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
-        let of = &self.joints[joint];
-        let force = |k: usize| (resting[c + k] + more(c + k)) * self.equilibrium.force;
+        let (resting, of) = (self.resting.as_ref()?, self.equilibrium.joints.get(joint)?);
+        let force = |k: usize| (resting[of.column + k] + more(of.column + k)) * self.equilibrium.force;
         let [a, b] = [force(0), force(1)];
         let compression = a + b;
         (of.points.len() == 2 && compression > 0.0).then(|| Section {

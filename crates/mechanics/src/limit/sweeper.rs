@@ -3,12 +3,13 @@
 
 use super::bounds;
 use super::boxed::{Bounded, greatest_between};
-use super::collapse::{Found, by_friction, largest_factor_of_carried, report};
+use super::collapse::{Found, largest_factor_of_carried, outcome};
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
-use super::level::{Governs, WithDilation, WithoutDilation, without_dilation};
+use super::level::{WithDilation, WithoutDilation, without_dilation};
+use super::mechanism::mechanism;
 use super::outcome::{Outcome, Status};
-use super::program::{Ending, Solution};
+use super::program::Solution;
 use super::proven::carried_up_to;
 use super::reduced::{Elastic, tangents};
 use super::settings::Friction;
@@ -70,7 +71,7 @@ impl Ground<'_> {
     /// The same with what an earlier sweeper of this ground learnt.
     pub fn sweeper_with(&self, learnt: Experience) -> Sweeper<'_> {
         // Also where the fast method has nothing to work on: what joints carry is told all the same.
-        let elastic = Elastic::new(&self.equilibrium, &self.joints, &self.resistances);
+        let elastic = Elastic::new(&self.equilibrium);
         let Experience { reduced, kept, next, given, moved, oldest } = learnt;
         let reduced = reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
         Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, token: CancelToken::default() }
@@ -217,21 +218,15 @@ impl Sweeper<'_> {
         if self.token.is_cancelled() {
             return Factor::without_numbers(Status::Cancelled);
         }
-        let ground = self.ground;
-        let solved = found.status == Status::Solved;
+        let (solved, solution) = (found.status == Status::Solved, &found.solution);
         let scale = equilibrium.factor_scale;
-        let mechanism =
-            super::mechanism::mechanism(&ground.model, &equilibrium, &ground.joints, &found.solution.velocities);
-        let upper = solved.then(|| {
-            let s = &found.solution;
-            bounds::least_upper(&equilibrium, &ground.joints, &ground.strengths, &s.forces, &s.velocities).factor
-                * scale
-        });
-        self.learn(&found.solution.velocities);
+        let mechanism = mechanism(&self.ground.model, &equilibrium, &solution.velocities);
+        let upper = || bounds::least_upper(&equilibrium, &solution.forces, &solution.velocities).factor * scale;
+        self.learn(&solution.velocities);
         Factor {
             status: found.status,
-            lower: solved.then_some(found.solution.factor * scale),
-            upper,
+            lower: solved.then_some(solution.factor * scale),
+            upper: solved.then(upper),
             slides: solved && mechanism.is_some_and(|m| !m.sliding.is_empty()),
             iterations: found.iterations as usize,
             by_interior_point: true,
@@ -259,17 +254,16 @@ impl Sweeper<'_> {
         let equilibrium = self.loaded(effect);
         let scale = equilibrium.factor_scale;
         let beside = WithDilation { status, factor: lower.unwrap_or(0.0) / scale, slides };
-        let Ground { joints, strengths, stands, .. } = self.ground;
-        let level = without_dilation(&equilibrium, joints, strengths, &beside, &stands.at_rest);
+        let level = without_dilation(&equilibrium, &beside, &self.ground.stands.at_rest);
         if self.token.is_cancelled() {
             let dilatant = Factor::without_numbers(Status::Cancelled);
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
         }
-        if level.governs(friction, &beside) == Governs::WithDilation {
+        if !level.governs(friction, &beside) {
             return dilates;
         }
         let status = match level {
-            WithoutDilation::Load(_) => Status::Solved,
+            WithoutDilation::Load { .. } => Status::Solved,
             WithoutDilation::Locks => Status::Locks,
             WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
         };
@@ -278,12 +272,10 @@ impl Sweeper<'_> {
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.
     pub fn proven_up_to(&self, effect: &Effect, most: f64) -> Option<f64> {
-        let ground = self.ground;
         let equilibrium = self.loaded(effect);
         let scale = equilibrium.factor_scale;
-        let roomy = ground.stands.roomy(&equilibrium, &ground.joints, &ground.strengths)?;
-        let carried = carried_up_to(&equilibrium, &ground.joints, &ground.strengths, roomy, most / scale)?;
-        Some(carried * scale)
+        let roomy = self.ground.stands.roomy(&equilibrium)?;
+        Some(carried_up_to(&equilibrium, roomy, most / scale)? * scale)
     }
 
     /// Upper bound of a load's factor by the mechanisms of loads that were answered before; infinite where none bounds it.
@@ -332,34 +324,18 @@ impl Sweeper<'_> {
 
     /// A motion and what it needs; none where joints do what they may not, or where nothing moves.
     fn moved_as(&self, velocities: &[f64]) -> Option<Moved> {
-        let ground = self.ground;
         let fastest = velocities.iter().fold(0.0f64, |most, u| most.max(u.abs()));
         let velocities: Vec<f64> = velocities.iter().map(|u| u / fastest).collect();
-        let needs = bounds::resistance(&ground.equilibrium, &ground.joints, &ground.strengths, &velocities);
+        let needs = bounds::resistance(&self.ground.equilibrium, &velocities);
         let bounds = fastest > 0.0 && needs.violation <= FLOWS && needs.factor.is_finite();
         bounds.then_some(Moved { velocities, resistance: needs.factor })
     }
 
-    /// Forces, resultants and mechanism at that factor.
-    pub fn outcome(&mut self, effect: &Effect) -> Outcome {
-        let ground = self.ground;
+    /// Forces, resultants and mechanism at the factor of [`Sweeper::least`] by this friction.
+    pub fn outcome(&mut self, effect: &Effect, friction: Friction) -> Outcome {
+        let Ground { model, interfaces, stands, .. } = self.ground;
         let (equilibrium, found) = self.found(effect);
-        report(&ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
-    }
-
-    /// The same by the friction of [`Sweeper::least`].
-    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> Outcome {
-        let ground = self.ground;
-        let (equilibrium, found) = self.found(effect);
-        let (model, joints, strengths) = (&ground.model, &ground.joints, &ground.strengths);
-        let mut outcome = report(model, &equilibrium, joints, strengths, ground.interfaces.clone(), &found);
-        let parts = (&*ground.model, &equilibrium, &joints[..], &strengths[..]);
-        by_friction(friction, parts, &found, &ground.stands.at_rest, &mut outcome);
-        if self.token.is_cancelled() {
-            let Outcome { interfaces, iterations, friction, .. } = outcome;
-            return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
-        }
-        outcome
+        outcome(model, &equilibrium, interfaces.clone(), &found, friction, &stands.at_rest)
     }
 
     /// Scaled velocities of the mechanism at that factor.
@@ -394,7 +370,9 @@ impl Sweeper<'_> {
             let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_ref(), &self.token) {
                 Ended::Best(corner) => corner,
                 // Tangents of joints that crush may still be missing. No load is endless that a known mechanism bounds.
-                Ended::Unbounded if !self.ground.crushes() && bounding.is_none() => return Some(Reached::Locks),
+                Ended::Unbounded if !self.ground.equilibrium.crushes() && bounding.is_none() => {
+                    return Some(Reached::Locks);
+                }
                 Ended::Unbounded | Ended::Lost => return None,
             };
             let factor = corner.z.last().copied()?;
@@ -402,14 +380,7 @@ impl Sweeper<'_> {
                 return None;
             }
             let forces = reduced.forces(effect, &corner.z, 1.0 / size);
-            let ground = self.ground;
-            let more = tangents(
-                &ground.equilibrium,
-                &ground.joints,
-                &ground.strengths,
-                &forces,
-                OUTSIDE * (1.0 + factor.abs()),
-            );
+            let more = tangents(&self.ground.equilibrium, &forces, OUTSIDE * (1.0 + factor.abs()));
             if more.is_empty() {
                 let is_new = round > 0 || corner.pivots > 0;
                 let corner = self.tidied(corner);
@@ -499,9 +470,8 @@ impl Sweeper<'_> {
     }
 
     fn by_interior_point(&self, effect: &Effect) -> (Equilibrium, Found) {
-        let ground = self.ground;
         let equilibrium = self.loaded(effect);
-        let found = largest_factor_of_carried(&equilibrium, &ground.joints, &ground.strengths, &ground.stands);
+        let found = largest_factor_of_carried(&equilibrium, &self.ground.stands);
         (equilibrium, found)
     }
 
@@ -509,7 +479,7 @@ impl Sweeper<'_> {
     fn solution(&mut self, effect: &Effect, corner: &Corner) -> Found {
         let equilibrium = &self.ground.equilibrium;
         let mut solution = Solution {
-            ending: Ending::Solved,
+            solved: true,
             forces: vec![0.0; equilibrium.columns.len()],
             factor: corner.z.last().copied().unwrap_or(0.0),
             velocities: vec![0.0; equilibrium.rows],

@@ -3,7 +3,7 @@
 use crate::limit_models::{Ring, block, dry, model, sideways};
 use mechanics::blocks::{BlockModel, ContactLaw, Held, LawTable, Loading, PointForce};
 use mechanics::ids::{BlockId, Id};
-use mechanics::limit::{ContactPoints, Friction, Settings, Status, collapse_load, sweep, thrust_zone};
+use mechanics::limit::{ContactPoints, Friction, Ground, Least, Settings, Status, collapse_load, thrust_zone};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Polygon {
@@ -178,8 +178,14 @@ fn a_sweep_is_the_same_as_one_load_after_the_other() {
     let settings = Settings::default();
     let places: Vec<f64> = (0..33).map(|i| -8.0 + 0.5 * f64::from(i)).collect();
     let loads: Vec<_> = places.iter().map(|&x| ring.dispersed_knife(x, 0.75, 0.478)).collect();
-    let swept = sweep(&model, &Loading::default(), &loads, &settings).unwrap();
-    for (place, load) in swept.places.iter().zip(&loads) {
+    let ground = Ground::new(&model, &Loading::default(), &settings).unwrap();
+    let mut sweeper = ground.sweeper();
+    let mut place = |load: &Vec<PointForce>| {
+        let effect = sweeper.effect(load);
+        sweeper.least(&effect, settings.friction)
+    };
+    let swept: Vec<Least> = loads.iter().map(&mut place).collect();
+    for (place, load) in swept.iter().zip(&loads) {
         let loading = Loading { variable: load.clone(), ..Loading::default() };
         let alone = collapse_load(&model, &loading, &settings).unwrap();
         assert_eq!((place.status, place.friction), (alone.status, alone.friction));
@@ -188,11 +194,12 @@ fn a_sweep_is_the_same_as_one_load_after_the_other() {
         }
     }
     // A load near the quarter point governs, the one that the other places are compared with.
-    let governing = swept.governing.unwrap();
-    assert!((places[governing].abs() - 5.0).abs() < 0.6, "{}", places[governing]);
+    let factors = swept.iter().zip(&places).filter_map(|(found, place)| Some((found.factor?, place)));
+    let governing = factors.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap().1;
+    assert!((governing.abs() - 5.0).abs() < 0.6, "{governing}");
     // The ring is symmetric, so is its envelope.
     for i in 0..16 {
-        let (a, b) = (swept.places[i].factor, swept.places[32 - i].factor);
+        let (a, b) = (swept[i].factor, swept[32 - i].factor);
         if let (Some(a), Some(b)) = (a, b) {
             assert!((a / b - 1.0).abs() < 1e-4, "{a} {b}");
         }

@@ -149,7 +149,7 @@ impl State {
         let k = put.weights;
         let mut sweeper = self.grounds[k].sweeper_with(std::mem::take(&mut self.learnt[k]));
         let effect = sweeper.effect(&put.forces);
-        let outcome = sweeper.outcome_by(&effect, put.friction);
+        let outcome = sweeper.outcome(&effect, put.friction);
         self.learnt[k] = sweeper.learnt();
         outcome
     }

@@ -292,12 +292,10 @@ pub(super) fn check(
         }
     }
     let eq = &setting.equilibrium;
-    let mut blocks: Vec<f64> = (0..eq.rows)
+    let loads = (0..eq.rows)
         .map(|i| share * eq.permanent[i] * eq.force + eq.variable[i] * eq.force / eq.factor_scale * variable)
         .collect();
-    for (column, f) in eq.columns.iter().zip(&field.forces) {
-        column.iter().for_each(|&(i, v)| blocks[i] += v * f);
-    }
+    let mut blocks = eq.balance(loads, &field.forces);
     for e in 0..mesh.edges.len() {
         let at = Ends::of(mesh, e);
         let of = |t: usize| at.corners(mesh, t).map(|k| push(field.stresses[t][k], at.normal));
@@ -328,7 +326,7 @@ pub(super) fn check(
     }
     let residual = blocks.iter().fold(residual, |m, r| m.max(r.abs()));
     let scaled: Vec<f64> = field.forces.iter().map(|f| f / eq.force).collect();
-    let joints = crate::limit::bounds::yield_violation(eq, &setting.joints, &setting.strengths, &scaled) * eq.force;
+    let joints = crate::limit::bounds::yield_violation(eq, &scaled) * eq.force;
     let all = (setting.loads[0] + variable.abs() * setting.loads[1]).max(f64::MIN_POSITIVE);
     (residual / all, beyond.max(joints) / all)
 }

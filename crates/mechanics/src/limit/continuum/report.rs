@@ -7,7 +7,7 @@ use super::setting::Setting;
 use super::upper::Motion;
 use crate::blocks::BlockModel;
 use crate::ids::{BlockId, Table};
-use crate::limit::collapse::{joint_forces, resultant};
+use crate::limit::collapse::{joint_forces, resultants};
 use crate::limit::mechanism::mechanism;
 use crate::limit::outcome::{Outcome, Status};
 use crate::limit::settings::Friction;
@@ -30,8 +30,7 @@ pub struct Pressure {
 pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stresses, above: &Motion) -> Outcome {
     let eq = &setting.equilibrium;
     let scaled: Vec<f64> = below.forces.iter().map(|f| f / eq.force).collect();
-    let forces = joint_forces(eq, &setting.joints, &scaled);
-    let resultants = setting.joints.iter().zip(&forces).map(|(j, f)| resultant(j, f)).collect();
+    let forces = joint_forces(eq, &scaled);
     Outcome {
         factor: Some(below.factor),
         lower_bound: Some(below.factor),
@@ -39,9 +38,9 @@ pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stres
         equilibrium_residual: below.equilibrium_residual,
         yield_violation: below.yield_violation,
         flow_violation: above.flow_violation,
+        resultants: resultants(eq, &forces),
         forces,
-        resultants,
-        mechanism: mechanism(model, eq, &setting.joints, &above.blocks),
+        mechanism: mechanism(model, eq, &above.blocks),
         associated_factor: Some(below.factor),
         ..Outcome::without_numbers(
             Status::Solved,

@@ -3,21 +3,17 @@
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
 use super::model::{Bears, Contact, Continuum, Panel, Soil};
-use crate::blocks::{BlockModel, Loading, ModelError};
-use crate::ids::{BlockId, Table};
+use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
+use crate::ids::BlockId;
 use crate::limit::equilibrium::Equilibrium;
-use crate::limit::joints::{Joint, Strength, joints};
 use crate::limit::settings::Settings;
-use crate::plane::Vec2;
+use crate::plane::{Vec2, vec2};
 
 /// Blocks, loads and units; the same for every mesh.
 pub(super) struct Setting<'a> {
     pub soil: &'a Continuum,
-    pub joints: Vec<Joint>,
-    pub interfaces: Vec<crate::blocks::Interface>,
-    pub strengths: Vec<Strength>,
+    pub interfaces: Vec<Interface>,
     pub equilibrium: Equilibrium,
-    centroids: Table<BlockId, Vec2>,
     /// Unit of force [N/m]; that of stress is this over 1 m.
     pub force: f64,
     /// The scaled factor is the factor divided by this.
@@ -48,8 +44,7 @@ impl<'a> Setting<'a> {
         settings: &Settings,
         soil: &'a Continuum,
     ) -> Result<Setting<'a>, ModelError> {
-        let (interfaces, joints) = joints(model, settings)?;
-        let equilibrium = Equilibrium::new(model, loading, &joints);
+        let (interfaces, equilibrium) = Equilibrium::new(model, loading, settings)?;
         let area = |outline: &[Vec2]| {
             let next = outline.iter().cycle().skip(1);
             0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
@@ -79,10 +74,7 @@ impl<'a> Setting<'a> {
         Ok(Setting {
             soil,
             interfaces,
-            strengths: joints.iter().map(|j| j.strength).collect(),
-            joints,
             equilibrium,
-            centroids: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
             force,
             factor_scale: if variable > 0.0 { force / variable } else { 1.0 },
             loads: [permanent, variable],
@@ -123,9 +115,9 @@ impl<'a> Setting<'a> {
             program.add(i, eq.variable[i] * eq.force / eq.factor_scale, &variable.of(factor));
         }
         let mut forces = Vec::with_capacity(eq.columns.len());
-        for ((joint, strength), &c) in self.joints.iter().zip(&self.strengths).zip(&eq.first_column) {
+        for joint in &eq.joints {
             let first = forces.len();
-            let n = joint.points.len();
+            let (c, n, strength) = (joint.column, joint.points.len(), &joint.strength);
             let curvature = strength.curvature(n) * self.force;
             let (tension, cohesion) = (strength.tension / self.force, strength.cohesion / self.force);
             for _ in 0..n {
@@ -171,18 +163,14 @@ impl<'a> Setting<'a> {
 
     /// The equations of a block that a force (1, 0), (0, 1) at a point takes part in, with its coefficients.
     pub(super) fn rows_of(&self, block: BlockId, at: Vec2) -> [Vec<(usize, f64)>; 2] {
-        let arm = at - self.centroids[block];
-        let rows = self.equilibrium.row[block];
-        let of = |values: [f64; 3]| rows.iter().zip(values).filter_map(|(r, v)| r.map(|i| (i, v))).collect();
-        let length = self.equilibrium.length;
-        [of([1.0, 0.0, -arm.y / length]), of([0.0, 1.0, arm.x / length])]
+        [vec2(1.0, 0.0), vec2(0.0, 1.0)].map(|force| self.equilibrium.act(PointForce { block, at, force }).collect())
     }
 
     /// The velocity of a point of a block, of what multiplies its equations.
     pub(super) fn velocity(&self, block: Option<BlockId>, at: Vec2, velocities: &[f64]) -> Vec2 {
         let Some(block) = block else { return Vec2::ZERO };
         let [x, y] = self.rows_of(block, at).map(|rows| rows.iter().map(|&(i, v)| v * velocities[i]).sum::<f64>());
-        crate::plane::vec2(x, y)
+        vec2(x, y)
     }
 
     /// The soil of a triangle.

@@ -289,7 +289,7 @@ pub(super) fn work(
         }
     }
     // Of the blocks: what their joints dissipate less the work of their permanent loads.
-    let joints = crate::limit::bounds::resistance(eq, &setting.joints, &setting.strengths, &blocks);
+    let joints = crate::limit::bounds::resistance(eq, &blocks);
     violation = violation.max(joints.violation);
     variable += eq.variable.iter().zip(&blocks).map(|(p, u)| p * u).sum::<f64>() * eq.force / eq.factor_scale;
     let resisted = |(panel, [slide, tilt]): (&Panel, &[f64; 2])| panel.force * slide + panel.moment * tilt;

@@ -4,7 +4,7 @@ use super::element::{Element, Normal, Piece};
 use super::shape::Shape;
 use crate::ids::Id;
 use crate::limit::equilibrium::Equilibrium;
-use crate::limit::joints::{Joint, Strength};
+use crate::limit::joints::Joint;
 use crate::numbering::{HELD, last_joined, numbered};
 
 /// Shear stiffness of a joint over its normal stiffness. From 0.01 to 1 loads of fourteen bridges of two and three rings (`verification/profiles`) change by
@@ -43,8 +43,9 @@ fn drawn(seed: usize) -> f64 {
 }
 
 impl System {
-    /// Sets elements up for these joints; strengths stand in place of their own.
-    pub(super) fn new(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> System {
+    /// Sets elements up for joints and answers to movement.
+    pub(super) fn new(equilibrium: &Equilibrium) -> System {
+        let joints = &equilibrium.joints;
         let held: Vec<[bool; 3]> = equilibrium.row.iter().map(|row| row.map(|r| r.is_none())).collect();
         let mut block_of = vec![0; equilibrium.rows];
         for (id, row) in equilibrium.row.pairs() {
@@ -71,8 +72,8 @@ impl System {
         }
         let mut this =
             System { elements: Vec::new(), shapes: Vec::new(), size, last, place, forces: equilibrium.columns.len() };
-        for ((k, joint), strength) in joints.iter().enumerate().zip(strengths) {
-            let element = this.joint(equilibrium, k, joint, strength);
+        for (k, joint) in joints.iter().enumerate() {
+            let element = this.joint(equilibrium, k, joint);
             this.elements.push(element);
         }
         for (k, r) in equilibrium.restraints.iter().enumerate() {
@@ -83,8 +84,8 @@ impl System {
         this
     }
 
-    fn joint(&mut self, equilibrium: &Equilibrium, k: usize, joint: &Joint, strength: &Strength) -> Element {
-        let column = equilibrium.first_column[k];
+    fn joint(&mut self, equilibrium: &Equilibrium, k: usize, joint: &Joint) -> Element {
+        let Joint { column, strength, .. } = *joint;
         let count = joint.points.len();
         // The moment of shear about a block's centroid is its depth towards the joint, in units of length.
         let shear = &equilibrium.columns[column + count];
