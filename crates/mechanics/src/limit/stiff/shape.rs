@@ -85,7 +85,7 @@ impl Shape {
 
     /// A corner on the line of an edge.
     fn on(&self, edge: usize) -> [f64; 2] {
-        self.corners[self.ends(edge).unwrap_or(edge - 1)]
+        self.corners[edge.min(self.corners.len() - 1)]
     }
 
     /// How far within an edge [`at`] lies.
