@@ -1,7 +1,7 @@
 //! The convex program, solved by Clarabel's interior-point method.
 
 use super::equilibrium::{Entry, Equilibrium};
-use super::interior_point::{Accuracy, minimise};
+use super::interior_point::{Accuracy, compressed, minimise};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
 
@@ -167,20 +167,4 @@ impl<'a> Program<'a> {
         cones[1] = NonnegativeConeT(b.len() - equations - curved);
         (compressed(b.len(), &columns), b, cones)
     }
-}
-
-fn compressed(rows: usize, columns: &[Vec<Entry>]) -> CscMatrix<f64> {
-    let entries: usize = columns.iter().map(Vec::len).sum();
-    let mut starts = Vec::with_capacity(columns.len() + 1);
-    let (mut indices, mut values) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
-    starts.push(0);
-    let mut sorted = Vec::new();
-    for column in columns {
-        sorted.clone_from(column);
-        sorted.sort_unstable_by_key(|e| e.0);
-        indices.extend(sorted.iter().map(|e| e.0));
-        values.extend(sorted.iter().map(|e| e.1));
-        starts.push(indices.len());
-    }
-    CscMatrix::new(rows, columns.len(), starts, indices, values)
 }

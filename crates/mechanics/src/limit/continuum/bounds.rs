@@ -5,7 +5,7 @@ use super::flow::{Flow, flow};
 use super::lower::{Ends, Stresses, lower, push, share_carried};
 use super::mesh::Mesh;
 use super::model::Continuum;
-use super::report::{Pressure, motions, of_blocks, pressures};
+use super::report::{Pressure, of_blocks, pressures};
 use super::setting::Setting;
 use super::sideways::{Sideways, linear};
 use super::triangulate::{MeshError, triangulate};
@@ -114,6 +114,7 @@ impl Bounds {
 
     /// Nothing found yet.
     pub(super) fn begun(setting: &Setting<'_>, mesh: Mesh) -> Bounds {
+        let interfaces = setting.interfaces.clone();
         Bounds {
             status: BoundsStatus::NotConverged,
             lower: None,
@@ -124,7 +125,7 @@ impl Bounds {
             share: None,
             carried: None,
             rounds: Vec::new(),
-            blocks: without_numbers(setting),
+            blocks: Outcome::without_numbers(Status::NotConverged, Friction::Associated, interfaces, 0),
             motions: Table::default(),
             pressures: Vec::new(),
         }
@@ -134,7 +135,7 @@ impl Bounds {
         self.gaps = gaps(setting, &mesh, &below, &above);
         self.status = BoundsStatus::Bounded;
         self.blocks = of_blocks(setting, model, &below, &above);
-        self.motions = motions(setting, &above);
+        self.motions = setting.equilibrium.motions(&above.blocks);
         self.pressures = pressures(setting.soil, &mesh, &below);
         let before = std::mem::replace(&mut self.mesh, mesh);
         self.coarser = self.lower.as_ref().and(Some(before));
@@ -331,11 +332,6 @@ pub fn flow_on(
 ) -> Result<Option<Flow>, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
     Ok(flow(&setting, mesh, dilatancy, token).ok())
-}
-
-/// The joints, and nothing found.
-fn without_numbers(setting: &Setting<'_>) -> Outcome {
-    Outcome::without_numbers(Status::NotConverged, Friction::Associated, setting.interfaces.clone(), 0)
 }
 
 /// What is known where one program or both were not solved on a mesh.

@@ -5,11 +5,10 @@
 //! The work equation of the whole is then summed up anew, so that the bound is as strict as any other.
 
 use super::bounds::{Bounds, ContinuumError};
-use super::lower::Ends;
 use super::mesh::Mesh;
 use super::model::Continuum;
 use super::setting::Setting;
-use super::upper::{CONTROL, Motion, SOUND, nodes, work};
+use super::upper::{Motion, SOUND, moving, work};
 use crate::blocks::{BlockModel, Loading};
 use crate::ids::BlockId;
 use crate::limit::settings::Settings;
@@ -92,12 +91,8 @@ fn ride(setting: &Setting<'_>, mesh: &Mesh, loading: &Loading, block: BlockId, v
     for e in 0..mesh.edges.len() {
         let Some((Some(body), contact)) = setting.body(mesh, e) else { continue };
         if body == block {
-            let [a, b] = Ends::of(mesh, e).points;
-            (level, friction) = (a.y, contact.friction);
-            for (point, weights) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL) {
-                let of = nodes(mesh, e).into_iter().zip(weights);
-                points.push((point.x, of.fold(Vec2::ZERO, |sum, (n, w)| sum + velocities[n] * w)));
-            }
+            (level, friction) = (mesh.ends(e)[0].y, contact.friction);
+            points.extend(moving(mesh, e, velocities).map(|(point, v)| (point.x, v)));
         }
     }
     if points.is_empty() || !middle.is_finite() {

@@ -54,12 +54,12 @@ fn traction(stress: &[Affine; 3], n: Vec2) -> [Affine; 2] {
 
 /// Finds the best stress field on a mesh.
 pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Stresses, Ending> {
-    within(setting, mesh, &Strengths::of(setting, mesh), token)
+    within(setting, mesh, &Strengths::of(setting, mesh), Question::Factor, token)
 }
 
 /// The stress field on a mesh that carries the largest share of the permanent loads, up to all; its factor is that share.
 pub(super) fn share_carried(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Stresses, Ending> {
-    best(setting, mesh, &Strengths::of(setting, mesh), Question::Share, token)
+    within(setting, mesh, &Strengths::of(setting, mesh), Question::Share, token)
 }
 
 /// The program of a mesh.
@@ -169,15 +169,6 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
 
 /// The best stress field within strengths that vary from corner to corner.
 pub(super) fn within(
-    setting: &Setting<'_>,
-    mesh: &Mesh,
-    strengths: &Strengths,
-    token: &CancelToken,
-) -> Result<Stresses, Ending> {
-    best(setting, mesh, strengths, Question::Factor, token)
-}
-
-fn best(
     setting: &Setting<'_>,
     mesh: &Mesh,
     strengths: &Strengths,

@@ -6,7 +6,7 @@ use super::model::{Bears, Continuum};
 use super::setting::Setting;
 use super::upper::Motion;
 use crate::blocks::BlockModel;
-use crate::ids::{BlockId, Table};
+use crate::ids::BlockId;
 use crate::limit::collapse::{joint_forces, resultants};
 use crate::limit::mechanism::mechanism;
 use crate::limit::outcome::{Outcome, Status};
@@ -49,11 +49,6 @@ pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stres
             below.iterations + above.iterations,
         )
     }
-}
-
-/// Translation [m] and rotation [rad] of each block, in the scale of the velocities of the soil.
-pub(super) fn motions(setting: &Setting<'_>, above: &Motion) -> Table<BlockId, (Vec2, f64)> {
-    setting.equilibrium.motions(&above.blocks)
 }
 
 /// Pressures on all blocks that touch the soil, sorted by block and then from left to right.

@@ -3,6 +3,7 @@
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
 use super::model::{Bears, Contact, Continuum, Panel, Soil};
+use super::triangulate::area;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use crate::ids::BlockId;
 use crate::limit::equilibrium::Equilibrium;
@@ -45,10 +46,6 @@ impl<'a> Setting<'a> {
         soil: &'a Continuum,
     ) -> Result<Setting<'a>, ModelError> {
         let (interfaces, equilibrium) = Equilibrium::new(model, loading, settings)?;
-        let area = |outline: &[Vec2]| {
-            let next = outline.iter().cycle().skip(1);
-            0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
-        };
         let size = |of: &dyn Fn(&Soil) -> Vec2| -> f64 {
             soil.regions.iter().map(|r| area(&r.outline) * of(&r.soil).norm()).sum()
         };
