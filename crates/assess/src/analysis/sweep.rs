@@ -184,7 +184,7 @@ fn open(rows: &mut [Row], jobs: Vec<(usize, usize)>) {
 struct Scene<'a> {
     bridge: &'a Bridge,
     d: &'a Discretised,
-    ground: &'a Ground<'a>,
+    ground: &'a Ground,
     settings: limit::Settings,
     first: f64,
     subsets: bool,

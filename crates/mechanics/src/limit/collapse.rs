@@ -1,7 +1,7 @@
 //! The collapse load.
 
 use super::bounds;
-use super::compliance::{ALIKE, Stiffness};
+use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
 use super::level::{WithDilation, WithoutDilation, without_dilation};
@@ -185,7 +185,7 @@ pub(super) fn largest_factor_of_carried(equilibrium: &Equilibrium, stands: &Carr
 
 /// The forces of elastic joints under the permanent loads, if no joint exceeds its strength.
 fn elastic_state(equilibrium: &Equilibrium) -> Option<Vec<f64>> {
-    let mut stiffness = Stiffness::new(equilibrium, vec![ALIKE; equilibrium.joints.len()])?;
+    let mut stiffness = Stiffness::alike(equilibrium)?;
     let mut forces = vec![0.0; equilibrium.columns.len()];
     // The second pass takes out what the first leaves of the loads.
     for _ in 0..2 {

@@ -9,7 +9,13 @@ use clarabel::qdldl::QDLDLFactorisation;
 pub(super) type Resistance = [[f64; 3]; 3];
 
 /// Resistance of one to everything.
-pub(super) const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Out-of-balance forces, relative to all permanent loads, that a state may leave: round-off of a refined solution.
+const BALANCED: f64 = 1e-11;
+/// Passes in which a load is balanced, and what the last one need not take out: round-off of loads whose sizes sum to one.
+const PASSES: usize = 3;
+const ENOUGH: f64 = 1e-15;
 
 /// Added to the diagonal of `K`, whose entries are of the order of one: far below the smallest stiffness of a chain of
 /// a thousand blocks, far above round-off.
@@ -17,7 +23,7 @@ const SHIFT: f64 = 1e-12;
 
 /// `K`, factorised, together with what it was made from.
 pub(super) struct Stiffness<'a> {
-    equilibrium: &'a Equilibrium,
+    pub(super) equilibrium: &'a Equilibrium,
     resistances: Vec<Resistance>,
     factor: QDLDLFactorisation,
 }
@@ -62,6 +68,11 @@ impl<'a> Stiffness<'a> {
         Some(Stiffness { equilibrium, resistances, factor })
     }
 
+    /// That of joints that are all alike.
+    pub(super) fn alike(equilibrium: &'a Equilibrium) -> Option<Self> {
+        Stiffness::new(equilibrium, vec![ALIKE; equilibrium.joints.len()])
+    }
+
     /// Solves `(K + SHIFT) x = b`.
     pub(super) fn solve(&mut self, b: &[f64]) -> Vec<f64> {
         let mut x = b.to_vec();
@@ -81,6 +92,41 @@ impl<'a> Stiffness<'a> {
         // What answers movement is no joint and has no stiffness.
         forces[self.equilibrium.joint_columns()..].fill(0.0);
         forces
+    }
+
+    /// Forces `f` of elastic joints with `B f = -load`; none where round-off spoils them.
+    pub(super) fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
+        let mut forces = vec![0.0; self.equilibrium.columns.len()];
+        let mut left: Vec<f64> = load.iter().map(|p| -p).collect();
+        let mut worst = f64::INFINITY;
+        // Each pass takes out what the one before left of the load.
+        for _ in 0..PASSES {
+            let velocities = self.solve(&left);
+            for (f, d) in forces.iter_mut().zip(self.forces(&velocities)) {
+                *f += d;
+            }
+            left = self.equilibrium.balance(load.to_vec(), &forces).into_iter().map(|p| -p).collect();
+            worst = left.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+            if worst <= ENOUGH {
+                break;
+            }
+        }
+        (worst <= BALANCED).then_some(forces)
+    }
+
+    /// Velocities whose deformations are `wanted`, as nearly as may be.
+    pub(super) fn motion(&mut self, wanted: &[f64]) -> Vec<f64> {
+        let mut velocities = vec![0.0; self.equilibrium.rows];
+        for _ in 0..2 {
+            let have = self.equilibrium.deformations(&velocities);
+            let mut missing: Vec<f64> = wanted.iter().zip(&have).map(|(w, h)| w - h).collect();
+            missing[self.equilibrium.joint_columns()..].fill(0.0);
+            let out = self.equilibrium.balance(vec![0.0; self.equilibrium.rows], &missing);
+            for (u, d) in velocities.iter_mut().zip(self.solve(&out)) {
+                *u += d;
+            }
+        }
+        velocities
     }
 }
 

@@ -2,17 +2,17 @@
 
 use super::bedded::Bedded;
 use super::collapse::{Carried, carried};
+use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
-use super::reduced::{Elastic, Row, rows, self_stress};
+use super::reduced::{Row, rows, self_stress};
 use super::rows::Rows;
 use super::settings::Settings;
 use super::simplex::{Member, Start};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
-use std::borrow::Cow;
 
 /// What all loads have in common.
-pub struct Ground<'a> {
-    pub(super) model: Cow<'a, BlockModel>,
+pub struct Ground {
+    pub(super) model: BlockModel,
     pub(super) interfaces: Vec<Interface>,
     pub(super) equilibrium: Equilibrium,
     pub(super) stands: Carried,
@@ -50,12 +50,12 @@ pub(super) struct Reduced {
 }
 
 impl Reduced {
-    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, stands: &Carried) -> Option<Reduced> {
-        let limits = rows(equilibrium);
+    fn new(elastic: &mut Stiffness, stands: &Carried) -> Option<Reduced> {
+        let limits = rows(elastic.equilibrium);
         let states = self_stress(elastic)?;
         let mut start = stands.forces().to_vec();
         // What the proof leaves out of balance is taken out.
-        let left = equilibrium.residual(&start, 0.0);
+        let left = elastic.equilibrium.residual(&start, 0.0);
         for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
             *f += d;
         }
@@ -146,34 +146,22 @@ impl Effect {
     }
 }
 
-impl<'a> Ground<'a> {
+impl Ground {
     /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
     ///
     /// # Errors
     /// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
-    pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
-        Ground::of(Cow::Borrowed(model), loading, settings)
-    }
-
-    /// The same of a model that it keeps.
-    ///
-    /// # Errors
-    /// Those of [`new`](Self::new).
-    pub fn owning(model: BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'static>, ModelError> {
-        Ground::of(Cow::Owned(model), loading, settings)
-    }
-
-    fn of<'m>(model: Cow<'m, BlockModel>, loading: &Loading, settings: &Settings) -> Result<Ground<'m>, ModelError> {
+    pub fn new(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground, ModelError> {
         let permanent = Loading { variable: Vec::new(), ..loading.clone() };
-        let (interfaces, equilibrium) = Equilibrium::of_free(&model, &permanent, settings)?;
+        let (interfaces, equilibrium) = Equilibrium::of_free(model, &permanent, settings)?;
         let stands = carried(&equilibrium);
-        let mut elastic = Elastic::new(&equilibrium);
+        let mut elastic = Stiffness::alike(&equilibrium);
         let resting = elastic.as_mut().and_then(|elastic| elastic.balance(&equilibrium.permanent));
         let reduced = elastic.as_mut().filter(|_| stands.is_carried());
-        let reduced = reduced.and_then(|elastic| Reduced::new(&equilibrium, elastic, &stands));
-        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(&model, &equilibrium, &reduced.states));
+        let reduced = reduced.and_then(|elastic| Reduced::new(elastic, &stands));
+        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(model, &equilibrium, &reduced.states));
         let resting = resting.map(|forces| bedded.as_ref().map_or(forces.clone(), |bedded| bedded.relaxed(&forces)));
-        Ok(Ground { model, interfaces, equilibrium, stands, reduced, resting, bedded })
+        Ok(Ground { model: model.clone(), interfaces, equilibrium, stands, reduced, resting, bedded })
     }
 
     /// Whether the permanent loads by themselves are carried.

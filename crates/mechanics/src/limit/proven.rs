@@ -6,9 +6,9 @@
 
 use super::bounds;
 use super::collapse::TOLERANCE;
+use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
 use super::program::{Interpretation, Program, Solution};
-use super::reduced::Elastic;
 
 /// Widest gap of both bounds, relative, with which a load counts as found.
 const GAP: f64 = 2e-3;
@@ -75,7 +75,7 @@ fn balanced(equilibrium: &Equilibrium, mut forces: Vec<f64>, factor: f64) -> Opt
         forces[r.column] = forces[r.column].clamp(0.0, r.most);
     }
     let left = equilibrium.residual(&forces, factor);
-    let more = Elastic::new(equilibrium)?.balance(&left)?;
+    let more = Stiffness::alike(equilibrium)?.balance(&left)?;
     for (f, d) in forces.iter_mut().zip(more) {
         *f += d;
     }

@@ -6,16 +6,11 @@
 //! linear program in `x` and the factor alone, a handful of unknowns, whose rows change with the load in one column only.
 //! `f0`, `N` and the factorisation behind `f_p` are made once for all loads.
 
-use super::compliance::{ALIKE, Stiffness};
+use super::compliance::Stiffness;
 use super::equilibrium::{Entry, Equilibrium};
 
 /// Beyond this many states of self-stress dense rows cost more than a sparse interior-point method.
 const MOST_STATES: usize = 160;
-/// Out-of-balance forces, relative to all permanent loads, that a state may leave: round-off of a refined solution.
-const BALANCED: f64 = 1e-11;
-/// Passes in which a load is balanced, and what the last one need not take out: round-off of loads whose sizes sum to one.
-const PASSES: usize = 3;
-const ENOUGH: f64 = 1e-15;
 
 /// A row that forces must keep: `entries . f + constant >= 0`.
 #[derive(Debug, Clone)]
@@ -51,59 +46,10 @@ impl Row {
     }
 }
 
-/// Elastic joints, all alike: states that balance loads, and motions that deformations belong to.
-pub(super) struct Elastic<'a> {
-    equilibrium: &'a Equilibrium,
-    stiffness: Stiffness<'a>,
-}
-
-impl<'a> Elastic<'a> {
-    /// Factorises.
-    pub(super) fn new(equilibrium: &'a Equilibrium) -> Option<Self> {
-        let stiffness = Stiffness::new(equilibrium, vec![ALIKE; equilibrium.joints.len()])?;
-        Some(Elastic { equilibrium, stiffness })
-    }
-
-    /// Forces `f` of elastic joints with `B f = -load`; none where round-off spoils them.
-    pub(super) fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
-        let mut forces = vec![0.0; self.equilibrium.columns.len()];
-        let mut left: Vec<f64> = load.iter().map(|p| -p).collect();
-        let mut worst = f64::INFINITY;
-        // Each pass takes out what the one before left of the load.
-        for _ in 0..PASSES {
-            let velocities = self.stiffness.solve(&left);
-            for (f, d) in forces.iter_mut().zip(self.stiffness.forces(&velocities)) {
-                *f += d;
-            }
-            left = self.equilibrium.balance(load.to_vec(), &forces).into_iter().map(|p| -p).collect();
-            worst = left.iter().fold(0.0f64, |m, r| m.max(r.abs()));
-            if worst <= ENOUGH {
-                break;
-            }
-        }
-        (worst <= BALANCED).then_some(forces)
-    }
-
-    /// Velocities whose deformations are `wanted`, as nearly as may be.
-    pub(super) fn motion(&mut self, wanted: &[f64]) -> Vec<f64> {
-        let mut velocities = vec![0.0; self.equilibrium.rows];
-        for _ in 0..2 {
-            let have = self.equilibrium.deformations(&velocities);
-            let mut missing: Vec<f64> = wanted.iter().zip(&have).map(|(w, h)| w - h).collect();
-            missing[self.equilibrium.joint_columns()..].fill(0.0);
-            let out = self.equilibrium.balance(vec![0.0; self.equilibrium.rows], &missing);
-            for (u, d) in velocities.iter_mut().zip(self.stiffness.solve(&out)) {
-                *u += d;
-            }
-        }
-        velocities
-    }
-}
-
 /// States of self-stress, as many as there are columns more than equations: orthonormal ones of the joints, then each force
 /// that answers movement with the joint forces that balance it. None where they are too many, or where round-off would
 /// spoil them.
-pub(super) fn self_stress(elastic: &mut Elastic) -> Option<Vec<Vec<f64>>> {
+pub(super) fn self_stress(elastic: &mut Stiffness) -> Option<Vec<Vec<f64>>> {
     let (all, columns) = (elastic.equilibrium.columns.len(), elastic.equilibrium.joint_columns());
     let states = columns.checked_sub(elastic.equilibrium.rows)?;
     // Forces that answer movement stand at their bounds but for a few: they do not make a program large.

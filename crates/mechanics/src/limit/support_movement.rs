@@ -19,8 +19,8 @@ use super::joints::Joint;
 use super::outcome::{Hinge, Resultant};
 use super::program::{Program, Solution};
 use super::settings::Settings;
-use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
-use crate::ids::{BlockId, Id, Table};
+use crate::blocks::{Block, BlockModel, Interface, Loading, ModelError, PointForce};
+use crate::ids::{BlockId, Table};
 use crate::plane::{Pose, Rotation, Vec2};
 use crate::watch::CancelToken;
 
@@ -321,13 +321,11 @@ impl Chain<'_> {
 
     /// Largest imposed motion of a block's outline [m].
     fn reference(&self, imposed: &Table<BlockId, (Vec2, f64)>) -> f64 {
-        let of = |i: usize| {
-            let block = &self.model.blocks[BlockId::new(i)];
+        let of = |(block, &(v, w)): (&Block, &(Vec2, f64))| {
             let (low, high) = block.outline.bounds();
-            let (v, w) = imposed[BlockId::new(i)];
             v.norm() + w.abs() * 0.5 * (high - low).norm()
         };
-        (0..self.model.blocks.len()).map(of).fold(f64::MIN_POSITIVE, f64::max)
+        self.model.blocks.iter().zip(imposed.iter()).map(of).fold(f64::MIN_POSITIVE, f64::max)
     }
 
     fn hinges(&self, state: &State) -> Vec<Hinge> {

@@ -185,7 +185,7 @@ impl Driving {
     pub(crate) fn governing(
         &self,
         d: &Discretised,
-        (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),
+        (grounds, sweepers): (&[Ground], &mut [Sweeper<'_>]),
         position: f64,
         asked: Asked,
     ) -> Governing {
@@ -285,7 +285,7 @@ impl Driving {
         (near, skipped)
     }
 
-    fn scene<'a>(&'a self, d: &'a Discretised, grounds: &'a [Ground<'a>]) -> Scene<'a> {
+    fn scene<'a>(&'a self, d: &'a Discretised, grounds: &'a [Ground]) -> Scene<'a> {
         Scene {
             d,
             grounds,

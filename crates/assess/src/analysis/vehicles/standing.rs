@@ -31,7 +31,7 @@ pub(super) struct Scene<'a> {
     /// The bridge; its shape is the same under all weights.
     pub d: &'a Discretised,
     /// One for each combination of factors on weights.
-    pub grounds: &'a [Ground<'a>],
+    pub grounds: &'a [Ground],
     /// Those combinations.
     pub weights: &'a [Weights],
     /// Joints whose forces are kept.
