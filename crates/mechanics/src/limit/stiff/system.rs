@@ -5,7 +5,7 @@ use super::shape::Shape;
 use crate::ids::Id;
 use crate::limit::equilibrium::Equilibrium;
 use crate::limit::joints::Joint;
-use crate::numbering::{HELD, last_joined, numbered};
+use crate::numbering::{HELD, numbered};
 
 /// Shear stiffness of a joint over its normal stiffness. From 0.01 to 1 loads of fourteen bridges of two and three rings (`verification/profiles`) change by
 /// 1 % at most.
@@ -58,8 +58,8 @@ impl System {
             (first != last).then_some([first, last])
         });
         let pairs: Vec<[usize; 2]> = joined.chain(answered).collect();
-        let (equation, size) = numbered(&held, &pairs);
-        let last = last_joined(&equation, size, &pairs);
+        let (equation, last) = numbered(&held, &pairs);
+        let size = last.len();
         let mut place = vec![0; equilibrium.rows];
         for (row, equation) in equilibrium.row.iter().zip(&equation) {
             for (row, equation) in row.iter().zip(equation) {
