@@ -1,7 +1,7 @@
 //! Where the line of thrust can lie under a load that is carried.
 
 use super::collapse::{TOLERANCE, joint_forces, resultants};
-use super::equilibrium::{Entry, Equilibrium};
+use super::equilibrium::Equilibrium;
 use super::outcome::Resultant;
 use super::program::{Interpretation, Program};
 use super::settings::Settings;
@@ -16,10 +16,6 @@ pub struct ThrustZone {
     /// Of each joint the lowest and the highest place of its resultant, along `normal.left()` [m]; `None` where the
     /// joint cannot be compressed, or the load is not carried. Neighbouring joints reach theirs in different states.
     pub reach: Vec<Option<[Vec2; 2]>>,
-    /// Line of thrust of the state with the least compression summed over all joints.
-    pub least_thrust: Option<Vec<Option<Resultant>>>,
-    /// Line of thrust of the state with the greatest compression summed over all joints; `None` where it has no end.
-    pub greatest_thrust: Option<Vec<Option<Resultant>>>,
 }
 
 /// The zone in which the line of thrust can lie under gravity, the permanent loads and `factor` times the variable
@@ -36,8 +32,7 @@ pub fn thrust_zone(
     let zone = Zone::of(model, loading, factor, settings)?;
     let reach =
         (0..zone.equilibrium.joints.len()).map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?])).collect();
-    let (least_thrust, greatest_thrust) = (zone.line(-1.0), zone.line(1.0));
-    Ok(ThrustZone { interfaces: zone.interfaces, reach, least_thrust, greatest_thrust })
+    Ok(ThrustZone { reach, interfaces: zone.interfaces })
 }
 
 /// The joints, and the line of thrust of the state with the least compression summed over all of them, under gravity,
@@ -53,7 +48,7 @@ pub fn least_thrust(
     settings: &Settings,
 ) -> Result<(Vec<Interface>, Option<Vec<Option<Resultant>>>), ModelError> {
     let zone = Zone::of(model, loading, factor, settings)?;
-    let line = zone.line(-1.0);
+    let line = zone.line();
     Ok((zone.interfaces, line))
 }
 
@@ -90,18 +85,15 @@ impl Zone {
         solution.solved.then(|| joint.points[0] * (1.0 - share) + joint.points[1] * share)
     }
 
-    /// The line of thrust with the greatest sum of compressions (`sign` 1) or the least (-1).
-    fn line(&self, sign: f64) -> Option<Vec<Option<Resultant>>> {
-        let mut objective: Vec<Entry> = Vec::new();
-        for joint in &self.equilibrium.joints {
-            objective.extend(joint.columns().take(joint.points.len()).map(|column| (column, sign)));
-        }
+    /// The line of thrust with the least sum of compressions.
+    fn line(&self) -> Option<Vec<Option<Resultant>>> {
+        let compressions = self.equilibrium.joints.iter().flat_map(|joint| joint.columns().take(joint.points.len()));
         let solution = Program {
             scaled_loads: &[],
             constant_loads: &self.loads,
             // `t` has no part in this program.
             cap: Some(0.0),
-            objective,
+            objective: compressions.map(|column| (column, -1.0)).collect(),
             ..Program::of_the_factor(&self.equilibrium)
         }
         .solve(TOLERANCE);

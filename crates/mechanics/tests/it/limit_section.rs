@@ -3,7 +3,9 @@
 use crate::limit_models::{Ring, block, dry, model, sideways};
 use mechanics::blocks::{BlockModel, ContactLaw, Held, LawTable, Loading, PointForce};
 use mechanics::ids::{BlockId, Id};
-use mechanics::limit::{ContactPoints, Friction, Ground, Least, Settings, Status, collapse_load, thrust_zone};
+use mechanics::limit::{
+    ContactPoints, Friction, Ground, Least, Settings, Status, collapse_load, least_thrust, thrust_zone,
+};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Polygon {
@@ -86,7 +88,7 @@ fn a_cube_on_a_cube_presses_on_both_corners_alike() {
     // Statically determinate: the zone is a point, and the two corners carry half the weight each.
     let [low, high] = zone.reach[0].unwrap();
     assert!((low - vec2(0.5, 1.0)).norm() < 1e-7 && (high - low).norm() < 1e-7);
-    let resultant = zone.least_thrust.unwrap()[0].unwrap();
+    let resultant = least_thrust(&model, &loading, 0.0, &Settings::default()).unwrap().1.unwrap()[0].unwrap();
     assert!((resultant.force - vec2(0.0, 9.81)).norm() < 1e-7);
     // Pushed at half height it would overturn under its own weight; it slides before.
     let outcome = collapse_load(&model, &loading, &Settings::default()).unwrap();
@@ -144,8 +146,7 @@ fn a_three_hinged_parabola_thrusts_by_its_closed_form() {
     model.gravity = Vec2::ZERO;
     let load = |i: usize, x: f64| PointForce { block: BlockId::new(i), at: vec2(x, 3.0), force: vec2(0.0, -100e3) };
     let loading = Loading { permanent: vec![load(1, -5.0), load(2, 5.0)], ..Loading::default() };
-    let zone = thrust_zone(&model, &loading, 0.0, &Settings::default()).unwrap();
-    let line = zone.least_thrust.unwrap();
+    let line = least_thrust(&model, &loading, 0.0, &Settings::default()).unwrap().1.unwrap();
     assert_eq!(line.len(), 3);
     for resultant in line {
         // The solver's tolerance on a force of the order of the load.
