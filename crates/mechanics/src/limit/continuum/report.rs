@@ -5,7 +5,6 @@ use super::mesh::Mesh;
 use super::model::{Bears, Continuum};
 use super::setting::Setting;
 use super::upper::Motion;
-use crate::blocks::BlockModel;
 use crate::ids::BlockId;
 use crate::limit::collapse::{joint_forces, resultants};
 use crate::limit::mechanism::mechanism;
@@ -27,7 +26,7 @@ pub struct Pressure {
 }
 
 /// Forces, lines of thrust, hinges: of the stresses the forces, of the motion the mechanism.
-pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stresses, above: &Motion) -> Outcome {
+pub(super) fn of_blocks(setting: &Setting<'_>, below: &Stresses, above: &Motion) -> Outcome {
     let eq = &setting.equilibrium;
     let scaled: Vec<f64> = below.forces.iter().map(|f| f / eq.force).collect();
     let forces = joint_forces(eq, &scaled);
@@ -40,7 +39,7 @@ pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stres
         flow_violation: above.flow_violation,
         resultants: resultants(eq, &forces),
         forces,
-        mechanism: mechanism(model, eq, &above.blocks),
+        mechanism: mechanism(setting.model, eq, &above.blocks),
         associated_factor: Some(below.factor),
         ..Outcome::without_numbers(
             Status::Solved,

@@ -10,17 +10,19 @@ use crate::limit::equilibrium::Equilibrium;
 use crate::limit::settings::Settings;
 use crate::plane::{Vec2, vec2};
 
-/// Blocks, loads and units; the same for every mesh.
-pub(super) struct Setting<'a> {
-    pub soil: &'a Continuum,
-    pub interfaces: Vec<Interface>,
-    pub equilibrium: Equilibrium,
+/// Blocks, soil, loads and units: what bounds are asked of, the same for every mesh.
+pub struct Setting<'a> {
+    pub(super) model: &'a BlockModel,
+    pub(super) loading: &'a Loading,
+    pub(super) soil: &'a Continuum,
+    pub(super) interfaces: Vec<Interface>,
+    pub(super) equilibrium: Equilibrium,
     /// Unit of force [N/m]; that of stress is this over 1 m.
-    pub force: f64,
+    pub(super) force: f64,
     /// The scaled factor is the factor divided by this.
-    pub factor_scale: f64,
+    pub(super) factor_scale: f64,
     /// Sum of the sizes of all permanent and of all variable loads [N/m].
-    pub loads: [f64; 2],
+    pub(super) loads: [f64; 2],
 }
 
 /// Where the factor and the forces of the joints stand among the variables of a program. The equations of the blocks are the first ones.
@@ -39,9 +41,13 @@ pub(super) enum Question {
 }
 
 impl<'a> Setting<'a> {
-    pub(super) fn new(
-        model: &BlockModel,
-        loading: &Loading,
+    /// Finds the joints of the blocks and sets up their equations.
+    ///
+    /// # Errors
+    /// Particles, or a block whose rounding leaves nothing of an edge.
+    pub fn new(
+        model: &'a BlockModel,
+        loading: &'a Loading,
         settings: &Settings,
         soil: &'a Continuum,
     ) -> Result<Setting<'a>, ModelError> {
@@ -69,6 +75,8 @@ impl<'a> Setting<'a> {
         let area: f64 = soil.regions.iter().map(|region| area(&region.outline)).sum();
         let force = force.max(strongest * area.abs().sqrt());
         Ok(Setting {
+            model,
+            loading,
             soil,
             interfaces,
             equilibrium,
