@@ -78,7 +78,7 @@ pub(super) struct Asked {
 pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, question: Question) -> Asked {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, question);
-    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let [permanent, variable] = &base.loads;
     let unit = setting.force;
     let panels = setting.panels();
     let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
@@ -113,8 +113,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 program.add(row, g.x, &s[if axis == 0 { 0 } else { 2 }]);
                 program.add(row, g.y, &s[if axis == 0 { 2 } else { 1 }]);
             }
-            program.add(row, area / size * weights[0], &permanent);
-            program.add(row, area / size * weights[1], &variable);
+            program.add(row, area / size * weights[0], permanent);
+            program.add(row, area / size * weights[1], variable);
         }
     }
     for e in 0..mesh.edges.len() {
@@ -139,8 +139,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 for (axis, loads) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
                     let row = program.equation(0.0);
                     program.add(row, 1.0, &t[axis]);
-                    program.add(row, -loads[0], &permanent);
-                    program.add(row, -loads[1], &variable);
+                    program.add(row, -loads[0], permanent);
+                    program.add(row, -loads[1], variable);
                 }
             }
             continue;

@@ -28,6 +28,8 @@ pub struct Setting<'a> {
 /// Where the factor and the forces of the joints stand among the variables of a program. The equations of the blocks are the first ones.
 pub(super) struct Base {
     pub factor: usize,
+    /// What permanent and variable loads are multiplied by, in the units of the program.
+    pub loads: [Affine; 2],
     pub forces: Vec<usize>,
 }
 
@@ -86,19 +88,6 @@ impl<'a> Setting<'a> {
         })
     }
 
-    /// What permanent and variable loads are multiplied by, in the units of the program, under a question.
-    pub(super) fn loads_of(&self, question: Question) -> [Share; 2] {
-        match question {
-            Question::Factor => [
-                Share { constant: 1.0 / self.force, factor: 0.0 },
-                Share { constant: 0.0, factor: self.factor_scale / self.force },
-            ],
-            Question::Share => {
-                [Share { constant: 0.0, factor: 1.0 / self.force }, Share { constant: 0.0, factor: 0.0 }]
-            }
-        }
-    }
-
     /// The factor, the equations of the blocks, the forces of their joints within strength.
     pub(super) fn begin(&self, program: &mut Conic, question: Question) -> Base {
         let eq = &self.equilibrium;
@@ -114,10 +103,17 @@ impl<'a> Setting<'a> {
             }
         };
         program.cost(factor, -1.0);
-        let [permanent, variable] = self.loads_of(question);
+        let times = |share: f64| Affine { terms: vec![(factor, share)], constant: 0.0 };
+        let loads = match question {
+            Question::Factor => {
+                let permanent = Affine { terms: Vec::new(), constant: 1.0 / self.force };
+                [permanent, times(self.factor_scale / self.force)]
+            }
+            Question::Share => [times(1.0 / self.force), Affine::default()],
+        };
         for i in 0..eq.rows {
-            program.add(i, eq.permanent[i] * eq.force, &permanent.of(factor));
-            program.add(i, eq.variable[i] * eq.force / eq.factor_scale, &variable.of(factor));
+            program.add(i, eq.permanent[i] * eq.force, &loads[0]);
+            program.add(i, eq.variable[i] * eq.force / eq.factor_scale, &loads[1]);
         }
         let mut forces = Vec::with_capacity(eq.columns.len());
         for joint in &eq.joints {
@@ -163,7 +159,7 @@ impl<'a> Setting<'a> {
                 }
             }
         }
-        Base { factor, forces }
+        Base { factor, loads, forces }
     }
 
     /// The equations of a block that a force (1, 0), (0, 1) at a point takes part in, with its coefficients.
@@ -207,20 +203,5 @@ impl<'a> Setting<'a> {
             Some(Bears::Load { permanent, variable }) => [permanent, variable],
             _ => [Vec2::ZERO; 2],
         }
-    }
-}
-
-/// What a load is multiplied by: a constant and a multiple of the factor.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Share {
-    constant: f64,
-    factor: f64,
-}
-
-impl Share {
-    /// As a number that depends on the factor.
-    pub(super) fn of(self, factor: usize) -> Affine {
-        let terms = if self.factor == 0.0 { Vec::new() } else { vec![(factor, self.factor)] };
-        Affine { terms, constant: self.constant }
     }
 }

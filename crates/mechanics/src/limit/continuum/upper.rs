@@ -100,7 +100,7 @@ pub(super) struct Asked {
 pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> Asked {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, question);
-    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let [permanent, variable] = &base.loads;
     let unit = setting.force;
     // Two equations for each node, after what slacks have added: their numbers are kept.
     let rows: Vec<usize> = (0..2 * mesh.nodes()).map(|_| program.equation(0.0)).collect();
@@ -135,8 +135,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> A
                 .into_iter()
                 .enumerate()
             {
-                program.add(rows[2 * node + axis], third * p, &permanent);
-                program.add(rows[2 * node + axis], third * v, &variable);
+                program.add(rows[2 * node + axis], third * p, permanent);
+                program.add(rows[2 * node + axis], third * v, variable);
             }
         }
     }
@@ -148,8 +148,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> A
             for (node, weight) in nodes.into_iter().zip([1.0, 4.0, 1.0]) {
                 let length = at.length * weight / 6.0;
                 for (axis, [p, v]) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
-                    program.add(rows[2 * node + axis], length * p, &permanent);
-                    program.add(rows[2 * node + axis], length * v, &variable);
+                    program.add(rows[2 * node + axis], length * p, permanent);
+                    program.add(rows[2 * node + axis], length * v, variable);
                 }
             }
             continue;
