@@ -115,7 +115,8 @@ pub(super) struct Found {
 pub(super) struct Carried {
     /// `None` when the program was not solved.
     carried: Option<bool>,
-    solution: Solution,
+    /// Scaled joint forces that carry them, or carry most of them.
+    pub solution: Solution,
     /// A state with room to every limit, once it is asked for.
     roomy: OnceLock<Option<Roomy>>,
     /// How blocks rest under them, once it is asked for.
@@ -130,10 +131,6 @@ impl Carried {
     /// Whether they are known to be carried.
     pub(super) fn is_carried(&self) -> bool {
         self.carried == Some(true)
-    }
-    /// Scaled joint forces that carry them, or carry most of them.
-    pub(super) fn forces(&self) -> &[f64] {
-        &self.solution.forces
     }
 }
 
@@ -166,13 +163,13 @@ pub(super) fn largest_factor_of_carried(equilibrium: &Equilibrium, stands: &Carr
     let mut solution = Program::of_the_factor(equilibrium).solve(TOLERANCE);
     let iterations = solution.iterations;
     // Where the permanent loads are carried the largest factor is zero at least.
-    if stands.carried == Some(true) {
+    if stands.is_carried() {
         solution.factor = if solution.factor > 0.0 { solution.factor } else { 0.0 };
     }
-    if solution.solved && stands.carried == Some(true) {
+    if solution.solved && stands.is_carried() {
         return Found { status: Status::Solved, solution, iterations };
     }
-    if stands.carried == Some(true)
+    if stands.is_carried()
         && let Some(roomy) = stands.roomy(equilibrium)
         && let Some(solution) = proven(equilibrium, roomy, &solution)
     {

@@ -38,23 +38,10 @@ impl<'a> Stiffness<'a> {
             values.push(v);
         };
         for (joint, resistance) in equilibrium.joints.iter().zip(&resistances) {
-            // The equations that the joint takes part in, and its part in each.
-            let mut part: Vec<(usize, [f64; 3])> = Vec::with_capacity(6);
-            for k in 0..joint.forces() {
-                for &(i, v) in &equilibrium.columns[joint.column + k] {
-                    match part.iter_mut().find(|p| p.0 == i) {
-                        Some(p) => p.1[k] += v,
-                        None => {
-                            let mut row = [0.0; 3];
-                            row[k] = v;
-                            part.push((i, row));
-                        }
-                    }
-                }
-            }
-            for (i, a) in &part {
+            let parts = equilibrium.parts(joint.columns());
+            for (i, a) in &parts {
                 let scaled = apply(resistance, *a);
-                for (j, b) in part.iter().filter(|(j, _)| j >= i) {
+                for (j, b) in parts.iter().filter(|(j, _)| j >= i) {
                     push(*i, *j, scaled.iter().zip(b).map(|(x, y)| x * y).sum());
                 }
             }

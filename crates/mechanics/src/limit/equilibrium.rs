@@ -6,6 +6,7 @@ use crate::blocks::{Block, BlockModel, Interface, Loading, ModelError, PointForc
 use crate::ids::{BlockId, Table};
 use crate::plane::{Vec2, vec2};
 use crate::watch::CancelToken;
+use std::ops::Range;
 
 /// One entry of a column: equation and coefficient.
 pub(super) type Entry = (usize, f64);
@@ -132,6 +133,21 @@ impl Equilibrium {
         let mut this = self.clone();
         this.joints.iter_mut().for_each(|joint| joint.strength = of(&joint.strength));
         this
+    }
+
+    /// The equations that some columns take part in, and the part of each of these columns, three at most.
+    pub(super) fn parts(&self, columns: Range<usize>) -> Vec<(usize, [f64; 3])> {
+        let mut parts: Vec<(usize, [f64; 3])> = Vec::with_capacity(6);
+        for (k, column) in self.columns[columns].iter().enumerate() {
+            for &(row, value) in column {
+                let at = parts.iter().position(|part| part.0 == row).unwrap_or_else(|| {
+                    parts.push((row, [0.0; 3]));
+                    parts.len() - 1
+                });
+                parts[at].1[k] += value;
+            }
+        }
+        parts
     }
 
     /// Whether any joint can crush.

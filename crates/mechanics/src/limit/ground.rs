@@ -53,7 +53,7 @@ impl Reduced {
     fn new(elastic: &mut Stiffness, stands: &Carried) -> Option<Reduced> {
         let limits = rows(elastic.equilibrium);
         let states = self_stress(elastic)?;
-        let mut start = stands.forces().to_vec();
+        let mut start = stands.solution.forces.clone();
         // What the proof leaves out of balance is taken out.
         let left = elastic.equilibrium.residual(&start, 0.0);
         for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {

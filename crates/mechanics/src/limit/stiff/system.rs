@@ -132,19 +132,10 @@ impl System {
 
     /// An element of so many forces from this column on; with three at most two of which are compressions.
     fn element(&self, equilibrium: &Equilibrium, column: usize, forces: usize, stiffness: [f64; 3]) -> Element {
-        let mut equations: Vec<u32> = Vec::with_capacity(6);
-        let mut parts = [[0.0; 6]; 3];
-        for k in 0..forces {
-            // Shear stands in the third place, also beside one compression.
-            let place = if forces > 1 && k + 1 == forces { 2 } else { k };
-            for &(row, value) in &equilibrium.columns[column + k] {
-                let equation = self.place[row] as u32;
-                let at = equations.iter().position(|e| *e == equation).unwrap_or_else(|| {
-                    equations.push(equation);
-                    equations.len() - 1
-                });
-                parts[place][at] += value;
-            }
+        let (mut equations, mut parts) = (Vec::with_capacity(6), [[0.0; 6]; 3]);
+        for (at, (row, own)) in equilibrium.parts(column..column + forces).into_iter().enumerate() {
+            equations.push(self.place[row] as u32);
+            (0..forces).for_each(|k| parts[place(k, forces)][at] = own[k]);
         }
         let stiffness = [stiffness[0], if forces == 3 { stiffness[1] } else { 0.0 }, stiffness[2]];
         Element {
@@ -185,8 +176,7 @@ impl System {
         for ((element, piece), elastic) in self.elements.iter().zip(pieces).zip(elastic) {
             let carried = element.carried(&self.shapes, *piece, *elastic);
             for k in 0..element.forces {
-                let place = if element.forces > 1 && k + 1 == element.forces { 2 } else { k };
-                forces[element.column + k] = carried[place];
+                forces[element.column + k] = carried[place(k, element.forces)];
             }
         }
         forces
@@ -213,6 +203,11 @@ impl System {
         );
         left
     }
+}
+
+/// Where one of so many forces stands: shear in the third place, also beside one compression.
+fn place(k: usize, forces: usize) -> usize {
+    if forces > 1 && k + 1 == forces { 2 } else { k }
 }
 
 fn unlike(seed: usize) -> f64 {
