@@ -70,7 +70,7 @@ fn fixed(d: &Discretised) -> Table<BlockId, bool> {
 }
 
 /// Springings of every span, all rings together, and feet of piers.
-fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<Reaction> {
+fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Reaction> {
     struct Sum {
         reaction: Reaction,
         joints: usize,

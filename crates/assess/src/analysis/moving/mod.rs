@@ -74,7 +74,7 @@ pub(crate) struct Scene<'a, S> {
     /// What may stand where.
     pub stands: &'a S,
     /// The bridge under each combination of factors on weights.
-    pub grounds: &'a [Ground<'a>],
+    pub grounds: &'a [Ground],
     /// Joints whose forces are kept.
     pub watched: &'a [Watched],
     /// Whether slow cases are left out whose upper bound lies far above the least factor.

@@ -181,7 +181,7 @@ impl Driving {
     pub(crate) fn governing(
         &self,
         d: &Discretised,
-        (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),
+        (grounds, sweepers): (&[Ground], &mut [Sweeper<'_>]),
         position: f64,
         asked: Asked,
     ) -> Governing {
@@ -268,7 +268,7 @@ impl Driving {
     /// before lies far above the least such bound; whether any was.
     fn cases(
         &self,
-        (standing, grounds): (&Standing<'_>, &[Ground<'_>]),
+        (standing, grounds): (&Standing<'_>, &[Ground]),
         sweepers: &mut [Sweeper<'_>],
         position: f64,
         asked: Asked,
