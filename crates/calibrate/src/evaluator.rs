@@ -95,11 +95,6 @@ impl<'a> Evaluator<'a> {
         self.forward.length(channel)
     }
 
-    /// What the log knows of a point.
-    pub(crate) fn known(&self, point: &[f64], request: &Request) -> Option<Arc<Evaluation>> {
-        self.log.get(point, request)
-    }
-
     /// Answers at many points, in their order. What the log knows is not evaluated again.
     ///
     /// # Errors
