@@ -206,3 +206,16 @@ impl Workspace {
         norm(&loads).max(norm(&reactions))
     }
 }
+
+/// Forces [N/m] that the supports exert, by component; zero at free components, and not numbers where an element has no answer.
+pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64> {
+    if work.stiffness(model, state).is_err() {
+        return vec![f64::NAN; state.forces.len()];
+    }
+    let dofs = model.dofs();
+    let of = |component: usize| match dofs.held(component) {
+        true => work.internal[component] - state.forces[component],
+        false => 0.0,
+    };
+    (0..dofs.count()).map(of).collect()
+}
