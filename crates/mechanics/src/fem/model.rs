@@ -135,6 +135,12 @@ impl Model {
         self.mesh.quads[quad].nodes.map(|node| self.mesh.nodes[node])
     }
 
+    /// Displacement components of a quadrilateral's corners.
+    pub(super) fn components(&self, quad: QuadId) -> [usize; 8] {
+        let nodes = self.mesh.quads[quad].nodes;
+        std::array::from_fn(|i| dof(nodes[i / 2], i % 2))
+    }
+
     /// Section of a quadrilateral.
     pub fn section(&self, quad: QuadId) -> &Section {
         &self.sections[self.mesh.quads[quad].zone]

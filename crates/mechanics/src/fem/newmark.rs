@@ -1,6 +1,5 @@
 //! Steps through time: Newmark's method and that of Hilber, Hughes and Taylor.
 
-use super::assemble::assemble;
 use super::dofs::{HELD, dof};
 use super::element::mass;
 use super::factor::FactorError;
@@ -74,8 +73,7 @@ impl Motion {
         step: f64,
     ) -> Result<Motion, FactorError> {
         let rest = State::new(model);
-        work.take(&rest);
-        assemble(model, work, &rest).map_err(|_| FactorError::Singular)?;
+        work.stiffness(model, &rest)?;
         let entries = work.pattern.entries();
         let mass = masses(model, work);
         let mix = mass.iter().zip(&work.values[..entries]);
@@ -90,7 +88,7 @@ impl Motion {
 
     /// Kinetic energy [J/m].
     pub fn kinetic_energy(&self, model: &Model, work: &Workspace, state: &State) -> f64 {
-        let velocities = free(model, &state.velocities);
+        let velocities = model.dofs().of_free(&state.velocities);
         let mut momentum = vec![0.0; velocities.len()];
         work.pattern.multiply(&self.mass, &[], &velocities, &mut momentum);
         0.5 * super::gmres::dot(&velocities, &momentum)
@@ -101,8 +99,8 @@ impl Motion {
     fn inertia(&self, model: &Model, work: &Workspace, state: &State, internal: &[f64], forces: &[f64]) -> Inertia {
         let Integration { beta, gamma, alpha } = self.integration;
         let h = self.step;
-        let (u, v, a) =
-            (free(model, &state.displacements), free(model, &state.velocities), free(model, &state.accelerations));
+        let [u, v, a] =
+            [&state.displacements, &state.velocities, &state.accelerations].map(|all| model.dofs().of_free(all));
         let weight = 1.0 + alpha;
         let by_mass = 1.0 / (beta * h * h);
         let by_damping = weight * gamma / (beta * h);
@@ -156,16 +154,12 @@ impl Inertia {
     /// What is out of balance at the free components, inertia and damping counted.
     pub(super) fn unbalanced(&self, model: &Model, work: &Workspace, forces: &[f64]) -> Vec<f64> {
         let mut right = work.unbalanced(model, forces);
-        let u = free(model, &work.trial.displacements);
+        let u = model.dofs().of_free(&work.trial.displacements);
         let moved: Vec<f64> = self.ahead.iter().zip(&u).map(|(ahead, u)| ahead - u).collect();
         right.iter_mut().zip(&self.constant).for_each(|(right, constant)| *right = self.weight * *right + constant);
         work.pattern.multiply(&self.matrix, &[], &moved, &mut right);
         right
     }
-}
-
-fn free(model: &Model, all: &[f64]) -> Vec<f64> {
-    model.dofs().free().iter().map(|component| all[*component as usize]).collect()
 }
 
 /// The consistent mass in the places of the pattern.
@@ -200,10 +194,9 @@ pub fn at_rest(
     motion: &Motion,
     forces: &[f64],
 ) -> Result<(), FactorError> {
-    work.take(state);
-    assemble(model, work, state).map_err(|_| FactorError::Singular)?;
+    work.stiffness(model, state)?;
     let mut right = work.unbalanced(model, forces);
-    let velocities = free(model, &state.velocities);
+    let velocities = model.dofs().of_free(&state.velocities);
     let mut damped = vec![0.0; right.len()];
     work.pattern.multiply(&motion.damping, &[], &velocities, &mut damped);
     right.iter_mut().zip(&damped).for_each(|(right, damped)| *right -= damped);
@@ -231,8 +224,7 @@ pub fn transient(
 ) -> Outcome {
     let mut asking = Asking::new(watch);
     let mut outcome = Outcome { status: Status::Completed, reached: 0.0, iterations: 0, steps: Vec::new() };
-    work.take(state);
-    if assemble(model, work, state).is_err() {
+    if work.stiffness(model, state).is_err() {
         outcome.status = Status::NotConverged;
         return outcome;
     }

@@ -186,7 +186,7 @@ impl Attempt {
             line_searches: self.line_searches,
             indefinite: self.indefinite,
             yielding: work.trial.points.iter().filter(|point| point.yields).count(),
-            locking: model.locking(&work.trial.points, |quad| held(work.trial.misses[quad.index()])),
+            locking: model.locking(&work.trial.points, |quad| held(work.misses[quad.index()])),
             open,
             sliding,
             kept: self.end == End::Balanced,
@@ -429,11 +429,7 @@ impl Equations<'_> {
         let applied = work.applied(self.model, &self.aim.forces);
         match self.inertia {
             None => applied,
-            Some(_) => {
-                let free = self.model.dofs().free().iter();
-                let internal: Vec<f64> = free.map(|component| work.internal[*component as usize]).collect();
-                applied.max(norm(&internal))
-            }
+            Some(_) => applied.max(norm(&self.model.dofs().of_free(&work.internal))),
         }
     }
 

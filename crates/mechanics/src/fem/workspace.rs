@@ -6,7 +6,7 @@ use super::gmres::norm;
 use super::model::Model;
 use super::pattern::Pattern;
 use super::settings::Kinematics;
-use super::state::{Bond, Point, State};
+use super::state::State;
 
 /// Scratch; made once for a model and used for all of its states.
 #[derive(Debug)]
@@ -24,20 +24,11 @@ pub struct Workspace {
     /// Internal forces on all components.
     pub(super) internal: Vec<f64>,
     /// What the state would be if it were kept.
-    pub(super) trial: Trial,
+    pub(super) trial: State,
+    /// How often in this attempt the modes of each element found no balance.
+    pub(super) misses: Vec<u8>,
     /// Whether `values` are the tangent with which the last kept step ended.
     pub(super) fresh: bool,
-}
-
-/// A state that is tried.
-#[derive(Debug, Default)]
-pub(super) struct Trial {
-    pub displacements: Vec<f64>,
-    pub points: Vec<Point>,
-    pub modes: Vec<[f64; 4]>,
-    /// How often in this attempt the modes of an element found no balance.
-    pub misses: Vec<u8>,
-    pub bonds: Vec<Bond>,
 }
 
 impl Workspace {
@@ -54,7 +45,6 @@ impl Workspace {
     /// # Errors
     /// A factor that does not fit into memory.
     pub fn with_pattern(model: &Model, pattern: Pattern) -> Result<Workspace, FactorError> {
-        let state = State::new(model);
         Ok(Workspace {
             solver: Solver::new(&pattern)?,
             values: vec![0.0; pattern.places()],
@@ -62,13 +52,8 @@ impl Workspace {
             skewed: false,
             loose: 0.0,
             internal: vec![0.0; model.dofs().count()],
-            trial: Trial {
-                misses: vec![0; state.modes.len()],
-                displacements: state.displacements,
-                points: state.points,
-                modes: state.modes,
-                bonds: state.bonds,
-            },
+            trial: State::new(model),
+            misses: vec![0; model.mesh.quads.len()],
             pattern,
             fresh: false,
         })
@@ -139,7 +124,7 @@ impl Workspace {
     pub(super) fn take(&mut self, state: &State) {
         self.trial.displacements.copy_from_slice(&state.displacements);
         self.trial.modes.copy_from_slice(&state.modes);
-        self.trial.misses.fill(0);
+        self.misses.fill(0);
     }
 
     /// Keeps what was tried: memories are exchanged, not copied.
@@ -196,7 +181,7 @@ impl Workspace {
     /// Size of what is applied: loads on free components, or reactions, whichever are larger [N/m].
     pub(super) fn applied(&self, model: &Model, forces: &[f64]) -> f64 {
         let dofs = model.dofs();
-        let loads: Vec<f64> = dofs.free().iter().map(|component| forces[*component as usize]).collect();
+        let loads = dofs.of_free(forces);
         let held = || (0..dofs.count()).filter(|component| dofs.held(*component));
         // Supports that stay where they are answer the loads; only where they are moved do their reactions load the body.
         if held().all(|component| self.trial.displacements[component] == 0.0) {

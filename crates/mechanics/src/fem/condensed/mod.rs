@@ -34,18 +34,17 @@ mod spring_check;
 mod tangent;
 
 use super::dofs::HELD;
-use super::element::Kept;
+use super::element::{self, Kept};
 use super::factor::{Block, FactorError};
 use super::joint::PairState;
 use super::model::{Model, count};
 use super::settings::Kinematics;
 use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
-use super::{assemble, element};
 use crate::ids::{Id, QuadId};
 use crate::watch::{Asking, Watch};
 use active_set::ActiveSet;
-use parts::{Committed, Kind, Part, quad_components};
+use parts::{Committed, Kind, Part};
 use rows::{Row, Rows};
 use screening::Screening;
 use std::sync::Arc;
@@ -283,7 +282,7 @@ impl Condensed {
                     }
                 }
                 Kind::Quad(id) => {
-                    for (row, component) in part.rows.iter_mut().zip(quad_components(&self.model, id)) {
+                    for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
                         if self.model.dofs().equation(component) != HELD {
                             let known = &mut self.row_of[component];
                             *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
@@ -314,7 +313,7 @@ impl Condensed {
                 add(pattern, &|equilibrium| equilibrium.amplitudes[k]);
             }
             for (k, row) in rows.list().iter().enumerate() {
-                add(row.terms(), &|equilibrium| equilibrium.forces.get(k).copied().unwrap_or(0.0));
+                add(&row.terms, &|equilibrium| equilibrium.forces.get(k).copied().unwrap_or(0.0));
             }
         });
     }
@@ -337,7 +336,8 @@ impl Condensed {
 
     /// Counts the nonlinear parts of the last position.
     pub fn counts(&self) -> Counts {
-        let mut bonds = vec![None; self.model.springs().len()];
+        let untouched = Bond::default();
+        let mut bonds = vec![&untouched; self.model.springs().len()];
         let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
             match part.kind {
@@ -347,8 +347,8 @@ impl Condensed {
             counts.yielding += part.yielding_points();
             counts.locking += usize::from(part.locks(&self.model));
         }
-        (counts.open, counts.sliding) = count(bonds.iter().flatten().map(|bond| bond.state));
-        counts.open_interfaces = open_among(&self.model, bonds.into_iter());
+        (counts.open, counts.sliding) = count(bonds.iter().map(|bond| bond.state));
+        counts.open_interfaces = open_interfaces(&self.model, bonds.into_iter());
         counts
     }
 
@@ -389,8 +389,8 @@ impl Condensed {
         let mut state = self.start.clone();
         state.displacements = self.displacements();
         let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();
-        for (id, quad) in self.model.mesh.quads.pairs().filter(|(id, _)| linear(id)) {
-            let u = assemble::moved(&state.displacements, &quad.nodes);
+        for id in self.model.mesh.quads.ids().filter(linear) {
+            let u = self.model.components(id).map(|component| state.displacements[component]);
             let first = 4 * id.index();
             let old: [Point; 4] = std::array::from_fn(|k| self.start.points[first + k]);
             let from = state.modes[id.index()];
@@ -410,12 +410,17 @@ impl Condensed {
         Snapshot { current: self.current.clone(), parts }
     }
 
-    /// Restores a snapshot. Parts and rows that were retained later stay; they carried no excess force then.
-    pub fn restore(&mut self, snapshot: &Snapshot) {
-        self.current = snapshot.current.clone();
+    /// Makes an earlier equilibrium the current one. Rows that were retained since carried no force there.
+    fn go_back_to(&mut self, equilibrium: Equilibrium) {
+        self.current = equilibrium;
         self.predicted_active.clear();
         self.extend_to_new_rows();
         self.active_set.discard_tangent();
+    }
+
+    /// Restores a snapshot. Parts and rows that were retained later stay; they carried no excess force then.
+    pub fn restore(&mut self, snapshot: &Snapshot) {
+        self.go_back_to(snapshot.current.clone());
         for &index in &self.retained {
             self.parts[index].revert_to_start(&self.start);
         }
@@ -439,14 +444,9 @@ impl Condensed {
 
 /// Counts the interfaces with an open spring; `bonds` are in the order of [`Model::springs`].
 pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
-    open_among(model, bonds.map(Some))
-}
-
-/// Counts the interfaces with an open spring, where some springs have no bond.
-fn open_among<'b>(model: &Model, bonds: impl Iterator<Item = Option<&'b Bond>>) -> usize {
     let mut open = vec![false; model.mesh.interfaces.len()];
     for (spring, bond) in model.springs().iter().zip(bonds) {
-        open[spring.interface.index()] |= bond.is_some_and(|bond| bond.state == PairState::Open);
+        open[spring.interface.index()] |= bond.state == PairState::Open;
     }
     open.into_iter().filter(|open| *open).count()
 }

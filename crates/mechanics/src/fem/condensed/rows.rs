@@ -33,19 +33,24 @@ impl LoadPattern {
 
     /// Gives the pattern's forces by equations, in ascending order.
     pub(super) fn on_equations(&self, model: &Model) -> Vec<(u32, f64)> {
-        let equation = |&(component, force): &(usize, f64)| (model.dofs().equation(component), force);
-        let mut forces: Vec<(u32, f64)> = self.0.iter().map(equation).collect();
-        forces.retain(|(equation, force)| *equation != HELD && *force != 0.0);
+        let mut forces = free_terms(model, &self.0);
+        forces.retain(|(_, force)| *force != 0.0);
         forces.sort_unstable_by_key(|(equation, _)| *equation);
         forces
     }
 }
 
+/// Gives a sum of components by equations, without those that are held.
+fn free_terms(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
+    let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
+    terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
+}
+
 /// A functional by the equations of its free components.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
-    /// Equations and weights.
-    terms: Vec<(u32, f64)>,
+    /// Equations and weights: also the right-hand side of a unit force on the row.
+    pub terms: Vec<(u32, f64)>,
     /// Value when the run began, held components included [m].
     pub start: f64,
 }
@@ -53,16 +58,10 @@ pub(super) struct Row {
 impl Row {
     /// Makes the row of a functional; `displacements` are those of all components when the run began [m].
     pub(super) fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
-        let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
         Row {
-            terms: functional.0.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect(),
+            terms: free_terms(model, &functional.0),
             start: functional.0.iter().map(|&(component, weight)| weight * displacements[component]).sum(),
         }
-    }
-
-    /// Gives the equations of the row and their weights.
-    pub(super) fn terms(&self) -> &[(u32, f64)] {
-        &self.terms
     }
 
     /// Gives the change of the row's value in one solution of a block [m].
@@ -82,11 +81,6 @@ impl Row {
     /// Gives the change of the row's value in one solution, by equations [m].
     fn change_in_vector(&self, solution: &[f64]) -> f64 {
         self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
-    }
-
-    /// Appends a force on the row [N/m] to a right-hand side.
-    pub(super) fn append_force(&self, right: &mut Vec<(u32, f64)>, force: f64) {
-        right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
     }
 }
 
@@ -163,12 +157,8 @@ impl Rows {
                 return;
             }
             let lanes = start..(start + WIDEST).min(all);
-            let unit = |row: usize| {
-                let mut right = Vec::new();
-                self.list[row].append_force(&mut right, 1.0);
-                right
-            };
-            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &self.needed, block);
+            let units: Vec<_> = self.list[lanes.clone()].iter().map(|row| row.terms.clone()).collect();
+            work.solve_block_at(&units, &self.needed, block);
             for (row, flexibility) in self.list.iter().zip(&mut self.flexibility) {
                 row.changes_in(block, &mut flexibility[lanes.clone()]);
             }

@@ -192,12 +192,8 @@ impl Condensed {
     fn observed_flexibility(&mut self) -> Vec<Vec<f64>> {
         let mut all = Vec::with_capacity(self.observed.len());
         for some in self.observed.chunks(WIDEST) {
-            let unit = |row: &Row| {
-                let mut right = Vec::new();
-                row.append_force(&mut right, 1.0);
-                right
-            };
-            self.work.solve_block(&some.iter().map(unit).collect::<Vec<_>>(), &mut self.block);
+            let units: Vec<_> = some.iter().map(|row| row.terms.clone()).collect();
+            self.work.solve_block(&units, &mut self.block);
             for lane in 0..some.len() {
                 all.push(self.rows.list().iter().map(|row| row.change_in(&self.block, lane)).collect());
             }
