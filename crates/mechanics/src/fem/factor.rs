@@ -140,15 +140,6 @@ impl Block {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Asked(Vec<bool>);
 
-/// Solves in place with a factor.
-fn inverse(symbolic: &SymbolicCholesky<u32>, values: &[f64], kind: Kind, right: MatMut<'_, f64>, stack: &mut MemStack) {
-    match kind {
-        Kind::Nothing => {}
-        Kind::Definite => LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack),
-        Kind::Indefinite => LdltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack),
-    }
-}
-
 impl Solver {
     /// Orders the equations (AMD) and finds the pattern of the factor.
     pub(super) fn new(pattern: &Pattern) -> Result<Solver, FactorError> {
@@ -215,10 +206,14 @@ impl Solver {
 
     /// `x` becomes the inverse of the factorised symmetric part times `x`.
     pub(super) fn apply(&mut self, x: &mut [f64]) {
-        let rows = x.len();
+        let (rows, stack) = (x.len(), MemStack::new(&mut self.memory));
         let right = MatMut::from_column_major_slice_mut(x, rows, 1);
-        let stack = MemStack::new(&mut self.memory);
-        inverse(&self.symbolic, &self.values, self.kind, right, stack);
+        let (symbolic, values, par) = (&self.symbolic, &self.values[..], Par::Seq);
+        match self.kind {
+            Kind::Nothing => {}
+            Kind::Definite => LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, par, stack),
+            Kind::Indefinite => LdltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, par, stack),
+        }
     }
 
     /// Solves for sparse right-hand sides, each a list of equation and value, at most the largest of [`WIDTHS`] at once; overwrites `block`.
@@ -311,9 +306,7 @@ impl Solver {
             None => Err(FactorError::Singular),
         }
     }
-}
 
-impl Solver {
     /// A pivot that is nothing but rounding passes for positive; it shows in the residual. What is left of the right-hand side where the
     /// matrix is nearly singular is solved for again; where it has no inverse that does not help.
     fn direct(&mut self, pattern: &Pattern, values: &[f64], right: &[f64]) -> Result<Vec<f64>, FactorError> {
