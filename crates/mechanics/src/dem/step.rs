@@ -50,20 +50,8 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
         velocities: vec![[0.0; 3]; n],
         contact_forces: vec![[0.0; 3]; n],
         previous_forces: vec![[0.0; 3]; n],
-        touches: Vec::new(),
         particles: model.particles.begin(),
-        factor: 0.0,
-        support_factor: 0.0,
-        steps: 0,
-        time_step: 0.0,
-        travel: 0.0,
-        feature_travel: 0.0,
-        viscosity: 0.0,
-        initial_energy: 0.0,
-        load_work: 0.0,
-        support_work: 0.0,
-        dissipated: 0.0,
-        damped: 0.0,
+        ..State::default()
     };
     find_pairs(model, &mut state, settings.contact_length);
     state.particles.search(&model.particles, model.blocks(&state.poses), &mut Cells::default(), 0);
@@ -129,17 +117,14 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
     work.act(model, state.factor);
     // From half a step behind to half a step ahead.
     let between = 0.5 * (behind + state.time_step);
+    match settings.damping {
+        Damping::Adaptive => adapt(model, state, behind),
+        Damping::None => state.viscosity = 0.0,
+        Damping::Local(_) | Damping::Viscous(_) => {}
+    }
     let report = match settings.damping {
         Damping::Local(share) => integrate::<true>(model, state, work, share, between),
-        Damping::Viscous(_) => integrate::<false>(model, state, work, 0.0, between),
-        Damping::Adaptive => {
-            adapt(model, state, behind);
-            integrate::<false>(model, state, work, 0.0, between)
-        }
-        Damping::None => {
-            state.viscosity = 0.0;
-            integrate::<false>(model, state, work, 0.0, between)
-        }
+        _ => integrate::<false>(model, state, work, 0.0, between),
     };
     integrate_particles(state, settings.damping, StepReport { searched, ..report }, between)
 }

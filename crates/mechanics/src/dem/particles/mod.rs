@@ -20,7 +20,7 @@ pub(super) use chunk::{Chunk, Force, MOST_PARTICLES};
 pub use disc::Disc;
 pub(super) use integrate::with_forces;
 pub(super) use lean::Lean;
-pub(super) use neighbours::{Blocks, chunks, number_all};
+pub(super) use neighbours::{Blocks, bounds, chunks, number_all};
 
 use super::settings::Damping;
 use crate::blocks::{LawTable, Particle};
@@ -158,6 +158,19 @@ fn each_chunk(chunks: &mut [Chunk], work: &(dyn Fn(&mut Chunk) + Sync)) {
     }
 }
 
+/// What work on every chunk and its part of some rows gives, side by side where there are several.
+fn by_chunks<T: Send, R: Send>(
+    chunks: &[Chunk],
+    rows: &mut [T],
+    work: impl Fn(&Chunk, &mut [T]) -> R + Sync,
+) -> Vec<R> {
+    match chunks {
+        [] => Vec::new(),
+        [only] => vec![work(only, rows)],
+        many => many.par_iter().zip(rows.par_chunks_mut(chunk::CHUNK)).map(|(one, rows)| work(one, rows)).collect(),
+    }
+}
+
 impl Particles {
     /// Searches anew if anything may have moved far enough. Returns whether it did.
     pub(super) fn search(&mut self, model: &ParticleModel, blocks: Blocks<'_>, cells: &mut Cells, step: u64) -> bool {
@@ -223,14 +236,7 @@ impl Particles {
             true => integrate::<true>(discs, chunk, chunks, &motion),
             false => integrate::<false>(discs, chunk, chunks, &motion),
         };
-        let tallies: Vec<Tally> = match chunks {
-            [] => return (0.0, 0.0),
-            [only] => vec![one(only, &mut self.discs)],
-            _ => {
-                let parts = self.discs.par_chunks_mut(chunk::CHUNK);
-                chunks.par_iter().zip(parts).map(|(chunk, discs)| one(chunk, discs)).collect()
-            }
-        };
+        let tallies: Vec<Tally> = by_chunks(chunks, &mut self.discs, one);
         let (mut fastest, mut check, mut damped) = (0.0_f64, 0.0, 0.0);
         for tally in &tallies {
             fastest = fastest.max(tally.fastest);
@@ -258,12 +264,7 @@ impl Particles {
             });
             (stiff, kinetic)
         };
-        let parts = self.previous.par_chunks_mut(chunk::CHUNK);
-        let sums: Vec<(f64, f64)> = match chunks {
-            [] => return (0.0, 0.0),
-            [only] => vec![one(only, &mut self.previous)],
-            _ => chunks.par_iter().zip(parts).map(|(chunk, previous)| one(chunk, previous)).collect(),
-        };
+        let sums: Vec<(f64, f64)> = by_chunks(chunks, &mut self.previous, one);
         sums.iter().fold((0.0, 0.0), |(s, k), (stiff, kinetic)| (s + stiff, k + kinetic))
     }
 
