@@ -1,7 +1,7 @@
 //! Scratch of a model: pattern, factorisation, and what an iteration tries.
 
 use super::assemble::assemble;
-use super::factor::{Asked, Block, FactorError, Solver};
+use super::factor::{FactorError, Solver};
 use super::gmres::norm;
 use super::model::Model;
 use super::pattern::Pattern;
@@ -135,26 +135,6 @@ impl Workspace {
         state.modes.copy_from_slice(&self.trial.modes);
         state.forces.copy_from_slice(forces);
         self.fresh = true;
-    }
-
-    /// Solves with the positive definite tangent factorised last for right-hand sides given by their entries.
-    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], block: &mut Block) {
-        self.solver.solve_block(right, None, block);
-    }
-
-    /// The same for right-hand sides that `load` adds to an empty block.
-    pub(super) fn solve_loaded(&mut self, count: usize, block: &mut Block, load: impl FnOnce(&mut Block)) {
-        self.solver.solve_loaded(count, block, load);
-    }
-
-    /// The same, for what is asked for alone.
-    pub(super) fn solve_block_at(&mut self, right: &[Vec<(u32, f64)>], asked: &Asked, block: &mut Block) {
-        self.solver.solve_block(right, Some(asked), block);
-    }
-
-    /// Solutions at these equations are asked for, too.
-    pub(super) fn ask(&self, asked: &mut Asked, equations: impl Iterator<Item = u32>) {
-        self.solver.ask(asked, equations);
     }
 
     /// What is out of balance at the free components: loads less internal forces [N/m].

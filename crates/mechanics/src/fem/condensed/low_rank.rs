@@ -12,8 +12,8 @@ use super::dense::Dense;
 use super::rows::{add_multiples, dots};
 use super::tangent::{StiffnessEntry, Tangent};
 
-/// Marks a row without an index.
-const NO_INDEX: u32 = u32::MAX;
+/// Marks a row or part without an index.
+pub(super) const NO_INDEX: u32 = u32::MAX;
 
 /// The change `D` of the excess stiffness since the tangent was factorised, and what its solution needs.
 #[derive(Default)]

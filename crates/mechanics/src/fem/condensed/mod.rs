@@ -232,7 +232,7 @@ impl Condensed {
         let known = self.current.forces.len();
         self.current.forces.resize(self.rows.len(), 0.0);
         if known < self.rows.len() {
-            let new_rows = self.rows.list()[known..].iter().enumerate();
+            let new_rows = self.rows.list[known..].iter().enumerate();
             let change = |row| self.rows.row_change(row, &self.current.amplitudes, &self.current.forces);
             self.current.values.extend(new_rows.map(|(k, row)| row.start + change(known + k)));
         }
@@ -301,7 +301,7 @@ impl Condensed {
     /// Solves the whole linear system under the loads and forces of some equilibria; the solutions are written to `self.block`.
     fn solve_full_system(&mut self, equilibria: &[&Equilibrium]) {
         let Condensed { work, block, patterns, rows, .. } = self;
-        work.solve_loaded(equilibria.len(), block, |block| {
+        work.solver.solve_loaded(equilibria.len(), block, |block| {
             let mut multiples = vec![0.0; equilibria.len()];
             let mut add = |terms: &[(u32, f64)], of: &dyn Fn(&Equilibrium) -> f64| {
                 multiples.iter_mut().zip(equilibria).for_each(|(multiple, equilibrium)| *multiple = of(equilibrium));
@@ -312,7 +312,7 @@ impl Condensed {
             for (k, pattern) in patterns.iter().enumerate() {
                 add(pattern, &|equilibrium| equilibrium.amplitudes[k]);
             }
-            for (k, row) in rows.list().iter().enumerate() {
+            for (k, row) in rows.list.iter().enumerate() {
                 add(&row.terms, &|equilibrium| equilibrium.forces.get(k).copied().unwrap_or(0.0));
             }
         });
@@ -377,7 +377,7 @@ impl Condensed {
         let mut state = state?;
         for (index, part) in self.parts.iter().enumerate() {
             let mut part = part.clone();
-            earlier.get(&index).iter().for_each(|committed| part.restore(committed));
+            earlier.get(&index).iter().for_each(|&committed| part.committed = *committed);
             part.evaluate_in(&self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
             part.write_to(&mut state);
         }
@@ -406,7 +406,7 @@ impl Condensed {
     /// Takes a snapshot of the last position, for [`Condensed::restore`].
     #[must_use]
     pub fn snapshot(&self) -> Snapshot {
-        let parts = self.retained.iter().map(|&index| (index, self.parts[index].committed())).collect();
+        let parts = self.retained.iter().map(|&index| (index, self.parts[index].committed)).collect();
         Snapshot { current: self.current.clone(), parts }
     }
 
@@ -425,7 +425,7 @@ impl Condensed {
             self.parts[index].revert_to_start(&self.start);
         }
         for (index, committed) in &snapshot.parts {
-            self.parts[*index].restore(committed);
+            self.parts[*index].committed = *committed;
         }
     }
 

@@ -45,7 +45,7 @@ pub(super) struct Part {
     /// Integration points of a quadrilateral.
     samples: Option<[Sample; 4]>,
     /// State at the end of the last balanced position.
-    committed: Committed,
+    pub committed: Committed,
     /// History by the last evaluation.
     trial: History,
     /// Force that the linear system carried beyond the part when the run began [N/m].
@@ -388,16 +388,6 @@ impl Part {
             (self.linear, self.excess) = (true, self.committed.excess);
         }
         linear
-    }
-
-    /// Gives the committed state.
-    pub(super) fn committed(&self) -> Committed {
-        self.committed
-    }
-
-    /// Restores a committed state.
-    pub(super) fn restore(&mut self, committed: &Committed) {
-        self.committed = *committed;
     }
 
     /// Writes the part to a state: the trial history where the part is linear, the committed one where it is not.

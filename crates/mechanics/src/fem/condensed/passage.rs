@@ -272,9 +272,7 @@ impl Condensed {
     /// Rolls back what was done since the equilibrium `from`.
     fn roll_back(&mut self, from: Equilibrium, undo_log: &UndoLog) {
         self.go_back_to(from);
-        for (part, state) in undo_log.states.iter().rev() {
-            self.parts[*part].restore(state);
-        }
+        undo_log.states.iter().rev().for_each(|&(part, state)| self.parts[part].committed = state);
     }
 
     /// Deactivates parts that have been linear for some positions.

@@ -87,9 +87,10 @@ impl Row {
 /// The retained rows.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
-    list: Vec<Row>,
-    /// `G`, by rows: row values for a unit force on another row [m²/N].
-    flexibility: Vec<Vec<f64>>,
+    /// In the order in which they were retained.
+    pub list: Vec<Row>,
+    /// `G`, by rows: row values for a unit force on another row [m²/N]. It is symmetric.
+    pub flexibility: Vec<Vec<f64>>,
     /// `H`, by patterns: row values for a pattern of amplitude one [m].
     influence: Vec<Vec<f64>>,
     /// Solutions for the patterns that load more than [`WIDE_PATTERN`] equations; `None` for the others.
@@ -111,22 +112,6 @@ impl Rows {
     /// Gives the number of rows.
     pub(super) fn len(&self) -> usize {
         self.list.len()
-    }
-
-    /// Gives the rows in the order in which they were retained.
-    pub(super) fn list(&self) -> &[Row] {
-        &self.list
-    }
-
-    /// Gives one row of `G` [m²/N]; `G` is symmetric.
-    #[inline]
-    pub(super) fn flexibility_row(&self, row: usize) -> &[f64] {
-        &self.flexibility[row]
-    }
-
-    /// Gives `G` by rows [m²/N].
-    pub(super) fn flexibility_rows(&self) -> &[Vec<f64>] {
-        &self.flexibility
     }
 
     /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
@@ -151,14 +136,14 @@ impl Rows {
         self.solve_wide_patterns(patterns, work, block);
         let read = self.list[first..].iter().flat_map(|row| &row.terms);
         let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= WIDE_PATTERN).flatten();
-        work.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
+        work.solver.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDEST) {
             if asking.stops() {
                 return;
             }
             let lanes = start..(start + WIDEST).min(all);
             let units: Vec<_> = self.list[lanes.clone()].iter().map(|row| row.terms.clone()).collect();
-            work.solve_block_at(&units, &self.needed, block);
+            work.solver.solve_block(&units, Some(&self.needed), block);
             for (row, flexibility) in self.list.iter().zip(&mut self.flexibility) {
                 row.changes_in(block, &mut flexibility[lanes.clone()]);
             }
@@ -191,7 +176,7 @@ impl Rows {
         self.wide_solutions = patterns.iter().map(|_| None).collect();
         let wide: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > WIDE_PATTERN).collect();
         for some in wide.chunks(WIDEST) {
-            work.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), block);
+            work.solver.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), None, block);
             for (lane, &k) in some.iter().enumerate() {
                 self.wide_solutions[k] =
                     Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
