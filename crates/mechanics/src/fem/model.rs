@@ -33,8 +33,9 @@ pub struct Model {
     /// What displacements do to geometry.
     pub kinematics: Kinematics,
     springs: Vec<Spring>,
-    dofs: Dofs,
-    size: f64,
+    pub(super) dofs: Dofs,
+    /// Length of an element, in the mean [m].
+    pub(super) size: f64,
 }
 
 /// Why there is no model.
@@ -119,15 +120,6 @@ impl Model {
     /// Points of the interfaces.
     pub fn springs(&self) -> &[Spring] {
         &self.springs
-    }
-
-    /// Length of an element, in the mean [m].
-    pub(super) fn size(&self) -> f64 {
-        self.size
-    }
-
-    pub(super) fn dofs(&self) -> &Dofs {
-        &self.dofs
     }
 
     /// Corners of a quadrilateral before anything moves [m].

@@ -88,7 +88,7 @@ impl Motion {
 
     /// Kinetic energy [J/m].
     pub fn kinetic_energy(&self, model: &Model, work: &Workspace, state: &State) -> f64 {
-        let velocities = model.dofs().of_free(&state.velocities);
+        let velocities = model.dofs.of_free(&state.velocities);
         let mut momentum = vec![0.0; velocities.len()];
         work.pattern.multiply(&self.mass, &[], &velocities, &mut momentum);
         0.5 * super::gmres::dot(&velocities, &momentum)
@@ -100,7 +100,7 @@ impl Motion {
         let Integration { beta, gamma, alpha } = self.integration;
         let h = self.step;
         let [u, v, a] =
-            [&state.displacements, &state.velocities, &state.accelerations].map(|all| model.dofs().of_free(all));
+            [&state.displacements, &state.velocities, &state.accelerations].map(|all| model.dofs.of_free(all));
         let weight = 1.0 + alpha;
         let by_mass = 1.0 / (beta * h * h);
         let by_damping = weight * gamma / (beta * h);
@@ -111,7 +111,7 @@ impl Motion {
         let seen: Vec<f64> = (0..u.len()).map(|i| weight * coasting(i) - alpha * v[i]).collect();
         let mut constant = vec![0.0; u.len()];
         work.pattern.multiply(&self.damping, &[], &seen, &mut constant);
-        for (i, component) in model.dofs().free().iter().enumerate() {
+        for (i, component) in model.dofs.free().iter().enumerate() {
             let component = *component as usize;
             // Internal forces and loads of the step's start, weighted with -alpha.
             constant[i] = -constant[i] + alpha * (internal[component] - forces[component]);
@@ -123,7 +123,7 @@ impl Motion {
     fn update(&self, model: &Model, before: &[f64], state: &mut State) {
         let Integration { beta, gamma, .. } = self.integration;
         let h = self.step;
-        for component in model.dofs().free() {
+        for component in model.dofs.free() {
             let i = *component as usize;
             let (v, a) = (state.velocities[i], state.accelerations[i]);
             let moved = state.displacements[i] - before[i];
@@ -154,7 +154,7 @@ impl Inertia {
     /// What is out of balance at the free components, inertia and damping counted.
     pub(super) fn unbalanced(&self, model: &Model, work: &Workspace, forces: &[f64]) -> Vec<f64> {
         let mut right = work.unbalanced(model, forces);
-        let u = model.dofs().of_free(&work.trial.displacements);
+        let u = model.dofs.of_free(&work.trial.displacements);
         let moved: Vec<f64> = self.ahead.iter().zip(&u).map(|(ahead, u)| ahead - u).collect();
         right.iter_mut().zip(&self.constant).for_each(|(right, constant)| *right = self.weight * *right + constant);
         work.pattern.multiply(&self.matrix, &[], &moved, &mut right);
@@ -172,7 +172,7 @@ fn masses(model: &Model, work: &Workspace) -> Vec<f64> {
         for i in 0..8 {
             for (j, slot) in (0..=i).zip(&mut slots) {
                 let (one, two) = (dof(quad.nodes[i / 2], i % 2), dof(quad.nodes[j / 2], j % 2));
-                let both = model.dofs().equation(one) != HELD && model.dofs().equation(two) != HELD;
+                let both = model.dofs.equation(one) != HELD && model.dofs.equation(two) != HELD;
                 if i % 2 == j % 2 && both {
                     values[*slot as usize] += density * mass[i / 2][j / 2];
                 }
@@ -196,7 +196,7 @@ pub fn at_rest(
 ) -> Result<(), FactorError> {
     work.stiffness(model, state)?;
     let mut right = work.unbalanced(model, forces);
-    let velocities = model.dofs().of_free(&state.velocities);
+    let velocities = model.dofs.of_free(&state.velocities);
     let mut damped = vec![0.0; right.len()];
     work.pattern.multiply(&motion.damping, &[], &velocities, &mut damped);
     right.iter_mut().zip(&damped).for_each(|(right, damped)| *right -= damped);
@@ -205,7 +205,7 @@ pub fn at_rest(
     work.skewed = false;
     work.factorise()?;
     let accelerations = work.solve(&right, 1e-12)?;
-    for (component, acceleration) in model.dofs().free().iter().zip(&accelerations) {
+    for (component, acceleration) in model.dofs.free().iter().zip(&accelerations) {
         state.accelerations[*component as usize] = *acceleration;
     }
     state.forces.copy_from_slice(forces);

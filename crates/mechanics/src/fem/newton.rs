@@ -394,7 +394,7 @@ impl Equations<'_> {
     }
 
     fn impose(&self, work: &mut Workspace) {
-        let dofs = self.model.dofs();
+        let dofs = &self.model.dofs;
         for component in (0..dofs.count()).filter(|component| dofs.held(*component)) {
             work.trial.displacements[component] = self.aim.displacements[component];
         }
@@ -402,7 +402,7 @@ impl Equations<'_> {
 
     /// Moves the free components and computes what is then out of balance.
     fn go(&self, work: &mut Workspace, direction: &[f64], share: f64) -> Option<Vec<f64>> {
-        for (component, step) in self.model.dofs().free().iter().zip(direction) {
+        for (component, step) in self.model.dofs.free().iter().zip(direction) {
             work.trial.displacements[*component as usize] += share * step;
         }
         self.evaluate(work)?;
@@ -429,7 +429,7 @@ impl Equations<'_> {
         let applied = work.applied(self.model, &self.aim.forces);
         match self.inertia {
             None => applied,
-            Some(_) => applied.max(norm(&self.model.dofs().of_free(&work.internal))),
+            Some(_) => applied.max(norm(&self.model.dofs.of_free(&work.internal))),
         }
     }
 

@@ -25,10 +25,10 @@ impl Pattern {
         let springs = model.springs().iter().map(|spring| spring.nodes().collect());
         let elements: Vec<Vec<NodeId>> = quads.chain(springs).collect();
         let neighbours = neighbours(model.mesh.nodes.len(), &elements);
-        let (columns, rows) = triangle(model.dofs(), &neighbours);
+        let (columns, rows) = triangle(&model.dofs, &neighbours);
         let mut pattern = Pattern { columns, rows, coupling: Vec::new(), slots: Vec::new(), starts: vec![0] };
         for nodes in &elements {
-            pattern.place(model.dofs(), nodes);
+            pattern.place(&model.dofs, nodes);
         }
         pattern.close();
         pattern

@@ -51,7 +51,7 @@ impl Workspace {
             skew: if model.symmetric() { Vec::new() } else { vec![0.0; pattern.places()] },
             skewed: false,
             loose: 0.0,
-            internal: vec![0.0; model.dofs().count()],
+            internal: vec![0.0; model.dofs.count()],
             trial: State::new(model),
             misses: vec![0; model.mesh.quads.len()],
             pattern,
@@ -139,7 +139,7 @@ impl Workspace {
 
     /// What is out of balance at the free components: loads less internal forces [N/m].
     pub(super) fn unbalanced(&self, model: &Model, forces: &[f64]) -> Vec<f64> {
-        let free = model.dofs().free().iter();
+        let free = model.dofs.free().iter();
         free.map(|component| forces[*component as usize] - self.internal[*component as usize]).collect()
     }
 
@@ -148,19 +148,19 @@ impl Workspace {
     pub(super) fn rounding(&self, model: &Model) -> f64 {
         let places = match model.kinematics {
             Kinematics::Small => 0.0,
-            Kinematics::Large => model.size(),
+            Kinematics::Large => model.size,
         };
         let of = |(equation, component): (usize, &u32)| {
             let moved = self.trial.displacements[*component as usize].abs() + places;
             self.values[self.pattern.column(equation).start] * moved
         };
-        let terms: Vec<f64> = model.dofs().free().iter().enumerate().map(of).collect();
+        let terms: Vec<f64> = model.dofs.free().iter().enumerate().map(of).collect();
         4.0 * f64::EPSILON * norm(&terms)
     }
 
     /// Size of what is applied: loads on free components, or reactions, whichever are larger [N/m].
     pub(super) fn applied(&self, model: &Model, forces: &[f64]) -> f64 {
-        let dofs = model.dofs();
+        let dofs = &model.dofs;
         let loads = dofs.of_free(forces);
         let held = || (0..dofs.count()).filter(|component| dofs.held(*component));
         // Supports that stay where they are answer the loads; only where they are moved do their reactions load the body.
@@ -177,7 +177,7 @@ pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64>
     if work.stiffness(model, state).is_err() {
         return vec![f64::NAN; state.forces.len()];
     }
-    let dofs = model.dofs();
+    let dofs = &model.dofs;
     let of = |component: usize| match dofs.held(component) {
         true => work.internal[component] - state.forces[component],
         false => 0.0,

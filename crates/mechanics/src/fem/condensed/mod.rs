@@ -196,7 +196,7 @@ impl Condensed {
             screening: Screening::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
-            row_of: vec![None; model.dofs().count()],
+            row_of: vec![None; model.dofs.count()],
             active_set: ActiveSet::default(),
             current: Equilibrium {
                 amplitudes: vec![0.0; patterns.len()],
@@ -283,7 +283,7 @@ impl Condensed {
                 }
                 Kind::Quad(id) => {
                     for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
-                        if self.model.dofs().equation(component) != HELD {
+                        if self.model.dofs.equation(component) != HELD {
                             let known = &mut self.row_of[component];
                             *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
                         }
@@ -435,7 +435,7 @@ impl Condensed {
         self.solve_full_system(&[&here]);
         self.current = here;
         let mut all = self.start.displacements.clone();
-        for (equation, component) in self.model.dofs().free().iter().enumerate() {
+        for (equation, component) in self.model.dofs.free().iter().enumerate() {
             all[*component as usize] += self.block.of(equation as u32)[0];
         }
         all

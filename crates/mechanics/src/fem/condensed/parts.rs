@@ -111,7 +111,7 @@ impl Part {
     pub(super) fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
         let mut part = Part::from_rest(Kind::Quad(id), state);
         let components = model.components(id);
-        part.equations = components.map(|component| model.dofs().equation(component));
+        part.equations = components.map(|component| model.dofs.equation(component));
         let samples = sample(&model.corners(id));
         let mut scratch = History::default();
         let from = scratch.modes;
