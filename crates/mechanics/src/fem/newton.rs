@@ -293,7 +293,7 @@ fn seek(
             equations.impose(work);
         }
         let whole = equations.go(work, &direction, 1.0);
-        let found = if !settings.line_search || (first && imposes) {
+        let found = if first && imposes {
             whole
         } else if skewed {
             equations.shorten(work, &direction, before, whole, &mut attempt.line_searches)
