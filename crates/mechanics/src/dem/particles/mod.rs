@@ -116,8 +116,7 @@ impl ParticleModel {
     pub(super) fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
         let sum = discs[i as usize].radius + discs[j as usize].radius;
         let law = self.laws.index(self.kinds[i as usize], self.kinds[j as usize]);
-        let k = stiffness(laws.between(self.group(i), self.group(j)), sum, sum);
-        Contact::new(j, law, (one, 0), shear, (k.normal, k.shear))
+        Contact::new((j, law), one, shear, stiffness(laws.between(self.group(i), self.group(j)), sum, sum))
     }
     /// Square of the largest angular frequency [1/s^2] of a row's particle and another like it that touch: both give way
     /// to the normal spring, and to the shear spring with three times their masses' reciprocal, for their rims turn.
