@@ -4,7 +4,7 @@ use super::dofs::{HELD, dof};
 use super::element::mass;
 use super::factor::FactorError;
 use super::model::Model;
-use super::newton::{Aim, End, balance};
+use super::newton::{Aim, balance};
 use super::outcome::{Outcome, Status};
 use super::settings::Settings;
 use super::state::State;
@@ -242,8 +242,8 @@ pub fn transient(
         outcome.iterations += u64::from(attempt.iterations);
         let reached = (step + 1) as f64 / steps as f64;
         outcome.steps.push(attempt.step(model, work, reached));
-        if attempt.end != End::Balanced {
-            outcome.status = attempt.end.status();
+        if attempt.end != Status::Completed {
+            outcome.status = attempt.end;
             return outcome;
         }
         let before = state.displacements.clone();
