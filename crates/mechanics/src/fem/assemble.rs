@@ -9,13 +9,9 @@ use super::workspace::Workspace;
 use crate::ids::{Id, QuadId};
 use crate::plane::Vec2;
 
-/// An element whose law or frame has no answer: the step was too long.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Broken;
-
 /// Computes internal forces, tangent and memories at the displacements that are tried, from the memories of `state`
-/// (equations 1 and 2).
-pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Broken> {
+/// (equations 1 and 2); `None` where the law or the frame of an element has no answer: the step was too long.
+pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Option<()> {
     work.values.fill(0.0);
     work.skew.fill(0.0);
     work.skewed = false;
@@ -24,7 +20,7 @@ pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Re
     work.fresh = false;
     for id in model.mesh.quads.ids() {
         let components = model.components(id);
-        let answer = quadrilateral(model, work, id, &components, state).ok_or(Broken)?;
+        let answer = quadrilateral(model, work, id, &components, state)?;
         work.loose = work.loose.hypot(answer.loose);
         let symmetric = model.section(id).solid.material.symmetric();
         add(model, work, id.index(), &components, (&answer.force, &answer.tangent), symmetric);
@@ -96,13 +92,12 @@ impl Frame {
     }
 }
 
-fn springs(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Broken> {
+fn springs(model: &Model, work: &mut Workspace, state: &State) -> Option<()> {
     let first = model.mesh.quads.len();
     let large = model.kinematics == Kinematics::Large;
     for (index, spring) in model.springs().iter().enumerate() {
         let law = &model.joints[spring.kind];
-        let pull =
-            spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index]).ok_or(Broken)?;
+        let pull = spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index])?;
         let mut components = [0; 12];
         for (n, node) in spring.nodes().enumerate() {
             (components[2 * n], components[2 * n + 1]) = (2 * node.index(), 2 * node.index() + 1);
@@ -111,7 +106,7 @@ fn springs(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Bro
         work.trial.bonds[index] = pull.bond;
         add(model, work, first + index, &components[..count], (&pull.force, &pull.tangent), law.symmetric());
     }
-    Ok(())
+    Some(())
 }
 
 /// Adds an element's forces and tangent to those of the whole.

@@ -1,6 +1,6 @@
 //! Factorisation of the tangent: found symbolically once, computed anew for each tangent.
 
-use super::gmres::{self, Refined};
+use super::gmres;
 use super::many::{self, WIDEST, WIDTHS};
 use super::pattern::Pattern;
 use super::unsymmetric::Whole;
@@ -288,7 +288,7 @@ impl Solver {
         if self.kind == Kind::Definite || skew.is_empty() {
             let goal = if skew.is_empty() { 1e-10 } else { accuracy };
             let matrix = |x: &[f64], out: &mut [f64]| pattern.multiply(values, skew, x, out);
-            let Refined { x, residual } = gmres::solve(matrix, |x| self.apply(x), right, goal);
+            let (x, residual) = gmres::solve(matrix, |x| self.apply(x), right, goal);
             if residual <= LARGEST_RESIDUAL.max(goal) && sound(&x) {
                 return Ok(x);
             }

@@ -395,7 +395,7 @@ impl Equations<'_> {
     }
 
     fn evaluate(&self, work: &mut Workspace) -> Option<()> {
-        assemble(self.model, work, self.state).ok()?;
+        assemble(self.model, work, self.state)?;
         if let Some(inertia) = self.inertia {
             inertia.stiffen(work);
         }

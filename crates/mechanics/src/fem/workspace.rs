@@ -65,7 +65,7 @@ impl Workspace {
     /// An element or a spring that has no answer to the state.
     pub fn stiffness(&mut self, model: &Model, state: &State) -> Result<(), FactorError> {
         self.take(state);
-        assemble(model, self, state).map_err(|_| FactorError::Singular)
+        assemble(model, self, state).ok_or(FactorError::Singular)
     }
 
     /// Factorises the tangent at hand; tells whether its symmetric part is positive definite.
