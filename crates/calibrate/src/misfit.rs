@@ -202,16 +202,21 @@ pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
     Fit { norm: (sum / total).sqrt(), channels }
 }
 
+/// Differences of each channel with a weight in turn, and the factor that makes residuals of them.
+fn weighted(problem: &Problem, held: &Held, response: &Response) -> Vec<(usize, f64, Vec<(usize, f64)>)> {
+    let total: f64 = held.weights.iter().sum();
+    let counting = response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0);
+    let of = |(k, values): (usize, &Vec<f64>)| {
+        let all = differences(problem, held, k, values);
+        (k, (held.weights[k] / total / all.len() as f64).sqrt(), all)
+    };
+    counting.map(of).collect()
+}
+
 /// Residuals whose sum of squares is the square of the norm: of each channel with a weight in turn.
 pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64> {
-    let total: f64 = held.weights.iter().sum();
-    let mut residuals = Vec::new();
-    for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
-        let all = differences(problem, held, k, values);
-        let factor = (held.weights[k] / total / all.len() as f64).sqrt();
-        residuals.extend(all.iter().map(|(_, difference)| factor * difference));
-    }
-    residuals
+    let of = |(_, factor, all): (usize, f64, Vec<(usize, f64)>)| all.into_iter().map(move |(_, d)| factor * d);
+    weighted(problem, held, response).into_iter().flat_map(of).collect()
 }
 
 /// How many residuals there are, from the lengths of the channels' histories.
@@ -256,13 +261,12 @@ fn places(problem: &Problem, channel: usize, values: &[f64]) -> Vec<usize> {
 
 /// Derivatives of the residuals with respect to each parameter, from those of the response: by parameter, in the order of [`residuals`].
 pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
-    let total: f64 = held.weights.iter().sum();
+    let weighted = weighted(problem, held, response);
     let by_parameter = |derivatives: &Vec<Vec<f64>>| {
         let mut column = Vec::new();
-        for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
-            let all = differences(problem, held, k, values);
-            let factor = (held.weights[k] / total / all.len() as f64).sqrt() / divisor(problem, k);
-            column.extend(all.iter().map(|(place, _)| factor * derivatives[k][*place]));
+        for (k, factor, all) in &weighted {
+            let factor = factor / divisor(problem, *k);
+            column.extend(all.iter().map(|(place, _)| factor * derivatives[*k][*place]));
         }
         column
     };
