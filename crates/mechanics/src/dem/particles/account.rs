@@ -80,6 +80,7 @@ impl Particles {
                 let compression = c.normal_stiffness * overlap;
                 let (law, sum) = (&model.particles.laws.pairs[c.law()], one.radius + two.radius);
                 let cap = law.cohesion + law.cohesion_share * sum + law.friction * compression;
+                let own = model.laws.between(model.particles.group(i as u32), model.particles.group(j as u32));
                 let reach = one.radius * (sum - overlap) / sum;
                 found.push(ParticleContact {
                     particle: id(j),
@@ -88,7 +89,7 @@ impl Particles {
                     normal,
                     compression,
                     shear: c.shear,
-                    length: model.particles.length(&model.laws, (i as u32, j as u32), sum),
+                    length: own.fixed_length.unwrap_or(sum),
                     sliding: c.shear.abs() >= cap * SLIDES,
                 });
             }

@@ -124,10 +124,6 @@ impl ParticleModel {
         let k = stiffness(laws.between(self.group(row), self.group(row)), 2.0 * disc.radius, 2.0 * disc.radius);
         2.0 * disc.inverse_mass * k.normal.max(3.0 * k.shear)
     }
-    /// Length that a contact of two rows stands for [m].
-    fn length(&self, laws: &LawTable, (i, j): (u32, u32), sum: f64) -> f64 {
-        laws.between(self.group(i), self.group(j)).fixed_length.unwrap_or(sum)
-    }
     /// The particles at rest where they are built, without contacts.
     pub(super) fn begin(&self) -> Particles {
         let disc = |row: usize| {

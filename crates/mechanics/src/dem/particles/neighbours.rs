@@ -222,9 +222,7 @@ fn lean(
 
 /// Tells each chunk where others put the forces on its particles.
 fn exchange(chunks: &mut [Chunk]) {
-    for c in 0..chunks.len() {
-        chunks[c].incoming.clear();
-    }
+    chunks.iter_mut().for_each(|chunk| chunk.incoming.clear());
     for c in 0..chunks.len() {
         let (count, guests) = (chunks[c].count, std::mem::take(&mut chunks[c].guests));
         for (k, &guest) in guests.iter().enumerate() {
