@@ -114,9 +114,10 @@ impl Block {
         self.width
     }
 
-    /// Equations that have solutions.
-    pub(super) fn equations(&self) -> u32 {
-        (self.lanes.len() / self.width.max(1)) as u32
+    /// One of the solutions, by equations.
+    pub(super) fn solution(&self, lane: usize) -> Vec<f64> {
+        let equations = self.lanes.len() / self.width.max(1);
+        (0..equations as u32).map(|equation| self.of(equation)[lane]).collect()
     }
 
     /// Goes on beyond the last of `count` solutions, which are on a way, by so many steps like the last few. What is found takes the place of another solution.
@@ -255,7 +256,7 @@ impl Solver {
             }
             _ => {
                 for lane in 0..count {
-                    let mut x: Vec<f64> = (0..self.symbolic.nrows() as u32).map(|e| block.of(e)[lane]).collect();
+                    let mut x = block.solution(lane);
                     self.apply(&mut x);
                     x.iter().enumerate().for_each(|(equation, value)| block.at(equation as u32)[lane] = *value);
                 }

@@ -281,7 +281,7 @@ impl Condensed {
                         *row = Some(push(Functional(opening)));
                     }
                 }
-                Kind::Quad(id) => {
+                Kind::Quad(id, _) => {
                     for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
                         if self.model.dofs.equation(component) != HELD {
                             let known = &mut self.row_of[component];
@@ -342,7 +342,7 @@ impl Condensed {
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
             match part.kind {
                 Kind::Spring(index) => bonds[index] = part.committed_bond(),
-                Kind::Quad(_) => counts.retained_quads += 1,
+                Kind::Quad(..) => counts.retained_quads += 1,
             }
             counts.yielding += part.yielding_points();
             counts.locking += usize::from(part.locks(&self.model));
@@ -386,8 +386,13 @@ impl Condensed {
 
     /// Finds the displacements in the last position, and the stresses of the quadrilaterals that cannot yield.
     fn linear_state(&mut self) -> Result<State, CondensedError> {
+        let here = std::mem::take(&mut self.current);
+        self.solve_full_system(&[&here]);
+        self.current = here;
         let mut state = self.start.clone();
-        state.displacements = self.displacements();
+        for (component, change) in self.model.dofs.free().iter().zip(self.block.solution(0)) {
+            state.displacements[*component as usize] += change;
+        }
         let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();
         for id in self.model.mesh.quads.ids().filter(linear) {
             let u = self.model.components(id).map(|component| state.displacements[component]);
@@ -427,18 +432,6 @@ impl Condensed {
         for (index, committed) in &snapshot.parts {
             self.parts[*index].committed = *committed;
         }
-    }
-
-    /// Finds the displacements of all components in the last position [m], with one solution of the whole system.
-    pub fn displacements(&mut self) -> Vec<f64> {
-        let here = std::mem::take(&mut self.current);
-        self.solve_full_system(&[&here]);
-        self.current = here;
-        let mut all = self.start.displacements.clone();
-        for (equation, component) in self.model.dofs.free().iter().enumerate() {
-            all[*component as usize] += self.block.of(equation as u32)[0];
-        }
-        all
     }
 }
 

@@ -178,8 +178,7 @@ impl Rows {
         for some in wide.chunks(WIDEST) {
             work.solver.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), None, block);
             for (lane, &k) in some.iter().enumerate() {
-                self.wide_solutions[k] =
-                    Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
+                self.wide_solutions[k] = Some(block.solution(lane));
             }
         }
     }

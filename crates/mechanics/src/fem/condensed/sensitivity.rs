@@ -135,8 +135,7 @@ impl Condensed {
                     observed_derivatives: Vec::new(),
                     broken: broken.collect(),
                 });
-                let displacements: Vec<f64> =
-                    (0..self.model.equations() as u32).map(|e| self.block.of(e)[lane]).collect();
+                let displacements = self.block.solution(lane);
                 for (stiffness_derivatives, pattern_derivatives) in
                     stiffness_derivatives.iter().zip(&pattern_derivatives)
                 {
@@ -211,7 +210,7 @@ impl Condensed {
             let perturb = |own: &Part| {
                 let mut part = match own.kind {
                     Kind::Spring(index) => Part::spring(perturbed.model, &start, index),
-                    Kind::Quad(id) => Part::quad(perturbed.model, &start, id)?,
+                    Kind::Quad(id, _) => Part::quad(perturbed.model, &start, id)?,
                 };
                 part.set_initial_excess(perturbed.model)?;
                 part.rows = own.rows;
