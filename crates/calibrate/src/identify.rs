@@ -112,7 +112,8 @@ pub(crate) fn columns(
 /// Judges columns of sensitivities, one for each of `names`.
 pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]) -> Identifiability {
     let n = sensitivities.len();
-    let strengths: Vec<f64> = sensitivities.iter().map(|column| length(column)).collect();
+    let length = |column: &Vec<f64>| column.iter().map(|value| value * value).sum::<f64>().sqrt();
+    let strengths: Vec<f64> = sensitivities.iter().map(length).collect();
     let mut singular_values = singular_values(&sensitivities);
     singular_values.resize(n, 0.0);
     let largest = singular_values.first().copied().unwrap_or(0.0);
@@ -139,10 +140,6 @@ pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]
     };
     found.words = words(&found, names);
     found
-}
-
-fn length(column: &[f64]) -> f64 {
-    column.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
 
 /// Singular values of a matrix given by columns, largest first; none where it is empty or not finite.

@@ -27,7 +27,8 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64)
     let begin = shares(parameters, &start.point(parameters));
     let solver = Lbfgsb::<Vec<f64>>::new().with_absolute_projected_gradient_tolerance(1e-7);
     let stopped = Cell::new(false);
-    let sought = Sought::new(evaluator, basis, &stopped);
+    let [zero, one] = [0.0, 1.0].map(|end| vec![end; begin.len()]);
+    let sought = Sought { evaluator: RefCell::new(&mut *evaluator), basis, zero, one, stopped: &stopped };
     let ended = Executor::from_start(sought, solver, begin).max_iter(iterations.max(1)).run();
     if stopped.get() {
         return Err(Halt::Stopped);
@@ -52,12 +53,7 @@ struct Sought<'s, 'a> {
     stopped: &'s Cell<bool>,
 }
 
-impl<'s, 'a> Sought<'s, 'a> {
-    fn new(evaluator: &'s mut Evaluator<'a>, basis: &'s Basis, stopped: &'s Cell<bool>) -> Self {
-        let n = evaluator.problem.parameters().len();
-        Self { evaluator: RefCell::new(evaluator), basis, zero: vec![0.0; n], one: vec![1.0; n], stopped }
-    }
-
+impl Sought<'_, '_> {
     /// What is read of the answers at some shares, in their order.
     fn answers<T>(
         &self,

@@ -122,11 +122,16 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
         Damping::None => state.viscosity = 0.0,
         Damping::Local(_) | Damping::Viscous(_) => {}
     }
-    let report = match settings.damping {
+    let moved = match settings.damping {
         Damping::Local(share) => integrate::<true>(model, state, work, share, between),
         _ => integrate::<false>(model, state, work, 0.0, between),
     };
-    integrate_particles(state, settings.damping, StepReport { searched, ..report }, between)
+    let steps = (between, state.time_step);
+    let (particles_moved, damped) = state.particles.integrate(settings.damping, state.viscosity, steps);
+    state.damped += damped;
+    // How far they went bounds the next search.
+    state.particles.travel += particles_moved.max(moved);
+    StepReport { moved, particles_moved, searched }
 }
 
 /// Gives the particles the inertia that suits their springs; what their motion gains by it is booked with the damping.
@@ -135,15 +140,6 @@ fn scale_inertia(model: &Model, state: &mut State) {
     let squares = stiffness::squares(model, state, true);
     let gained = state.particles.scale_inertia(&before, &squares[model.len()..]);
     state.damped -= gained;
-}
-
-/// Moves the particles on; how far they went bounds the next search.
-fn integrate_particles(state: &mut State, damping: Damping, report: StepReport, between: f64) -> StepReport {
-    let steps = (between, state.time_step);
-    let (moved, damped) = state.particles.integrate(damping, state.viscosity, steps);
-    state.damped += damped;
-    state.particles.travel += moved.max(report.moved);
-    StepReport { particles_moved: moved, ..report }
 }
 
 /// Contact forces from where the blocks are and how they got there, gathered per block in the fixed order of the
@@ -169,8 +165,9 @@ fn resist(state: &mut State, dt: f64, one: impl Fn(&mut Touch, (&Pose, &Pose), V
 }
 
 /// Newton's law, damped; positions follow the new velocities (central differences). `dt` [s] is the time between the old
-/// and the new velocities; it differs from the time step where that has just changed.
-fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64, dt: f64) -> StepReport {
+/// and the new velocities; it differs from the time step where that has just changed. Returns a bound on how far any point moved [m],
+/// not finite if a number broke.
+fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64, dt: f64) -> f64 {
     let (ahead, viscosity) = (state.time_step, state.viscosity);
     let half = 0.5 * viscosity * dt;
     // Central differences with damping at mid-step: v' (1 + h) = v (1 - h) + a dt, h = viscosity dt / 2.
@@ -214,7 +211,7 @@ fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspa
     state.travel += moved;
     state.feature_travel += moved;
     state.steps += 1;
-    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0, searched: false }
+    if f64::is_finite(check) { moved } else { f64::NAN }
 }
 
 /// Sets the viscosity to critical at the frequency of the present motion, its Rayleigh quotient (Underwood 1983,

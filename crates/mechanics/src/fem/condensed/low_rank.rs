@@ -44,11 +44,6 @@ impl LowRankUpdate {
         self.columns.clear();
     }
 
-    /// Whether the update changes nothing.
-    pub(super) fn is_empty(&self) -> bool {
-        self.columns_in_use.is_empty()
-    }
-
     /// Takes the entries `changes` as `D`. Gives `false`, and leaves the update as it was, if they are in more than `most` rows.
     pub(super) fn build(
         &mut self,
@@ -118,7 +113,7 @@ impl LowRankUpdate {
 
     /// Corrects a step of the factorised tangent [N/m] to that of the updated one.
     pub(super) fn correct_step(&mut self, step: &mut [f64], flexibility: &[Vec<f64>]) {
-        if self.is_empty() {
+        if self.columns_in_use.is_empty() {
             return;
         }
         let mut row_changes = Vec::with_capacity(self.reads_in_use.len());

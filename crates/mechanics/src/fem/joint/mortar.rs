@@ -57,10 +57,6 @@ impl Shear {
         }
     }
 
-    fn when_open(&self) -> bool {
-        matches!(self, Shear::Panel { when_open: true, .. })
-    }
-
     /// Whether strength depends on what presses.
     #[must_use]
     pub fn frictional(&self) -> bool {
@@ -167,7 +163,8 @@ impl Mortar {
 impl PairLaw for Mortar {
     fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
         let (normal, across, crush, open) = self.across(opening[0], area, old);
-        let (shear, along, slip, slides) = if open && !self.shear.when_open() {
+        let carries = !open || matches!(self.shear, Shear::Panel { when_open: true, .. });
+        let (shear, along, slip, slides) = if !carries {
             (0.0, [0.0; 2], opening[1], false)
         } else {
             self.along(opening[1], (normal, across), old)
