@@ -125,25 +125,6 @@ pub fn hold(problem: &Problem, response: &Response) -> Held {
     Held { weights, shape_correlations, beyond: Vec::new() }
 }
 
-/// What a reader of the weights should look at, in words: the square of a factor hides its sign.
-pub fn doubts(problem: &Problem, held: &Held) -> Vec<String> {
-    let mut doubts = Vec::new();
-    for (k, channel) in problem.channels().iter().enumerate().filter(|(_, channel)| channel.counts()) {
-        let name = &channel.name;
-        match held.shape_correlations[k] {
-            Some(factor) if factor < 0.0 => doubts.push(format!(
-                "{name}: the start model moves against the record (shape correlation {factor:.3}), and the weight, its \
-                 square, hides it; look at the channel's sign."
-            )),
-            None if problem.misfit().weights == Weights::ShapeCorrelation => doubts.push(format!(
-                "{name}: the start model or the record is zero throughout, so that the channel weighs nothing."
-            )),
-            _ => {}
-        }
-    }
-    doubts
-}
-
 /// Place of the model's peak among the values of a channel; none where there is no value.
 pub fn peak_place(problem: &Problem, channel: usize, values: &[f64]) -> Option<usize> {
     let measured = problem.channels()[channel].measured_peak().unwrap_or(0.0);

@@ -90,8 +90,6 @@ pub struct Counts {
     pub locking: usize,
     /// Retained rows: those on which excess forces act.
     pub retained_rows: usize,
-    /// Retained quadrilaterals: those that yield or have yielded in some position.
-    pub retained_quads: usize,
 }
 
 /// Largest change left in a row value, over the largest row value, at which a position counts as balanced. Over the 2,717
@@ -340,9 +338,8 @@ impl Condensed {
         let mut bonds = vec![&untouched; self.model.springs().len()];
         let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
-            match part.kind {
-                Kind::Spring(index) => bonds[index] = part.committed_bond(),
-                Kind::Quad(..) => counts.retained_quads += 1,
+            if let Kind::Spring(index) = part.kind {
+                bonds[index] = part.committed_bond();
             }
             counts.yielding += part.yielding_points();
             counts.locking += usize::from(part.locks(&self.model));
