@@ -24,9 +24,6 @@ pub struct Integration {
 }
 
 impl Integration {
-    /// Constant average acceleration: no numerical damping, stable at any step for linear systems.
-    pub const AVERAGE: Integration = Integration { beta: 0.25, gamma: 0.5, alpha: 0.0 };
-
     /// Damps what the step cannot resolve and keeps second order; `alpha` between -1/3 and 0.
     pub fn hilber_hughes_taylor(alpha: f64) -> Integration {
         let alpha = alpha.clamp(-1.0 / 3.0, 0.0);
