@@ -147,7 +147,9 @@ fn divisor(problem: &Problem, channel: usize) -> f64 {
 }
 
 /// Differences of one channel that enter its error, each with the place of the model's value.
-fn differences(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Vec<(usize, f64)> {
+type Differences = Vec<(usize, f64)>;
+
+fn differences(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Differences {
     let beyond = held.beyond.get(channel).copied().unwrap_or(0.0);
     let measured = &problem.channels()[channel];
     let divisor = divisor(problem, channel);
@@ -184,7 +186,7 @@ pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
 }
 
 /// Differences of each channel with a weight in turn, and the factor that makes residuals of them.
-fn weighted(problem: &Problem, held: &Held, response: &Response) -> Vec<(usize, f64, Vec<(usize, f64)>)> {
+fn weighted(problem: &Problem, held: &Held, response: &Response) -> Vec<(usize, f64, Differences)> {
     let total: f64 = held.weights.iter().sum();
     let counting = response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0);
     let of = |(k, values): (usize, &Vec<f64>)| {
@@ -196,7 +198,7 @@ fn weighted(problem: &Problem, held: &Held, response: &Response) -> Vec<(usize, 
 
 /// Residuals whose sum of squares is the square of the norm: of each channel with a weight in turn.
 pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64> {
-    let of = |(_, factor, all): (usize, f64, Vec<(usize, f64)>)| all.into_iter().map(move |(_, d)| factor * d);
+    let of = |(_, factor, all): (usize, f64, Differences)| all.into_iter().map(move |(_, d)| factor * d);
     weighted(problem, held, response).into_iter().flat_map(of).collect()
 }
 

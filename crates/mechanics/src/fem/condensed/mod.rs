@@ -279,7 +279,7 @@ impl Condensed {
                         *row = Some(push(Functional(opening)));
                     }
                 }
-                Kind::Quad(id, _) => {
+                Kind::Quad(id) => {
                     for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
                         if self.model.dofs.equation(component) != HELD {
                             let known = &mut self.row_of[component];

@@ -17,12 +17,12 @@ use crate::wide::widest;
 pub(super) const ROWS: usize = 8;
 
 /// The element that a part stands for.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A spring of [`Model::springs`]: its rows are normal and tangential opening.
     Spring(usize),
-    /// A quadrilateral with its integration points: its rows are the components of its corners.
-    Quad(QuadId, [Sample; 4]),
+    /// A quadrilateral: its rows are the components of its corners.
+    Quad(QuadId),
 }
 
 /// A part with its committed and its trial state.
@@ -42,6 +42,8 @@ pub(super) struct Part {
     pub largest_stiffness: f64,
     /// Row values when the run began [m]; those of held components do not change.
     base: [f64; ROWS],
+    /// Integration points of a quadrilateral.
+    samples: [Sample; 4],
     /// State at the end of the last balanced position.
     pub committed: Committed,
     /// History by the last evaluation.
@@ -68,11 +70,11 @@ pub(super) struct Committed {
 
 impl Committed {
     /// Gives the state of an element in the `state` in which the run begins, from which excess forces are counted.
-    fn at_start(kind: &Kind, state: &State) -> Committed {
+    fn at_start(kind: Kind, state: &State) -> Committed {
         let mut history = History::default();
-        match *kind {
+        match kind {
             Kind::Spring(index) => history.bond = state.bonds[index],
-            Kind::Quad(id, _) => {
+            Kind::Quad(id) => {
                 history.points.copy_from_slice(&state.points[4 * id.index()..][..4]);
                 history.modes = state.modes[id.index()];
             }
@@ -107,8 +109,8 @@ impl Part {
 
     /// Makes the part of a quadrilateral as it stands in `state`; `None` where it has no linear stiffness.
     pub(super) fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
-        let samples = sample(&model.corners(id));
-        let mut part = Part::from_rest(Kind::Quad(id, samples), state);
+        let mut part = Part::from_rest(Kind::Quad(id), state);
+        part.samples = sample(&model.corners(id));
         let components = model.components(id);
         part.equations = components.map(|component| model.dofs.equation(component));
         let mut scratch = History::default();
@@ -116,7 +118,7 @@ impl Part {
         let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes, from, misses: &mut 0 };
         let virgin = [Point::default(); 4];
         let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
-        part.stiffness = element::respond(solid, modes, &samples, &[0.0; 8], &virgin, kept)?.tangent;
+        part.stiffness = element::respond(solid, modes, &part.samples, &[0.0; 8], &virgin, kept)?.tangent;
         part.base = components.map(|component| state.displacements[component]);
         Some(part)
     }
@@ -131,7 +133,8 @@ impl Part {
             stiffness: [[0.0; ROWS]; ROWS],
             largest_stiffness: 0.0,
             base: [0.0; ROWS],
-            committed: Committed::at_start(&kind, state),
+            samples: [Sample::default(); 4],
+            committed: Committed::at_start(kind, state),
             trial: History::default(),
             initial_excess: [0.0; ROWS],
             excess: [0.0; ROWS],
@@ -191,13 +194,12 @@ impl Part {
     /// Whether the part is linear at given row values [m]: its history does not change and its stiffness is that of the linear
     /// system. Stress and traction are written to the trial history.
     fn check_linear(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
-        match &self.kind {
-            &Kind::Quad(id, ref samples) => {
-                let solid = &model.section(id).solid;
-                !model.incompatible(id)
-                    && element::is_linear(solid, samples, at, &self.committed.history.points, &mut self.trial.points)
+        match self.kind {
+            Kind::Quad(id) => {
+                let (solid, old) = (&model.section(id).solid, &self.committed.history.points);
+                !model.incompatible(id) && element::is_linear(solid, &self.samples, at, old, &mut self.trial.points)
             }
-            &Kind::Spring(index) => {
+            Kind::Spring(index) => {
                 let tangent = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let linear = (0..2).all(|i| (0..2).all(|j| tangent[i][j] == self.stiffness[i][j]));
                 linear && self.trial.bond.memory == self.committed.history.bond.memory && self.overstress(model) <= 1.0
@@ -246,16 +248,16 @@ impl Part {
 
     /// Gives the force of the part [N/m] and its tangent stiffness [N/m²] at given row values [m].
     fn force_and_tangent(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<([f64; ROWS], [[f64; ROWS]; ROWS])> {
-        match &self.kind {
-            &Kind::Quad(id, ref samples) => {
+        match self.kind {
+            Kind::Quad(id) => {
                 self.trial.modes = self.committed.history.modes;
                 let from = self.committed.history.modes;
                 let kept = Kept { points: &mut self.trial.points, modes: &mut self.trial.modes, from, misses: &mut 0 };
                 let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
-                let answer = element::respond(solid, modes, samples, at, &self.committed.history.points, kept)?;
+                let answer = element::respond(solid, modes, &self.samples, at, &self.committed.history.points, kept)?;
                 Some((answer.force, answer.tangent))
             }
-            &Kind::Spring(index) => {
+            Kind::Spring(index) => {
                 let stiffness = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let (mut force, mut tangent) = ([0.0; ROWS], [[0.0; ROWS]; ROWS]);
                 for i in 0..2 {
@@ -302,7 +304,7 @@ impl Part {
 
     /// Restores the state in which the run began.
     pub(super) fn revert_to_start(&mut self, state: &State) {
-        self.committed = Committed::at_start(&self.kind, state);
+        self.committed = Committed::at_start(self.kind, state);
     }
 
     /// Commits the last evaluation; gives the state before, where it was another one.
@@ -322,9 +324,9 @@ impl Part {
 
     /// Gives the pointwise test of a quadrilateral without incompatible modes.
     pub(super) fn quad_check<'a>(&'a self, model: &'a Model) -> Option<QuadCheck<'a>> {
-        let &Kind::Quad(id, ref samples) = &self.kind else { return None };
+        let Kind::Quad(id) = self.kind else { return None };
         let (solid, points) = (&model.section(id).solid, &self.committed.history.points);
-        let quad = QuadCheck { solid, samples, points, base: &self.base, equations: &self.equations };
+        let quad = QuadCheck { solid, samples: &self.samples, points, base: &self.base, equations: &self.equations };
         (!model.incompatible(id)).then_some(quad)
     }
 
@@ -389,7 +391,7 @@ impl Part {
         let now = if self.linear { &self.trial } else { &self.committed.history };
         match self.kind {
             Kind::Spring(index) => state.bonds[index] = now.bond,
-            Kind::Quad(id, _) => {
+            Kind::Quad(id) => {
                 state.points[4 * id.index()..4 * id.index() + 4].copy_from_slice(&now.points);
                 state.modes[id.index()] = now.modes;
             }
@@ -404,14 +406,14 @@ impl Part {
     /// Counts the points that yield in the committed state.
     pub(super) fn yielding_points(&self) -> usize {
         match self.kind {
-            Kind::Quad(..) => self.committed.history.points.iter().filter(|point| point.yields).count(),
+            Kind::Quad(_) => self.committed.history.points.iter().filter(|point| point.yields).count(),
             Kind::Spring(_) => 0,
         }
     }
 
     /// Whether the part is a plain quadrilateral all of whose points yield.
     pub(super) fn locks(&self, model: &Model) -> bool {
-        matches!(self.kind, Kind::Quad(id, _) if model.may_lock(id))
+        matches!(self.kind, Kind::Quad(id) if model.may_lock(id))
             && self.committed.history.points.iter().all(|point| point.yields)
     }
 }

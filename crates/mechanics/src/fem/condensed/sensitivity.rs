@@ -210,7 +210,7 @@ impl Condensed {
             let perturb = |own: &Part| {
                 let mut part = match own.kind {
                     Kind::Spring(index) => Part::spring(perturbed.model, &start, index),
-                    Kind::Quad(id, _) => Part::quad(perturbed.model, &start, id)?,
+                    Kind::Quad(id) => Part::quad(perturbed.model, &start, id)?,
                 };
                 part.set_initial_excess(perturbed.model)?;
                 part.rows = own.rows;

@@ -40,7 +40,7 @@ fn determinant(j: &[[f64; 2]; 2]) -> f64 {
 }
 
 /// Gradients of the functions of one element at one place. The first four belong to the corners, the last two to the incompatible modes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(in crate::fem) struct Sample {
     /// Along x [1/m].
     pub dx: [f64; 6],
