@@ -1,7 +1,7 @@
 //! What a verdict must know of the rule and the vehicles that a plan names: what the rule asks for, what an engineer's own files change of
 //! the library, what is doubtful in them, and which load cases were not moved.
 
-use crate::vehicles::{Read, longest, read};
+use crate::vehicles::{Read, applicable, read};
 use bridge::{Bridge, SweepPlan};
 use outcome::facts::DoubtFacts;
 use outcome::vehicles::Swept;
@@ -96,8 +96,7 @@ fn missing(bridge: &Bridge, rule: &Rule, models: &[LoadModel], swept: &[Swept]) 
     let loading = |code: &str| models.iter().find(|model| model.code == code).map(|model| model.loading.as_str());
     let moved: Vec<&str> = swept.iter().filter_map(|one| loading(&one.model)).filter(|name| !name.is_empty()).collect();
     let applies = |model: &&LoadModel| {
-        let short = model.span_limit.as_ref().is_none_or(|limit| longest(bridge) <= limit.longest_m + 1e-9);
-        moved.contains(&model.loading.as_str()) && short && rule.acting(model).is_some()
+        moved.contains(&model.loading.as_str()) && applicable(bridge, model) && rule.acting(model).is_some()
     };
     let all = models.iter().filter(applies).flat_map(|model| &model.vehicles);
     let not_moved = |code: &&String| swept.iter().all(|one| one.code != **code);
