@@ -120,7 +120,6 @@ fn a_report_ends_where_the_solution_ends() {
         moments: Vec::new(),
         influence: None,
         assumptions: vec![InPassage::Base.into()],
-        warnings: Vec::new(),
     };
     let report = report(&bridge, &setup, solution);
     assert_eq!((report.times.len(), report.positions.len(), report.channels.len()), (3, 3, 6));
@@ -143,7 +142,6 @@ fn solved() -> Solution {
         moments: Vec::new(),
         influence: None,
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     }
 }
 
@@ -191,7 +189,6 @@ fn the_object_has_the_fields_that_scripts_read() {
         moments: Vec::new(),
         influence: None,
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     };
     let passage = report(&bridge, &setup, solution);
     let object = passage.object();

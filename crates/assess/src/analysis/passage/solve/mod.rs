@@ -11,21 +11,21 @@ use super::Setup;
 use super::model::{assumptions, model};
 use super::sensors::Reading;
 use crate::analysis::AnalysisError;
+use crate::analysis::parallel::Retold;
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use mechanics::fem::condensed::Functional;
 use mechanics::fem::{Kinematics, Model, Outcome, State, Status, Step};
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Progress, Watch};
 use outcome::note::Note;
 use outcome::passage::{Influence, Moment, Part, PassageStatus, StepLog};
-use outcome::warning::Warning;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// What solving gives. Records end at the last position that was solved.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Solution {
     /// How it ended.
     pub status: PassageStatus,
@@ -49,8 +49,6 @@ pub struct Solution {
     pub influence: Option<Influence>,
     /// What the solver assumed, in words.
     pub assumptions: Vec<Note>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
 }
 
 /// Self-weight first, then position after position, then what is to be shown of it.
@@ -126,17 +124,10 @@ impl<'s> Passing<'s> {
         let weight = self_weight(bridge, &setup, &model);
         let mut solution = Solution {
             status: PassageStatus::Completed,
-            reason: None,
-            self_weight: Vec::new(),
             values: vec![Vec::new(); setup.sensors.len()],
             degrees_of_freedom: model.equations(),
-            condensed_degrees_of_freedom: None,
-            taking_part: Vec::new(),
-            log: Vec::new(),
-            moments: Vec::new(),
-            influence: None,
             assumptions: assumptions(bridge, &setup.meshed),
-            warnings: Vec::new(),
+            ..Solution::default()
         };
         let condenses = condenses(&setup);
         let rest = AtRest { setup, model: Arc::new(model), weight };
@@ -355,14 +346,8 @@ fn end(solution: &mut Solution, outcome: &Outcome, place: &str) {
     solution.reason = why.map(|why| format!("{place}, at {:.0} % of the step: {why}", 100.0 * outcome.reached));
 }
 
-/// An onlooker who is told which stage is at work.
-struct Named<'a> {
-    watch: &'a mut dyn Watch,
-    stage: &'static str,
-}
-
-impl Watch for Named<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        self.watch.look(&Progress { stage: format!("{}: {}", self.stage, progress.stage), ..progress.clone() })
-    }
+/// An onlooker who is told that the self-weight is brought on.
+fn of_self_weight(watch: &mut dyn Watch) -> impl Watch {
+    let told = |progress: &Progress| Progress { stage: format!("self-weight: {}", progress.stage), ..progress.clone() };
+    Retold { watch, number: None, told }
 }
