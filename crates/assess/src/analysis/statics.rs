@@ -78,32 +78,11 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
     }
     let mut found: Vec<Sum> = Vec::new();
     for (joint, i) in ground.interfaces().iter().enumerate() {
-        let (below, above) = (d.origins[i.first], d.origins[i.second]);
-        let rests = |origin: Origin| {
-            matches!(
-                origin,
-                Origin::Abutment { .. }
-                    | Origin::Foundation { .. }
-                    | Origin::Pier { .. }
-                    | Origin::AbutmentCourse { .. }
-            )
-        };
-        let (place, seat, side, flip) = match (below, above) {
-            (carrier, Origin::Voussoir { span, voussoir, .. }) if rests(carrier) => {
-                (springing(bridge, span, voussoir), under(carrier), voussoir, false)
-            }
-            (Origin::Voussoir { span, voussoir, .. }, carrier) if rests(carrier) => {
-                (springing(bridge, span, voussoir), under(carrier), voussoir, true)
-            }
-            (Origin::Foundation { support }, Origin::Pier { .. }) => (pier_foot(support), Seat::Foot, 1, false),
-            (Origin::Pier { .. }, Origin::Foundation { support }) => (pier_foot(support), Seat::Foot, 1, true),
-            (Origin::AbutmentGround { support }, Origin::AbutmentCourse { .. }) => {
-                (abutment_foot(support), Seat::Foot, support, false)
-            }
-            (Origin::AbutmentCourse { .. }, Origin::AbutmentGround { support }) => {
-                (abutment_foot(support), Seat::Foot, support, true)
-            }
-            _ => continue,
+        let (first, second) = (d.origins[i.first], d.origins[i.second]);
+        let ((place, seat, side), flip) = match (seat(bridge, first, second), seat(bridge, second, first)) {
+            (Some(found), _) => (found, false),
+            (None, Some(found)) => (found, true),
+            (None, None) => continue,
         };
         let Some(Section { compression, shear, eccentricity }) = ground.resting_section(joint) else { continue };
         let on_second = i.normal * compression + i.normal.left() * shear;
@@ -116,7 +95,7 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             _ => 0.0,
         };
         let wanted = depth - 2.0 * eccentricity.abs();
-        let spread = wide(bridge, [below, above]);
+        let spread = wide(bridge, [first, second]);
         let reaction = Reaction {
             place,
             seat,
@@ -143,16 +122,23 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
     told.collect()
 }
 
-fn under(carrier: Origin) -> Seat {
-    if matches!(carrier, Origin::Abutment { .. }) { Seat::Springing } else { Seat::Carried }
-}
-
-fn pier_foot(support: usize) -> String {
-    format!("foot of pier {support}")
-}
-
-fn abutment_foot(support: usize) -> String {
-    format!("foot of the {} abutment", if support == 0 { "left" } else { "right" })
+/// Where a joint is in which one block bears another that hands the bridge on to the ground, what it is, and at which side of its span: 0 for
+/// the left one. None of other joints.
+fn seat(bridge: &Bridge, carrier: Origin, carried: Origin) -> Option<(String, Seat, usize)> {
+    Some(match (carrier, carried) {
+        (Origin::Abutment { .. }, Origin::Voussoir { span, voussoir, .. }) => {
+            (springing(bridge, span, voussoir), Seat::Springing, voussoir)
+        }
+        (
+            Origin::Foundation { .. } | Origin::Pier { .. } | Origin::AbutmentCourse { .. },
+            Origin::Voussoir { span, voussoir, .. },
+        ) => (springing(bridge, span, voussoir), Seat::Carried, voussoir),
+        (Origin::Foundation { support }, Origin::Pier { .. }) => (format!("foot of pier {support}"), Seat::Foot, 1),
+        (Origin::AbutmentGround { support }, Origin::AbutmentCourse { .. }) => {
+            (format!("foot of the {} abutment", if support == 0 { "left" } else { "right" }), Seat::Foot, support)
+        }
+        _ => return None,
+    })
 }
 
 /// Width of a pier's bottom across the bridge over that of the barrel; of other joints one.
