@@ -203,33 +203,6 @@ fn not_set_up(error: AnalysisError) -> Failure {
     Failure::new("not-set-up", error.to_string())
 }
 
-/// Static answers at some positions alone, in ascending order. Stresses are no functionals of displacements: with them the train
-/// goes from one of these positions to the next.
-fn at_places(
-    bridge: &Bridge,
-    setup: &Setup,
-    places: &[usize],
-    expected: &[usize],
-    neighbours: &[(Bridge, f64)],
-    token: &CancelToken,
-) -> Result<Answers, Failure> {
-    let positions = positions(setup, places);
-    if has_stress(setup) {
-        let times = places.iter().map(|k| setup.times[*k]).collect();
-        let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
-        let some = Setup { times, positions, plan, ..setup.clone() };
-        return whole(bridge, &some, &[], token);
-    }
-    let wanted = WantedSlices { positions: &positions, expected, neighbours };
-    let found = slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?;
-    let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
-    completed(found.status, found.reason, answers)
-}
-
-fn positions(setup: &Setup, places: &[usize]) -> Vec<f64> {
-    places.iter().map(|k| setup.positions[*k]).collect()
-}
-
 fn has_stress(setup: &Setup) -> bool {
     setup.sensors.iter().any(|sensor| sensor.quantity == Measurand::Stress)
 }
@@ -241,6 +214,8 @@ fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken
     completed(found.status, found.reason, answers)
 }
 
+/// Answers at every position of the passage, or static ones at some alone, in ascending order. Stresses are no functionals of
+/// displacements: with them the train goes from one of these positions to the next.
 fn answers(
     bridge: &Bridge,
     setup: &Setup,
@@ -249,10 +224,18 @@ fn answers(
     neighbours: &[(Bridge, f64)],
     token: &CancelToken,
 ) -> Result<Answers, Failure> {
-    match asked {
-        None => whole(bridge, setup, expected, token),
-        Some(places) => at_places(bridge, setup, places, expected, neighbours, token),
+    let Some(places) = asked else { return whole(bridge, setup, expected, token) };
+    let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
+    if has_stress(setup) {
+        let times = places.iter().map(|k| setup.times[*k]).collect();
+        let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
+        let some = Setup { times, positions, plan, ..setup.clone() };
+        return whole(bridge, &some, &[], token);
     }
+    let wanted = WantedSlices { positions: &positions, expected, neighbours };
+    let found = slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?;
+    let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
+    completed(found.status, found.reason, answers)
 }
 
 fn completed(status: PassageStatus, reason: Option<String>, answers: Answers) -> Result<Answers, Failure> {
