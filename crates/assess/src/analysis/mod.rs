@@ -11,7 +11,6 @@ pub mod engine;
 mod error;
 mod geometry;
 mod ground;
-mod loads_acting;
 mod movement;
 mod notes;
 mod of_blocks;
