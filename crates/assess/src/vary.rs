@@ -7,6 +7,7 @@ use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::published;
 use outcome::study::{CARRIED, Command, Outcome, Study};
+use outcome::warning::Warning;
 
 /// An analysis that can be repeated: from a bridge with its plan to numbers with names.
 #[derive(Clone, Copy)]
@@ -39,14 +40,15 @@ pub const COLLAPSE: Analysis = Analysis {
     ],
     run: |bridge, watch| {
         let found = analysis::collapse(bridge, None, watch)?;
-        Ok(Outcome {
-            status: found.status.word().to_owned(),
-            numbers: published::collapse_numbers(&found),
-            warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
-            message: None,
-        })
+        Ok(outcome(found.status.word(), published::collapse_numbers(&found), &found.warnings))
     },
 };
+
+/// What came of an analysis.
+fn outcome(status: &str, numbers: Vec<(String, f64)>, warnings: &[Warning]) -> Outcome {
+    let warnings = warnings.iter().map(|warning| warning.code().to_owned()).collect();
+    Outcome { status: status.to_owned(), numbers, warnings, message: None }
+}
 
 /// Vehicles of the file's `[sweep]` moved over the bridge, or else its loads.
 pub const SWEEP: Analysis = Analysis {

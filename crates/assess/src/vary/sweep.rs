@@ -1,5 +1,6 @@
 //! A sweep as an analysis that is repeated: adequacy under vehicles, load factor, and where it governs.
 
+use super::outcome;
 use crate::analysis::{self, AnalysisError, Places};
 use bridge::Bridge;
 use mechanics::watch::Watch;
@@ -38,12 +39,7 @@ fn of_vehicles(found: &VehicleSweep) -> Outcome {
     for vehicle in &found.vehicles {
         put(format!("adequacy_factor_of_{}", vehicle.code), vehicle.adequacy);
     }
-    Outcome {
-        status: found.status().word().to_owned(),
-        numbers,
-        warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
-        message: None,
-    }
+    outcome(found.status().word(), numbers, &found.warnings)
 }
 
 fn of_loads(found: &Sweep) -> Outcome {
@@ -56,10 +52,5 @@ fn of_loads(found: &Sweep) -> Outcome {
     ];
     let numbers = numbers.into_iter().filter_map(|(name, number)| Some((name.to_owned(), number?)));
     let numbers = numbers.filter(|(_, number)| number.is_finite()).collect();
-    Outcome {
-        status: found.ended().word().to_owned(),
-        numbers,
-        warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
-        message: None,
-    }
+    outcome(found.ended().word(), numbers, &found.warnings)
 }
