@@ -12,6 +12,7 @@ use outcome::facts::{
     SpanAugmentFacts, Watched,
 };
 use outcome::passage::{Moment, Pair, Passage, PassageStatus, RowKind, SensorRecord};
+use structure::discretise::springings::springings;
 use thiserror::Error;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
@@ -69,13 +70,7 @@ fn loaded(ranges: &[[f64; 2]], augment: &AugmentFacts, own: usize, axles: &[f64]
 
 /// From springing to springing of every span [m].
 fn ranges(bridge: &Bridge) -> Vec<[f64; 2]> {
-    let mut x = 0.0;
-    let mut list = Vec::with_capacity(bridge.spans.len());
-    for (k, span) in bridge.spans.iter().enumerate() {
-        list.push([x, x + span.span]);
-        x += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
-    }
-    list
+    springings(bridge).into_iter().map(|ends| ends.map(|springing| springing.x)).collect()
 }
 
 /// The file names a rule that the library does not have.
