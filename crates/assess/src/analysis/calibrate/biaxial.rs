@@ -1,11 +1,10 @@
 //! Squares of fill sheared to their peak: a smooth box whose right side and lid are pressed alike, then the lid until the sample
 //! gives way. Peaks at several confining pressures lie on a line; its slope is the friction angle, its height the cohesion.
 
+use super::press::Rig;
 use super::sample::{Part, Sample};
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
-use crate::analysis::engine::dem::settings;
-use bridge::Bridge;
 use mechanics::blocks::{BlockModel, ContactLaw, Held, Loading, PointForce};
 use mechanics::dem::{self, Model, begin, collapse_from};
 use mechanics::ids::BlockId;
@@ -26,38 +25,17 @@ const GIVEN_WAY: f64 = 0.05;
 /// the lid as the sample is confined.
 const GAP: f64 = 0.5;
 
-pub(super) struct Box2 {
-    settings: dem::Settings,
-    laws: Laws,
-    pressures: Vec<f64>,
-}
-
-impl Box2 {
-    /// For samples of a fill with these laws.
-    pub(super) fn new(bridge: &Bridge, laws: &Laws) -> Box2 {
-        Box2 {
-            settings: settings(bridge),
-            laws: laws.clone(),
-            pressures: bridge.calibration.confining_pressures.clone(),
-        }
-    }
-
-    /// How many tests one sample takes.
-    pub(super) fn tests(&self) -> usize {
-        self.pressures.len()
-    }
-
-    /// The stress on the lid [Pa] that one sample still carries under one of the confining pressures; none where it does not
+impl Rig {
+    /// The stress on the lid [Pa] that one sample still carries under a confining pressure [Pa]; none where it does not
     /// rest, or carries all that is tried.
     pub(super) fn peak(
         &self,
         sample: &Sample,
         contact: Contact,
-        test: usize,
+        pressure: f64,
         watch: &mut dyn Watch,
     ) -> Result<Option<f64>, AnalysisError> {
-        let pressure = self.pressures[test];
-        let (model, loading, watched) = self.build(sample, contact, pressure)?;
+        let (model, loading, watched) = self.boxed(sample, contact, pressure)?;
         let model = Model::new(&model, &loading)?;
         let program = dem::Program { increment: INCREMENT, limit: LIMIT, resolution: None, watched };
         let start = || begin(&model, &self.settings);
@@ -74,7 +52,7 @@ impl Box2 {
         Ok(Some(pressure * (1.0 + rested[held - 1].factor)))
     }
 
-    fn build(
+    fn boxed(
         &self,
         sample: &Sample,
         contact: Contact,

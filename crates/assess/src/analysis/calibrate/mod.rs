@@ -16,7 +16,7 @@ mod tests;
 
 use super::engine::joints::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
-use biaxial::{Box2, contacts};
+use biaxial::contacts;
 use bridge::{Bridge, Particles, Sizes, Strip};
 use crowd::Crowd;
 use mechanics::watch::Watch;
@@ -147,12 +147,13 @@ fn shear(
     crowd: &mut Crowd<'_>,
 ) -> Result<Option<Strength>, Halt> {
     let Some(first) = samples.first() else { return Ok(None) };
-    let sheared = Box2::new(bridge, &first.laws);
-    let jobs: Vec<(usize, usize)> =
-        (0..samples.len()).flat_map(|k| (0..sheared.tests()).map(move |test| (k, test))).collect();
-    let peaks =
-        crowd.each("shearing", 1.0, &jobs, |&(k, test), watch| sheared.peak(&samples[k], contact, test, watch))?;
-    Ok(biaxial::strength(contact, samples, &bridge.calibration.confining_pressures, &peaks))
+    let rig = Rig::new(bridge, &first.laws);
+    let pressures = &bridge.calibration.confining_pressures;
+    let jobs: Vec<(&Sample, f64)> =
+        samples.iter().flat_map(|sample| pressures.iter().map(move |pressure| (sample, *pressure))).collect();
+    let peak = |&(sample, pressure): &(&Sample, f64), watch: &mut dyn Watch| rig.peak(sample, contact, pressure, watch);
+    let peaks = crowd.each("shearing", 1.0, &jobs, peak)?;
+    Ok(biaxial::strength(contact, samples, pressures, &peaks))
 }
 
 /// Presses that a search and its check take, about.

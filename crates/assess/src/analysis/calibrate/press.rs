@@ -12,11 +12,11 @@ use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
 use outcome::calibration::AtRest;
 
-/// Everything about the press that is the same for all samples.
+/// Everything about the tests that is the same for all samples.
 pub(super) struct Rig {
     plan: Calibration,
-    settings: dem::Settings,
-    laws: Laws,
+    pub settings: dem::Settings,
+    pub laws: Laws,
 }
 
 /// What a press of one sample gave.
