@@ -1,8 +1,7 @@
 //! What would change the verdict: the governing utilisation with a tenth less and a tenth more of every quantity that may
 //! matter, by the cheapest analysis that shows it.
 
-use super::service::Scope;
-use super::{at_position, service, window};
+use super::{Scope, at_position, service, window};
 use crate::analysis::parallel;
 use crate::analysis::state::{self, Change};
 use crate::analysis::vehicles::vehicle_sweep;

@@ -1,7 +1,7 @@
 //! Loads in service: the file's train crosses with the axles of each load, and the places that are checked are watched.
 
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::{self, PassageError};
+use crate::analysis::passage::{self, PassageError, Scope};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
 use bridge::passage::{Direction, Face, GAUGE_LENGTH, Sensor, SensorKind, SensorPosition, default_sensors};
@@ -92,15 +92,6 @@ pub enum ServiceError {
     /// The passage.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
-}
-
-/// How much of a passage is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scope {
-    /// Sensors, joints at their peaks, influence lines.
-    Everything,
-    /// Sensors alone.
-    Sensors,
 }
 
 /// A sensor of the assessment's own: where it sits, and what is made of its values.
@@ -208,10 +199,7 @@ pub fn service(
     for load in loads {
         let (own, sensors) = prepared(bridge, load, &probes)?;
         let setup = passage::setup(&own)?;
-        let solution = match wanted {
-            Scope::Everything => passage::solve(&own, &setup, watch)?,
-            Scope::Sensors => passage::records(&own, &setup, &[], watch)?,
-        };
+        let solution = passage::solve(&own, &setup, wanted, &[], watch)?;
         let mut found = passage::report(&own, &setup, solution);
         let gravity = own.gravity;
         let axles = own.passage.as_ref().map(|passage| passage.train.axles(gravity)).unwrap_or_default();

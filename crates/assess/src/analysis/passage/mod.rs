@@ -12,7 +12,7 @@ mod solve;
 pub use error::PassageError;
 pub use record::record;
 pub use setup::{Setup, setup};
-pub use solve::{Passing, Slices, Solution, WantedSlices, records, slices, solve};
+pub use solve::{Passing, Scope, Slices, Solution, WantedSlices, slices, solve};
 
 use super::AnalysisError;
 use bridge::Bridge;
@@ -32,7 +32,7 @@ const LOOSE: f64 = 1e-4;
 /// Those of [`setup()`] and [`solve()`].
 pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, AnalysisError> {
     let setup = setup(bridge)?;
-    let solution = solve(bridge, &setup, watch)?;
+    let solution = solve(bridge, &setup, Scope::Everything, &[], watch)?;
     Ok(report(bridge, &setup, solution))
 }
 

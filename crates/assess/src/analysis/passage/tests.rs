@@ -229,7 +229,7 @@ fn slices_are_those_of_the_whole_system() {
         let mut one = Setup { positions: vec![*position], times: vec![0.0], ..base.clone() };
         one.plan.path = PassagePath::Plain;
         one.plan.tolerance = 1e-9;
-        let plain = records(&bridge, &one, &[], &mut Unwatched).unwrap();
+        let plain = solve(&bridge, &one, Scope::Sensors, &[], &mut Unwatched).unwrap();
         let size = plain.values.iter().fold(0.0_f64, |most, value| most.max(value[0].abs()));
         assert!(size > 0.0);
         for (s, sensor) in base.sensors.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
 //! and what stands on it is made once, where no parameter moves it.
 
-use crate::analysis::passage::{PassageError, Setup, WantedSlices, records, setup, slices};
+use crate::analysis::passage::{PassageError, Scope, Setup, WantedSlices, setup, slices, solve};
 use crate::analysis::{AnalysisError, parallel};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
@@ -209,7 +209,7 @@ fn has_stress(setup: &Setup) -> bool {
 
 /// Answers at every position of the passage.
 fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Answers, Failure> {
-    let found = records(bridge, setup, expected, &mut token.clone()).map_err(not_set_up)?;
+    let found = solve(bridge, setup, Scope::Sensors, expected, &mut token.clone()).map_err(not_set_up)?;
     let answers = Answers { values: found.values, derivatives: Vec::new(), taking_part: found.taking_part };
     completed(found.status, found.reason, answers)
 }

@@ -1,6 +1,6 @@
 //! The passage by the condensed path.
 
-use super::{AtRest, Output, Solution, functional, of_self_weight, pictures};
+use super::{AtRest, Scope, Solution, functional, of_self_weight, pictures};
 use crate::analysis::AnalysisError;
 use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
@@ -108,7 +108,7 @@ impl Way {
         mut self,
         rest: &AtRest<'_>,
         solution: &mut Solution,
-        wanted: Output,
+        wanted: Scope,
         watch: &mut dyn Watch,
     ) -> Result<(), AnalysisError> {
         if solution.self_weight.is_empty() {
@@ -116,7 +116,7 @@ impl Way {
         }
         solution.condensed_degrees_of_freedom = Some(self.condensed.counts().retained_rows);
         solution.taking_part = self.condensed.retained_parts();
-        if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
+        if wanted == Scope::Sensors || solution.status == PassageStatus::Cancelled {
             return Ok(());
         }
         self.moments(rest, solution, watch).map_err(failed)?;

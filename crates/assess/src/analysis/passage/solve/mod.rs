@@ -51,44 +51,37 @@ pub struct Solution {
     pub assumptions: Vec<Note>,
 }
 
-/// Self-weight first, then position after position, then what is to be shown of it.
+/// Self-weight first, then position after position, then what is to be shown of it. `expected` are the parts of the model that took part with
+/// other moduli, or none.
 ///
 /// # Errors
 /// Values that the model needs and the file lacks, no model or no inverse of its stiffness, or a part whose law has no answer.
-pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
-    let mut passing = Passing::new(bridge, Cow::Borrowed(setup), watch)?;
-    passing.advance(usize::MAX, watch)?;
-    passing.finish(watch)
-}
-
-/// Self-weight and positions alone: the values of the sensors, without pictures and influence lines. `expected` are the parts of the
-/// model that took part with other moduli, or none.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn records(
+pub fn solve(
     bridge: &Bridge,
     setup: &Setup,
+    wanted: Scope,
     expected: &[usize],
     watch: &mut dyn Watch,
 ) -> Result<Solution, AnalysisError> {
-    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), Output::Records, expected, watch)?;
+    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), wanted, expected, watch)?;
     passing.advance(usize::MAX, watch)?;
     passing.finish(watch)
 }
 
-/// What is wanted of a passage.
+/// How much of a passage is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Output {
-    Records,
+pub enum Scope {
+    /// Sensors, joints at their peaks, influence lines.
     Everything,
+    /// Sensors alone.
+    Sensors,
 }
 
 /// A passage that goes on when it is told to. However it is moved on, it finds the same numbers.
 pub struct Passing<'s> {
     rest: AtRest<'s>,
     way: Way,
-    wanted: Output,
+    wanted: Scope,
     /// Positions that were reached.
     done: usize,
     /// What was found so far.
@@ -108,13 +101,13 @@ impl<'s> Passing<'s> {
     /// # Errors
     /// Those of [`solve`].
     pub fn new(bridge: &Bridge, setup: Cow<'s, Setup>, watch: &mut dyn Watch) -> Result<Passing<'s>, AnalysisError> {
-        Passing::with(bridge, setup, Output::Everything, &[], watch)
+        Passing::with(bridge, setup, Scope::Everything, &[], watch)
     }
 
     fn with(
         bridge: &Bridge,
         setup: Cow<'s, Setup>,
-        wanted: Output,
+        wanted: Scope,
         expected: &[usize],
         watch: &mut dyn Watch,
     ) -> Result<Passing<'s>, AnalysisError> {
@@ -136,7 +129,7 @@ impl<'s> Passing<'s> {
             false => Way::Plain(Box::new(plain::Way::new(&rest, &mut solution, watch)?)),
         };
         let mut passing = Passing { rest, way, wanted, done: 0, solution };
-        if wanted == Output::Everything && passing.solution.status == PassageStatus::Completed {
+        if wanted == Scope::Everything && passing.solution.status == PassageStatus::Completed {
             let moment = passing.moment()?;
             passing.solution.moments.push(moment);
         }

@@ -1,6 +1,6 @@
 //! The passage by the whole system: every unknown at every position, at rest or in motion.
 
-use super::{AtRest, Output, Solution, end, nearest, of_self_weight, of_step, pictures, read, with_train};
+use super::{AtRest, Scope, Solution, end, nearest, of_self_weight, of_step, pictures, read, with_train};
 use crate::analysis::AnalysisError;
 use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
@@ -145,8 +145,8 @@ impl Way {
     }
 
     /// Makes the pictures.
-    pub(super) fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Output) {
-        if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
+    pub(super) fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Scope) {
+        if wanted == Scope::Sensors || solution.status == PassageStatus::Cancelled {
             return;
         }
         let places = pictures(&rest.setup, solution);
