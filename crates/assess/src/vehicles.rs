@@ -70,17 +70,9 @@ pub enum Unknown {
 }
 
 /// Everything that keeps vehicles or a rule from being had.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, thiserror::Error)]
+#[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
 pub struct Refused(pub Vec<Unknown>);
-
-impl std::fmt::Display for Refused {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let all: Vec<String> = self.0.iter().map(ToString::to_string).collect();
-        f.write_str(&all.join("; "))
-    }
-}
-
-impl std::error::Error for Refused {}
 
 impl From<Unknown> for Refused {
     fn from(unknown: Unknown) -> Refused {
