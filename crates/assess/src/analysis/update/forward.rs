@@ -1,7 +1,7 @@
 //! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
 //! and what stands on it is made once, where no parameter moves it.
 
-use crate::analysis::passage::{PassageError, Scope, Setup, WantedSlices, setup, slices, solve};
+use crate::analysis::passage::{PassageError, Scope, Setup, Slices, Solution, WantedSlices, setup, slices, solve};
 use crate::analysis::{AnalysisError, parallel};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
@@ -46,13 +46,6 @@ enum Seen {
 
 /// Parts that are expected, found when they are first asked for.
 type Expected = Arc<OnceLock<Vec<usize>>>;
-
-/// Answers of the sensors, and parts that took part in them.
-struct Answers {
-    values: Vec<Vec<f64>>,
-    derivatives: Vec<Vec<Vec<f64>>>,
-    taking_part: Vec<usize>,
-}
 
 /// Share of a range by which the neighbours differ that derivatives are taken from: laws are nearly linear over it, and their rounding
 /// leaves ten digits.
@@ -120,7 +113,7 @@ impl<'a> Model<'a> {
         setup: &Setup,
         asked: Asked,
         neighbours: &[(Bridge, f64)],
-    ) -> Result<Answers, Failure> {
+    ) -> Result<Slices, Failure> {
         if self.moves {
             return answers(bridge, setup, &asked, &[], &[], &self.token);
         }
@@ -208,10 +201,10 @@ fn has_stress(setup: &Setup) -> bool {
 }
 
 /// Answers at every position of the passage.
-fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Answers, Failure> {
+fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Slices, Failure> {
     let found = solve(bridge, setup, Scope::Sensors, expected, &mut token.clone()).map_err(not_set_up)?;
-    let answers = Answers { values: found.values, derivatives: Vec::new(), taking_part: found.taking_part };
-    completed(found.status, found.reason, answers)
+    let Solution { status, reason, values, taking_part, .. } = found;
+    completed(Slices { status, reason, values, taking_part, ..Slices::default() })
 }
 
 /// Answers at every position of the passage, or static ones at some alone, in ascending order. Stresses are no functionals of
@@ -223,7 +216,7 @@ fn answers(
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
     token: &CancelToken,
-) -> Result<Answers, Failure> {
+) -> Result<Slices, Failure> {
     let Some(places) = asked else { return whole(bridge, setup, expected, token) };
     let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
     if has_stress(setup) {
@@ -233,16 +226,14 @@ fn answers(
         return whole(bridge, &some, &[], token);
     }
     let wanted = WantedSlices { positions: &positions, expected, neighbours };
-    let found = slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?;
-    let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
-    completed(found.status, found.reason, answers)
+    completed(slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?)
 }
 
-fn completed(status: PassageStatus, reason: Option<String>, answers: Answers) -> Result<Answers, Failure> {
-    match status {
+fn completed(answers: Slices) -> Result<Slices, Failure> {
+    match answers.status {
         PassageStatus::Completed => Ok(answers),
         PassageStatus::Cancelled => Err(Failure::new(calibrate::STOPPED, String::new())),
-        status => Err(Failure::new(status.word(), reason.unwrap_or_default())),
+        status => Err(Failure::new(status.word(), answers.reason.unwrap_or_default())),
     }
 }
 
