@@ -117,14 +117,9 @@ pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::de
 /// The collapse load by a method, whatever the plan's is; what may help and may come and go is not counted.
 ///
 /// # Errors
-/// An analysis that cannot be set up, or a `resume` of something else.
-pub fn collapse_by(
-    method: Method,
-    bridge: &Bridge,
-    resume: Option<&[u8]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, resume, watch, &|state, resume, watch| {
+/// An analysis that cannot be set up.
+pub fn collapse_by(method: Method, bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    policy::collapse(bridge, None, watch, &|state, resume, watch| {
         engine::raising(method, state).load(state, resume, watch)
     })
 }
@@ -134,7 +129,7 @@ pub fn collapse_by(
 /// # Errors
 /// No load, or a bridge that cannot be cut into blocks.
 pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    collapse_by(Method::Limit, bridge, None, watch)
+    collapse_by(Method::Limit, bridge, watch)
 }
 
 /// A discretised bridge with its picture as built, particles where they were packed.

@@ -100,7 +100,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     }
     let worst = sweep.worst().cloned();
     // The loads where they stand, by the method that gives less.
-    let file = analysis::collapse_by(method(&own), &own, None, watch)?;
+    let file = analysis::collapse_by(method(&own), &own, watch)?;
     let (at_file, at_status) = (factor(&file), file.status);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
@@ -120,7 +120,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     // The file's own place may lie between two positions of the sweep.
     let moved = worst.filter(|worst| worst.bound() < at_file.or(Some(f64::INFINITY)));
     let collapse = match &moved {
-        Some(worst) => analysis::collapse_by(method(&own), &with_axles(&own, worst.offset, worst.axles), None, watch)?,
+        Some(worst) => analysis::collapse_by(method(&own), &with_axles(&own, worst.offset, worst.axles), watch)?,
         None => file,
     };
     if [at_status, collapse.status].contains(&Status::Cancelled) {
