@@ -77,7 +77,7 @@ fn calibrated(
     let shears = if sheared { SHEARS * (plan.sheared_samples * plan.confining_pressures.len()) as f64 } else { 0.0 };
     let mut crowd = Crowd::new(watch, packings as f64 * (PACKING_WORK + rounds * EXPECTED_SQUARES) + shears);
 
-    let mut samples = self::samples(bridge, &particles, &report.seeds, &mut crowd)?;
+    let mut samples = self::samples(bridge, &report.seeds, &mut crowd)?;
     crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds + shears);
     report::describe(report, &samples);
     report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
@@ -112,7 +112,7 @@ fn calibrated(
     } else if !sheared {
         return Ok(());
     }
-    let fresh = self::samples(&found, &particles, &others, &mut crowd)?;
+    let fresh = self::samples(&found, &others, &mut crowd)?;
     if plan.wanted_modulus.is_some() {
         let multiple = report.found.as_ref().map_or(1.0, |found| found.multiple);
         let rig = Rig::new(bridge, &fresh[0].laws);
@@ -216,10 +216,10 @@ fn prepared(bridge: &Bridge) -> Result<(Bridge, Particles), AnalysisError> {
 }
 
 /// Packs the fill once for each seed, lets it come to rest, and cuts the squares out.
-fn samples(bridge: &Bridge, particles: &Particles, seeds: &[u64], crowd: &mut Crowd<'_>) -> Result<Vec<Sample>, Halt> {
+fn samples(bridge: &Bridge, seeds: &[u64], crowd: &mut Crowd<'_>) -> Result<Vec<Sample>, Halt> {
     let size = bridge.calibration.sample_size;
     let packed = crowd.each("packing", PACKING_WORK, seeds, |&seed, watch| {
-        let fill = settled::settled(bridge, particles, seed, watch)?;
+        let fill = settled::settled(bridge, seed, watch)?;
         let diameter = fill.mean_diameter();
         if size < LEAST_SAMPLE * diameter {
             return Err(AnalysisError::SmallSample { size, diameter }.into());

@@ -3,7 +3,7 @@
 use super::{AnalysisError, Halt};
 use crate::analysis::engine::dem::filled::{fill, packing, without_loading_blocks};
 use crate::analysis::engine::dem::settings;
-use bridge::{Bridge, Particles};
+use bridge::Bridge;
 use mechanics::blocks::{ContactLaw, LawTable, Loading, Particle};
 use mechanics::dem::{self, Model, PackingError, begin};
 use mechanics::ids::{GroupId, Table};
@@ -65,16 +65,12 @@ impl SettledFill {
 }
 
 /// Packs the fill for a seed, lets ring and fill come to rest under their weight.
-pub(super) fn settled(
-    bridge: &Bridge,
-    particles: &Particles,
-    seed: u64,
-    watch: &mut dyn Watch,
-) -> Result<SettledFill, Halt> {
+pub(super) fn settled(bridge: &Bridge, seed: u64, watch: &mut dyn Watch) -> Result<SettledFill, Halt> {
     let mut bridge = bridge.clone();
     bridge.plan.seed = seed;
     let mut d = discretise(&bridge)?;
     let region = d.fill.clone().ok_or(AnalysisError::NoParticles)?;
+    let particles = bridge.particles.as_ref().ok_or(AnalysisError::NoParticles)?;
     let grains = match packing(&bridge, &d, &region, particles, watch) {
         Ok(grains) => grains,
         Err(PackingError::Stopped) => return Err(Halt::Stopped),
