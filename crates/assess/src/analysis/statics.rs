@@ -71,12 +71,8 @@ fn fixed(d: &Discretised) -> Table<BlockId, bool> {
 
 /// Springings of every span, all rings together, and feet of piers.
 fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<Reaction> {
-    struct Sum {
-        reaction: Reaction,
-        joints: usize,
-        compression: f64,
-    }
-    let mut found: Vec<Sum> = Vec::new();
+    // Each with the number of its joints.
+    let mut found: Vec<(Reaction, usize)> = Vec::new();
     for (joint, i) in ground.interfaces().iter().enumerate() {
         let (first, second) = (d.origins[i.first], d.origins[i.second]);
         let ((place, seat, side), flip) = match (seat(bridge, first, second), seat(bridge, second, first)) {
@@ -106,18 +102,18 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             pressure: (wanted > 0.0).then(|| compression / (wanted * spread)),
             spread,
         };
-        match found.iter_mut().find(|sum| sum.reaction.place == reaction.place) {
-            Some(sum) => {
-                sum.reaction.vertical += reaction.vertical;
-                sum.reaction.horizontal += reaction.horizontal;
-                (sum.joints, sum.compression) = (sum.joints + 1, sum.compression + compression);
+        match found.iter_mut().find(|(sum, _)| sum.place == reaction.place) {
+            Some((sum, joints)) => {
+                sum.vertical += reaction.vertical;
+                sum.horizontal += reaction.horizontal;
+                *joints += 1;
             }
-            None => found.push(Sum { reaction, joints: 1, compression }),
+            None => found.push((reaction, 1)),
         }
     }
-    let told = found.into_iter().map(|sum| match sum.joints {
-        1 => sum.reaction,
-        _ => Reaction { eccentricity: None, depth: None, pressure: None, ..sum.reaction },
+    let told = found.into_iter().map(|(sum, joints)| match joints {
+        1 => sum,
+        _ => Reaction { eccentricity: None, depth: None, pressure: None, ..sum },
     });
     told.collect()
 }
