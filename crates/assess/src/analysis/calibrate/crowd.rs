@@ -1,6 +1,6 @@
 //! Many pieces of work side by side, one onlooker. Results come in the order of the work, whoever did it.
 
-use super::Halt;
+use super::halt::Halt;
 use crate::analysis::parallel;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};

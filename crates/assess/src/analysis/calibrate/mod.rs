@@ -4,6 +4,7 @@
 
 mod biaxial;
 mod crowd;
+mod halt;
 mod press;
 mod report;
 mod sample;
@@ -19,6 +20,7 @@ use super::{AnalysisError, LEAST_SAMPLE};
 use biaxial::contacts;
 use bridge::{Bridge, Particles, Sizes, Strip};
 use crowd::Crowd;
+use halt::Halt;
 use mechanics::watch::Watch;
 use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, TargetStrength};
 use press::Rig;
@@ -29,20 +31,6 @@ use strength::fit;
 
 /// Share of the work of one sample's press that one packing takes, for the estimate of the time left.
 const PACKING_WORK: f64 = 30.0;
-
-/// Why the work ends before its end.
-#[derive(Debug)]
-enum Halt {
-    /// The onlooker stopped it.
-    Stopped,
-    Failed(AnalysisError),
-}
-
-impl<E: Into<AnalysisError>> From<E> for Halt {
-    fn from(error: E) -> Halt {
-        Halt::Failed(error.into())
-    }
-}
 
 /// Measures the moduli of the fill at the multiples of the file, finds the multiple with the wanted modulus, and checks
 /// it on packings of other seeds.

@@ -2,7 +2,7 @@
 //! slowly the more the particles move instead of yielding: nearly straight pieces in logarithms, closed in on by the rule
 //! of false position (Illinois variant, Dowell and Jarratt 1971).
 
-use super::Halt;
+use super::halt::Halt;
 use bridge::Modulus;
 use outcome::calibration::{At, Measured};
 
