@@ -131,7 +131,6 @@ fn made_up(bridge: &Bridge) -> Passage {
         ],
         influence: Some(influence),
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     };
     report(bridge, &setup, solution)
 }

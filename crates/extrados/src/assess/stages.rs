@@ -303,7 +303,7 @@ impl Stages<'_> {
         let Some((worst, _)) = governing(checked) else {
             return Ok(self.not_asked(NAME, "no check could be made, so that none governs"));
         };
-        if CHECKS[worst].probe() == Probe::Whole {
+        if CHECKS[worst].probe == Probe::Whole {
             let why = "every value takes a whole analysis of the support movement: make them with extrados vary";
             return Ok(self.not_asked(NAME, why));
         }

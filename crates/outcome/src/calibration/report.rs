@@ -36,11 +36,6 @@ impl CalibrationReport {
         self
     }
 
-    /// The table was all that was wanted.
-    pub fn without_search(self) -> CalibrationReport {
-        self
-    }
-
     /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
     pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
@@ -61,15 +56,14 @@ impl CalibrationReport {
     }
 
     /// Takes in the strength of other packings.
-    pub fn strength_checked(mut self, again: Option<Strength>) -> CalibrationReport {
-        let Some(sheared) = &mut self.strength else { return self };
+    pub fn strength_checked(&mut self, again: Option<Strength>) {
+        let Some(sheared) = &mut self.strength else { return };
         let apart = again.as_ref().is_none_or(|again| sheared.reached && !sheared.wanted.checked_by(again));
         sheared.check.clone_from(&again);
         if apart {
             self.verdict = Verdict::Undetermined;
             self.warnings.push(warning::Calibration::StrengthApart { again }.into());
         }
-        self
     }
 
     /// Warns of samples that do not count.
@@ -153,10 +147,7 @@ impl CalibrationReport {
     }
 
     /// Says whether the check bears the search out.
-    pub fn judged(mut self, wanted: f64) -> CalibrationReport {
-        if self.verdict == Verdict::Cancelled {
-            return self;
-        }
+    pub fn judged(&mut self, wanted: f64) {
         match self.checked() {
             None => {
                 self.verdict = Verdict::Undetermined;
@@ -167,15 +158,13 @@ impl CalibrationReport {
             }
             Some(_) => {}
         }
-        self
     }
 
     /// Says how far stiffness alone reaches.
-    pub fn out_of_reach(mut self, wanted: f64, [low, high]: [At; 2]) -> CalibrationReport {
+    pub fn out_of_reach(&mut self, wanted: f64, [low, high]: [At; 2]) {
         self.verdict = Verdict::Undetermined;
         self.warnings.push(warning::Calibration::OutOfReach { wanted, ends: [low, high] }.into());
         self.reach = Some([low, high]);
-        self
     }
 }
 

@@ -8,7 +8,7 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
-use assess::analysis::passage::{Setup, Solution, records, setup};
+use assess::analysis::passage::{Scope, Setup, Solution, setup, solve};
 use bridge::Bridge;
 use bridge::passage::PassagePath;
 use extrados::examples;
@@ -34,7 +34,8 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         let clock = Clock::start();
         let setup = set_up()?;
         let seconds_mesh = clock.seconds();
-        let found = records(&bridge, &setup, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
+        let found =
+            solve(&bridge, &setup, Scope::Sensors, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
         runs.push([clock.seconds(), seconds_mesh, onlooker.until_positions.unwrap_or_default()]);
         onlooker.spectator.finish();
         last = Some((setup, found));
@@ -118,7 +119,8 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Fail
     let go = |few: &Setup| -> Result<(Solution, f64), Failure> {
         let mut onlooker = Timed::new(quiet);
         let clock = Clock::start();
-        let found = records(bridge, few, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
+        let found =
+            solve(bridge, few, Scope::Sensors, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
         onlooker.spectator.finish();
         Ok((found, clock.seconds() - onlooker.until_positions.unwrap_or_default()))
     };
