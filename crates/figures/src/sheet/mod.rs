@@ -66,6 +66,10 @@ impl Area {
             bottom: a.bottom.max(p[1]),
         }))
     }
+    /// A square around a spot, so far to each side.
+    pub(crate) fn about(at: Spot, by: f64) -> Area {
+        Area { left: at[0] - by, top: at[1] - by, right: at[0] + by, bottom: at[1] + by }
+    }
     /// A rectangle larger by `by` above and below.
     pub(crate) fn taller(&self, by: f64) -> Area {
         Area { top: self.top - by, bottom: self.bottom + by, ..*self }
@@ -311,7 +315,7 @@ impl Sheet {
             for k in 0..=parts {
                 let t = k as f64 / parts as f64;
                 let at = [pair[0][0] + t * way[0], pair[0][1] + t * way[1]];
-                self.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(4.0));
+                self.avoid(Area::about(at, 4.0));
             }
         }
     }
@@ -386,15 +390,7 @@ impl Style {
         self.anchor = anchor;
         self
     }
-    /// Width of a text.
-    pub(crate) fn width(&self, text: &str) -> f64 {
-        font::width(text, self.size, self.weight)
-    }
-    /// Lines of a text no wider than a limit.
-    pub(crate) fn wrap(&self, text: &str, limit: f64) -> Vec<String> {
-        font::wrap(text, self.size, self.weight, limit)
-    }
-    /// The first of these lines.
+    /// The first line of a text no wider than a limit.
     pub(crate) fn first_line(&self, text: &str, limit: f64) -> String {
         self.wrap(text, limit).into_iter().next().unwrap_or_default()
     }
