@@ -472,7 +472,7 @@ pub(crate) struct Validate {
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     pub only: Vec<String>,
     /// Only these methods, with commas [default: all but particles, which take hours]
-    #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = one_of(PREDICTORS))]
+    #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = predictor())]
     pub methods: Vec<Predictor>,
     /// Whether it is one of several.
     #[command(flatten)]
@@ -554,16 +554,6 @@ pub(crate) const STAGES: &[Word<StageName>] = &[
     ("sensitivity", "What would change the verdict", StageName::Sensitivity),
 ];
 
-/// Methods of `validate`.
-pub(crate) const PREDICTORS: &[Word<Predictor>] = &[
-    ("weight", Predictor::Weight.about(), Predictor::Weight),
-    ("pressure", Predictor::Pressure.about(), Predictor::Pressure),
-    ("continuum", Predictor::Continuum.about(), Predictor::Continuum),
-    ("path", Predictor::Path.about(), Predictor::Path),
-    ("movement", Predictor::Movement.about(), Predictor::Movement),
-    ("particles", Predictor::Particles.about(), Predictor::Particles),
-];
-
 /// Ground under the footing of `bench footing`.
 pub(crate) const GROUNDS: &[Word<Ground>] = &[
     ("von-mises", "Clay", Ground::VonMises),
@@ -583,6 +573,13 @@ fn one_of<T: Copy + Send + Sync>(words: &'static [Word<T>]) -> impl TypedValuePa
     let known = words.iter().map(|(word, about, _)| PossibleValue::new(word).help(about));
     PossibleValuesParser::new(known)
         .map(|said| words.iter().find(|(word, ..)| *word == said).expect("only these words pass").2)
+}
+
+/// A method of `validate` by its word.
+fn predictor() -> impl TypedValueParser<Value = Predictor> {
+    let known = Predictor::ALL.iter().map(|one| PossibleValue::new(one.word()).help(one.about()));
+    PossibleValuesParser::new(known)
+        .try_map(|said| Predictor::ALL.iter().copied().find(|one| one.word() == said).ok_or("unknown"))
 }
 
 /// The word for one of these.
