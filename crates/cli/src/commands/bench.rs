@@ -14,6 +14,7 @@ use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
+use crate::watcher::watched;
 use assess::analysis::AnalysisError;
 use assess::analysis::engine::{dem as by_dem, rigid};
 use bridge::Bridge;
@@ -26,17 +27,18 @@ use structure::discretise::discretise;
 
 /// Measures.
 pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+    let quiet = desk.screen.quiet || desk.screen.json;
     match arguments.name {
-        BenchName::Disks => disks::run(desk, arguments),
+        BenchName::Disks => disks::run(quiet, arguments),
         BenchName::Arch => bridgemill(arguments, arch),
         BenchName::Limit => bridgemill(arguments, limit),
         BenchName::Path => bridgemill(arguments, path),
         BenchName::Bounds => bounds::run(arguments),
         BenchName::Crossing => crossing::run(arguments),
         BenchName::Factor => factor::run(arguments),
-        BenchName::Footing => footing::run(desk, arguments),
-        BenchName::Passage => passage::run(desk, arguments),
-        BenchName::Update => update::run(desk, arguments),
+        BenchName::Footing => watched(quiet, |onlooker| footing::run(onlooker, arguments)),
+        BenchName::Passage => passage::run(quiet, arguments),
+        BenchName::Update => watched(quiet, |onlooker| update::run(onlooker, arguments)),
     }
 }
 
@@ -44,7 +46,7 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
 
 fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
-    let bridge = case_one()?;
+    let bridge = of_example("bridgemill", "case-1.toml")?;
     let Repeated { least, middle, last: found } = repeated(arguments, || method(&bridge))?;
     let report = Report::new(Status::Completed)
         .with("size", found.blocks)
@@ -161,14 +163,9 @@ fn limit(bridge: &Bridge) -> Result<Found, AnalysisError> {
     })
 }
 
-/// Bridgemill, case 1, as it stands in the examples.
-fn case_one() -> Result<Bridge, Failure> {
-    of_bridgemill("case-1.toml")
-}
-
-/// A file of the example.
-fn of_bridgemill(name: &str) -> Result<Bridge, Failure> {
-    let text = examples::named("bridgemill").and_then(|example| example.files.iter().find(|file| file.name == name));
+/// A file of an example.
+fn of_example(name: &str, file: &str) -> Result<Bridge, Failure> {
+    let text = examples::named(name).and_then(|example| example.files.iter().find(|one| one.name == file));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
-    read.ok_or_else(|| Failure::input("F104", "the example bridgemill cannot be read", "report this"))
+    read.ok_or_else(|| Failure::input("F104", format!("the example {name} cannot be read"), "report this"))
 }
