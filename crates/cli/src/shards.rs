@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder, SEAL, write_whole};
 use crate::program;
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
 use serde_json::{Map, Value, json};
@@ -121,6 +121,12 @@ pub(crate) fn folder_of(whole: PathBuf, shard: Option<Shard>) -> PathBuf {
     name.into()
 }
 
+/// The pieces of a work that a shard makes, or all of them.
+pub(crate) fn own<T>(all: &[T], shard: Option<Shard>) -> impl Iterator<Item = &T> {
+    let makes = move |place: &usize| shard.is_none_or(|one| one.makes(*place));
+    all.iter().enumerate().filter(move |(place, _)| makes(place)).map(|(_, piece)| piece)
+}
+
 /// The kind of run that a folder is for.
 pub(crate) fn kind(whole: &str, shard: Option<Shard>) -> String {
     shard.map_or_else(|| whole.to_owned(), |one| format!("{whole}-shard-{}-of-{}", one.number(), one.of()))
@@ -150,7 +156,7 @@ pub(crate) fn publish(
         shard.of()
     );
     desk.schema = SCHEMA.to_owned();
-    results::publish(desk, report, folder, &[])
+    results::publish(desk, report, folder, Written::default())
 }
 
 /// Shards that belong together, and are all there.
