@@ -20,10 +20,9 @@ pub(super) fn repeated<T>(
 ) -> Result<Repeated<T>, Failure> {
     let mut seconds = Vec::new();
     let mut once = || -> Result<T, Failure> {
-        let clock = Clock::start();
-        let found = measure()?;
-        seconds.push(clock.seconds());
-        Ok(found)
+        let (found, taken) = timed(&measure);
+        seconds.push(taken);
+        Ok(found?)
     };
     let mut last = once()?;
     for _ in 1..arguments.repeats {
@@ -37,4 +36,11 @@ pub(super) fn repeated<T>(
 pub(super) fn least_and_middle(seconds: &mut [f64]) -> [f64; 2] {
     seconds.sort_by(f64::total_cmp);
     [seconds[0], seconds[seconds.len() / 2]]
+}
+
+/// What some work gives, and how long it takes [s].
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let clock = Clock::start();
+    let found = work();
+    (found, clock.seconds())
 }
