@@ -291,7 +291,7 @@ pub(crate) struct Assess {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Leave a stage out
-    #[arg(long, value_name = "STAGE", value_parser = one_of(STAGES))]
+    #[arg(long, value_name = "STAGE", value_parser = one_of(STAGES.to_vec()))]
     pub skip: Vec<StageName>,
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
@@ -502,7 +502,7 @@ pub(crate) struct Bench {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=10_000_000))]
     pub count: Option<u32>,
     /// What yields, for `footing` (von-mises)
-    #[arg(long, value_name = "LAW", value_parser = one_of(GROUNDS))]
+    #[arg(long, value_name = "LAW", value_parser = one_of(GROUNDS.to_vec()))]
     pub material: Option<Ground>,
     /// For `disks`: compare with this many boxes stepped side by side, one thread each
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
@@ -564,22 +564,19 @@ pub(crate) const GROUNDS: &[Word<Ground>] = &[
 
 /// Words of a key of bridge files, with what the reference says of them.
 fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
-    let words = T::WORDS.iter().map(|choice| PossibleValue::new(choice.word).help(choice.doc));
-    PossibleValuesParser::new(words).try_map(|word| T::named(&word).ok_or("unknown"))
-}
-
-/// Takes one of these words for what it stands for.
-fn one_of<T: Copy + Send + Sync>(words: &'static [Word<T>]) -> impl TypedValueParser<Value = T> {
-    let known = words.iter().map(|(word, about, _)| PossibleValue::new(word).help(about));
-    PossibleValuesParser::new(known)
-        .map(|said| words.iter().find(|(word, ..)| *word == said).expect("only these words pass").2)
+    one_of(T::WORDS.iter().zip(T::VALUES).map(|(choice, value)| (choice.word, choice.doc, *value)).collect())
 }
 
 /// A method of `validate` by its word.
 fn predictor() -> impl TypedValueParser<Value = Predictor> {
-    let known = Predictor::ALL.iter().map(|one| PossibleValue::new(one.word()).help(one.about()));
+    one_of(Predictor::ALL.iter().map(|one| (one.word(), one.about(), *one)).collect())
+}
+
+/// Takes one of these words for what it stands for.
+fn one_of<T: Copy + Send + Sync + 'static>(words: Vec<Word<T>>) -> impl TypedValueParser<Value = T> {
+    let known: Vec<PossibleValue> = words.iter().map(|(word, about, _)| PossibleValue::new(word).help(about)).collect();
     PossibleValuesParser::new(known)
-        .try_map(|said| Predictor::ALL.iter().copied().find(|one| one.word() == said).ok_or("unknown"))
+        .map(move |said| words.iter().find(|(word, ..)| *word == said).expect("only these words pass").2)
 }
 
 /// The word for one of these.
