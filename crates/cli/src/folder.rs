@@ -191,11 +191,10 @@ impl Folder {
         let mut list = List::read(target);
         let all: Vec<String> = files.iter().cloned().chain([SEAL.to_owned()]).collect();
         let hashes: Vec<String> = all.iter().map(|name| list::hash(&staging.join(name))).collect::<io::Result<_>>()?;
-        let stale: Vec<String> = list.last.iter().filter(|name| !all.contains(name)).cloned().collect();
-        let stale: Vec<String> = stale.into_iter().filter(|name| list.holds(target, name)).collect();
+        let stale = list.stale(target, &all);
         all.iter().zip(&hashes).for_each(|(name, hash)| list.expect(name, hash.clone()));
         (list.kind, list.of, list.last) = (self.purpose.kind.clone(), self.purpose.of(), all.clone());
-        list.last.extend(stale.iter().cloned());
+        list.last.extend(stale);
         // Should the move be cut off, whatever then stands there is on the list, and the next run ends it.
         list.write(target)?;
         if target != self.path {
@@ -228,6 +227,12 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = fs::remove_file(&partial);
     }
     moved
+}
+
+/// The place of a file, in a folder that is made where it is not there.
+pub(crate) fn with_room(place: &Path) -> io::Result<&Path> {
+    place.parent().map_or(Ok(()), fs::create_dir_all)?;
+    Ok(place)
 }
 
 /// A name beside a file that nobody else uses.

@@ -2,7 +2,7 @@
 
 use crate::desk::Desk;
 use crate::failure::Failure;
-use crate::folder::Folder;
+use crate::folder::{Folder, with_room};
 use crate::report::Report;
 use crate::workbook;
 pub(crate) use extrados::written::{Written, tables};
@@ -18,15 +18,8 @@ pub(crate) fn not_drawn(folder: &Path, error: &impl Display) -> Failure {
 }
 
 /// Writes files into a folder, with folders of their own where their names have them.
-fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
-    for file in files {
-        let path = folder.join(&file.name);
-        if let Some(parent) = path.parent() {
-            fs::create_dir_all(parent)?;
-        }
-        fs::write(path, &file.bytes)?;
-    }
-    Ok(())
+pub(crate) fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
+    files.iter().try_for_each(|file| fs::write(with_room(&folder.join(&file.name))?, &file.bytes))
 }
 
 /// Moves the files into the folder, sealed with the object that scripts read. Says where an earlier answer of another run went.

@@ -4,7 +4,7 @@
 
 use crate::desk::Desk;
 use crate::failure::Failure;
-use crate::folder::{self, Folder, SEAL, write_whole};
+use crate::folder::{self, Folder, SEAL, with_room, write_whole};
 use crate::program;
 use crate::report::Report;
 use crate::results::{self, Written};
@@ -12,7 +12,6 @@ use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Format of what a finished shard says of itself.
@@ -188,10 +187,8 @@ impl Merged {
         for (from, portion) in &self.shards {
             for piece in &portion.pieces {
                 let place = folder.file(&piece.file);
-                let copied = read_at_most(&from.join(&piece.file), LONGEST).and_then(|bytes| {
-                    fs::create_dir_all(place.parent().unwrap_or(folder.path()))?;
-                    write_whole(&place, &bytes)
-                });
+                let copied = read_at_most(&from.join(&piece.file), LONGEST)
+                    .and_then(|bytes| write_whole(with_room(&place)?, &bytes));
                 copied.map_err(|error| Failure::not_written(&place, &error))?;
             }
         }

@@ -232,7 +232,7 @@ fn judged(
     report.warnings.extend(left_out.map(|[code, message]| json!({ "code": code, "message": message })));
     let files = extrados::written::assessed(&done).files;
     folder.fill(
-        |staging| files.iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
+        |staging| results::write(staging, &files),
         |names, place, _| {
             report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
