@@ -156,8 +156,13 @@ impl Sheet {
     /// A sheet with a title over a lighter second line, and the y below them.
     pub(crate) fn titled(name: &str, title: &str, second: &str) -> (Sheet, f64) {
         let mut sheet = Sheet::new(name);
-        let top = sheet.title(title, second);
-        (sheet, top)
+        let limit = WIDTH - 2.0 * MARGIN;
+        let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
+        let mut y = sheet.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
+        if !second.is_empty() {
+            y = sheet.paragraph(MARGIN, y, limit, second, Style { colour: GREY_TEXT, ..Style::default() });
+        }
+        (sheet, y + 8.0)
     }
 
     /// An open or closed chain of points. Shapes with a coordinate that is not finite are left out.
@@ -287,16 +292,6 @@ impl Sheet {
             self.text([left, y - 0.3 * style.size], &line, style);
         }
         y
-    }
-    /// Title at the top of the sheet, over a lighter second line; returns the y below it.
-    pub(crate) fn title(&mut self, title: &str, second: &str) -> f64 {
-        let limit = WIDTH - 2.0 * MARGIN;
-        let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
-        let mut y = self.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
-        if !second.is_empty() {
-            y = self.paragraph(MARGIN, y, limit, second, Style { colour: GREY_TEXT, ..Style::default() });
-        }
-        y + 8.0
     }
     /// Small print at the foot of the sheet; returns the y below it.
     pub(crate) fn caption(&mut self, top: f64, text: &str) -> f64 {
@@ -452,8 +447,7 @@ mod tests {
 
     #[test]
     fn any_title_gives_well_formed_xml() {
-        let mut sheet = Sheet::new("try");
-        let y = sheet.title("a<b> & \"c\" \u{7}\u{fffe} ∑", "");
+        let (sheet, y) = Sheet::titled("try", "a<b> & \"c\" \u{7}\u{fffe} ∑", "");
         let svg = sheet.finish(y);
         let tree = roxmltree::Document::parse(&svg).unwrap();
         let text = tree.descendants().find(|n| n.has_tag_name("text")).and_then(|n| n.text()).unwrap();
