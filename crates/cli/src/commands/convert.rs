@@ -11,8 +11,8 @@ use crate::folder;
 use crate::quantities;
 use crate::render::{self, Paint};
 use crate::report::Report;
-use crate::results;
 use crate::status::Status;
+use assess::analysis::AnalysisError;
 use drawing::{Drawing, Item, Options, Sheet};
 use extrados::files::LONGEST_DRAWING;
 use findings::words::counted;
@@ -103,7 +103,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
     }
     let source = Source::open(desk, &arguments.from)?;
     let Some(bridge) = source.bridge() else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
-    let cut = structure::discretise::discretise(bridge).map_err(|error| results::not_set_up(&error.into()))?;
+    let cut = structure::discretise::discretise(bridge).map_err(AnalysisError::from)?;
     let scene = Box::new(of_bridge(bridge, &cut));
     Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))
 }
