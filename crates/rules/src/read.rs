@@ -42,7 +42,7 @@ const MOST_PATTERNS: usize = 1000;
 /// # Errors
 /// All that is wrong with the file.
 pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>> {
-    let model: LoadModel = parse(file, text, &crate::shape::LOAD_MODEL)?;
+    let model: LoadModel = parse(file, text, LoadModel::SHAPE)?;
     let mut found = Complaints { file, text, problems: Vec::new() };
     found.source("source", &model.source);
     found.need(!model.code.is_empty(), "code", "give the load model a name, as \"my-vehicle\"");
@@ -96,7 +96,7 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
 /// # Errors
 /// All that is wrong with the file.
 pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
-    let rule: Rule = parse(file, text, &crate::shape::RULE)?;
+    let rule: Rule = parse(file, text, Rule::SHAPE)?;
     let mut found = Complaints { file, text, problems: Vec::new() };
     found.source("source", &rule.source);
     found.need(!rule.code.is_empty(), "code", "give the rule a name, as \"my-rule\"");

@@ -346,6 +346,6 @@ fn the_list_of_keys_is_what_the_reader_takes() {
     let example = page.split("```toml\n").nth(2).unwrap().split("```").next().unwrap();
     let lorry = read_load_model("our-lorry.toml", example).unwrap();
     assert_eq!(library().unwrap().rule("cs-454").unwrap().acting(&lorry).unwrap().axle_factors(5.0, 0.5), [1.9, 1.8]);
-    look(&rules::shape::LOAD_MODEL, page);
-    look(&rules::shape::RULE, page);
+    look(rules::LoadModel::SHAPE, page);
+    look(rules::Rule::SHAPE, page);
 }
