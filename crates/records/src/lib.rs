@@ -31,7 +31,7 @@ pub use cards::CARDS;
 pub use finding::{Done, Finding, Place};
 pub use findings::Severity;
 pub use health::{Accept, Expected, LeaveOut, Limits, Scrutiny, examine};
-pub use peaks::{Peak, PeakTable, SpeedGroup, peaks};
+pub use peaks::{Peak, PeakTable, peaks};
 pub use prepare::{Align, Cut, Detrend, Preparation, Reference, Zero, noise_bandwidth, prepare};
 pub use series::{Channel, Recording, Series};
 pub use synthetic::{Exact, Noise, synthesise};

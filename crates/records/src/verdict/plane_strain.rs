@@ -2,7 +2,7 @@
 
 use super::anova::{Test, blocks, half_width};
 use super::{Answer, Testing};
-use crate::peaks::{Peak, PeakTable};
+use crate::peaks::{Peak, PeakTable, distinct};
 use crate::{Recording, Series};
 use serde::{Deserialize, Serialize};
 
@@ -109,16 +109,6 @@ fn lines(table: &PeakTable, series: Option<&Series>, name: &str, testing: &Testi
     let words = format!("{name}: {} lines differ by {:.1} % ({how}){alike}", lines.len(), 100.0 * difference);
     let lines = lines.into_iter().map(str::to_owned).zip(means).collect();
     Some(LineTest { name: name.to_owned(), lines, runs, difference, test, likeness, answer, words })
-}
-
-fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
-    let mut seen = Vec::new();
-    for name in names {
-        if !seen.contains(&name) {
-            seen.push(name);
-        }
-    }
-    seen
 }
 
 /// Least likeness of a line's history to the mean of its run's lines, over all runs.
