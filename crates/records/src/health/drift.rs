@@ -1,6 +1,6 @@
 //! Drift: a level that wanders while nothing loads the span.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use crate::Recording;
 use crate::signal::{Loaded, least_count, line, range};
 
@@ -38,7 +38,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
                 "it does not come back: {how}, {percent:.0} % of its range, but does not drift while nothing passes"
             );
             let help = "see whether joints slid under the train, or the sensor slipped; a second run tells";
-            judge.warn(run, Some(channel), "R046", Spot::over(loaded.quiet - 1, loaded.after), [&message, help]);
+            judge.warn(run, Some(channel), "R046", Some([loaded.quiet - 1, loaded.after]), [&message, help]);
             return;
         }
         (end - start, how)
@@ -50,5 +50,5 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     let percent = 100.0 * share.abs() / whole;
     let message = format!("it drifts: {how}, {percent:.0} % of its range over the run");
     let help = "see to temperature and amplifier; or accept R041, say why, and take the drift off with detrend";
-    judge.fault(run, channel, "R041", Spot::over(0, n - 1), [&message, help]);
+    judge.fault(run, Some(channel), "R041", Some([0, n - 1]), [&message, help]);
 }

@@ -75,23 +75,6 @@ pub struct Scrutiny {
     pub limits: Limits,
 }
 
-/// Samples a finding is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Spot {
-    /// First and last sample.
-    pub samples: Option<[usize; 2]>,
-}
-
-impl Spot {
-    pub(super) fn at(sample: usize) -> Spot {
-        Spot { samples: Some([sample; 2]) }
-    }
-
-    pub(super) fn over(first: usize, last: usize) -> Spot {
-        Spot { samples: Some([first, last]) }
-    }
-}
-
 /// Codes of findings that no word can mend: without a clock that runs forward nothing can be computed.
 const NOT_ACCEPTED: [&str; 4] = ["R030", "R031", "R033", "R013"];
 
@@ -113,62 +96,39 @@ impl<'a> Judge<'a> {
         run: &Recording,
         channel: Option<usize>,
         code: &'static str,
-        spot: Spot,
+        samples: Option<[usize; 2]>,
         [message, help]: [&str; 2],
     ) {
-        let place = place(run, channel, spot);
+        let place = place(run, channel, samples);
         self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
     }
 
-    /// A fault of a channel: it is left out, unless the caller accepts that.
+    /// A fault of a channel, or of the clock of all of them: what it is about is left out, unless the caller accepts that.
     pub(super) fn fault(
         &mut self,
         run: &mut Recording,
-        channel: usize,
+        channel: Option<usize>,
         code: &'static str,
-        spot: Spot,
+        samples: Option<[usize; 2]>,
         [message, help]: [&str; 2],
     ) {
-        let place = place(run, Some(channel), spot);
-        let target = &mut run.channels[channel];
-        let accepted = self.accepted(code, &run.name, target);
-        if let Some(reason) = accepted {
-            let message = format!("{message}; used all the same: {reason}");
-            self.findings.push(Finding::new(Severity::Warning, code, place, message, ""));
-            return;
-        }
-        if target.left_out.is_none() {
-            target.left_out = Some(format!("{code}: {message}"));
-        }
-        self.findings.push(Finding::new(
-            Severity::Error,
-            code,
-            place,
-            format!("{message}; the channel is left out"),
-            help,
-        ));
-    }
-
-    /// A fault of the clock: every channel of the run is left out, unless the caller accepts that.
-    pub(super) fn fault_all(&mut self, run: &mut Recording, code: &'static str, spot: Spot, message: &str, help: &str) {
-        let place = place(run, None, spot);
-        let mut out = 0;
-        let mut reasons = Vec::new();
-        for channel in &mut run.channels {
-            if let Some(reason) = self.accepted(code, &run.name, channel) {
+        let place = place(run, channel, samples);
+        let (mut out, mut reasons) = (0, Vec::new());
+        let meant = run.channels.iter_mut().enumerate().filter(|(k, _)| channel.is_none_or(|only| only == *k));
+        for (_, target) in meant {
+            if let Some(reason) = self.accepted(code, &run.name, target) {
                 reasons.push(reason);
                 continue;
             }
             out += 1;
-            if channel.left_out.is_none() {
-                channel.left_out = Some(format!("{code}: {message}"));
-            }
+            target.left_out.get_or_insert_with(|| format!("{code}: {message}"));
         }
         let finding = if out == 0 && !reasons.is_empty() {
             let message = format!("{message}; used all the same: {}", reasons[0]);
             Finding::new(Severity::Warning, code, place, message, "")
         } else {
-            Finding::new(Severity::Error, code, place, format!("{message}; the run is left out"), help)
+            let what = if channel.is_some() { "channel" } else { "run" };
+            Finding::new(Severity::Error, code, place, format!("{message}; the {what} is left out"), help)
         };
         self.findings.push(finding);
     }
@@ -239,9 +199,9 @@ impl<'a> Judge<'a> {
     }
 }
 
-fn place(run: &Recording, channel: Option<usize>, spot: Spot) -> Place {
+fn place(run: &Recording, channel: Option<usize>, samples: Option<[usize; 2]>) -> Place {
     let channel = channel.map(|index| &run.channels[index]);
-    let lines = spot.samples.and_then(|samples| {
+    let lines = samples.and_then(|samples| {
         let of = |sample: usize| run.lines.get(sample).map(|line| *line as usize).filter(|line| *line > 0);
         Some([of(samples[0])?, of(samples[1])?])
     });
@@ -250,6 +210,6 @@ fn place(run: &Recording, channel: Option<usize>, spot: Spot) -> Place {
         lines,
         column: channel.map(|channel| channel.column).filter(|column| *column > 0),
         channel: channel.map_or(String::new(), Channel::title),
-        time: spot.samples.and_then(|samples| run.times.get(samples[0]).copied()),
+        time: samples.and_then(|samples| run.times.get(samples[0]).copied()),
     }
 }

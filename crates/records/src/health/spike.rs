@@ -1,6 +1,6 @@
 //! Spikes: samples that leave their neighbours and come back at once.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use crate::signal::{Loaded, bridged, least_count, noise, quantile, range};
 use crate::{Done, Recording};
 use findings::words::counted;
@@ -57,7 +57,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
             unit.words(limit)
         );
         let help = "see to the sensor's contacts, or accept R042 and say why: its spikes are then taken out";
-        judge.fault(run, channel, "R042", Spot::at(spikes[0]), [&message, help]);
+        judge.fault(run, Some(channel), "R042", Some([spikes[0]; 2]), [&message, help]);
         if !run.channels[channel].used() {
             return;
         }
@@ -68,10 +68,10 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
             unit.words(values[k]),
             unit.words(smooth[k])
         );
-        judge.warn(run, Some(channel), "R042", Spot::at(k), [&message, "see whether the sensor was touched"]);
+        judge.warn(run, Some(channel), "R042", Some([k; 2]), [&message, "see whether the sensor was touched"]);
     }
     if spikes.len() > NAMED {
-        let spot = Spot::over(spikes[NAMED], spikes[spikes.len() - 1]);
+        let spot = Some([spikes[NAMED], spikes[spikes.len() - 1]]);
         let message = format!("{}, all taken out", counted(spikes.len() - NAMED, "more spike"));
         judge.warn(run, Some(channel), "R042", spot, [&message, "see to the sensor's contacts"]);
     }
