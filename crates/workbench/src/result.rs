@@ -6,7 +6,6 @@ use extrados::results::collapse::Collapse;
 use extrados::results::passage::{Passage, PassageStatus};
 use extrados::results::published::{self, Object};
 use extrados::results::study::Study;
-use extrados::results::sweep::Ended;
 use extrados::results::update::Update;
 use extrados::results::warning::Warning;
 use extrados::written::{self, Written};
@@ -89,12 +88,12 @@ impl Answer {
         Ok(match found {
             Swept::Loads(found) => {
                 let bridge = project.bridge()?;
-                let head = ("extrados.sweep/1", ended(found.ended()));
+                let head = ("extrados.sweep/1", found.ended().word());
                 let fields = found.object(&bridge.name, bridge.width);
                 Answer::new(project, head, fields, &found.warnings, written::loads_moved(&bridge.name, found))
             }
             Swept::Vehicles(found) => {
-                let head = ("extrados.vehicle-sweep/1", ended(found.status()));
+                let head = ("extrados.vehicle-sweep/1", found.status().word());
                 let picture = found.collapse.as_ref().map_or(Value::Null, |collapse| json!(collapse.picture));
                 let (fields, written) = (found.object(), written::vehicles_moved(found));
                 Answer { picture, ..Answer::new(project, head, fields, &found.warnings, written) }
@@ -222,12 +221,4 @@ impl Answer {
 /// Keys that stand before and after the others.
 fn object_keys(key: &str) -> bool {
     ["schema", "status", "warnings"].contains(&key)
-}
-
-fn ended(ended: Ended) -> &'static str {
-    match ended {
-        Ended::Completed => "completed",
-        Ended::Undetermined => "undetermined",
-        Ended::Cancelled => "cancelled",
-    }
 }
