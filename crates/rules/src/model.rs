@@ -106,21 +106,4 @@ impl LoadModel {
     pub fn source_of<'a>(&'a self, vehicle: &'a Vehicle) -> &'a Source {
         vehicle.source.as_ref().unwrap_or(&self.source)
     }
-
-    /// The published number at a span [m], linear between the spans of the table; none outside of it.
-    pub fn published(&self, quantity: PublishedQuantity, span: f64) -> Option<f64> {
-        let mut rows: Vec<(f64, f64)> = self
-            .published
-            .iter()
-            .filter(|table| table.quantity == quantity)
-            .flat_map(|table| table.spans_m.iter().copied().zip(table.values.iter().copied()))
-            .collect();
-        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some(row) = rows.iter().find(|row| row.0 == span) {
-            return Some(row.1);
-        }
-        rows.windows(2)
-            .find(|pair| pair[0].0 < span && span < pair[1].0)
-            .map(|pair| pair[0].1 + (pair[1].1 - pair[0].1) * (span - pair[0].0) / (pair[1].0 - pair[0].0))
-    }
 }
