@@ -76,7 +76,7 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     report::tabulate(&mut report, table, &samples);
     let Some(wanted) = plan.wanted_modulus else {
         if !sheared {
-            return Ok(report.without_search());
+            return Ok(report);
         }
         let Some(fresh) = self::samples(&found, &particles, &others, &mut crowd)? else {
             return Ok(report.cancelled());
