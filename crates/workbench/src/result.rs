@@ -62,14 +62,12 @@ impl Answer {
         let of_analysis = written::warnings_of(found);
         let of_analysis = of_analysis.iter().map(|one| json!({ "code": one.code(), "message": one.message() }));
         let warnings: Vec<Value> = doubts.into_iter().map(value).chain(of_file).chain(of_analysis).collect();
-        let mut object = Object::new();
-        object.insert("schema".to_owned(), json!("extrados.collapse/1"));
-        object.insert("status".to_owned(), json!(found.status));
+        let mut fields = Object::new();
         if !notes.is_empty() {
-            object.insert("notes".to_owned(), notes.into_iter().map(value).collect());
+            fields.insert("notes".to_owned(), notes.into_iter().map(value).collect());
         }
-        object.extend(found.object().into_iter().filter(|(key, _)| !object_keys(key)));
-        object.insert("warnings".to_owned(), json!(warnings));
+        fields.extend(found.object());
+        let object = written::headed("extrados.collapse/1", found.status.word(), fields, warnings);
         Answer {
             status: found.status.word().to_owned(),
             object,
@@ -216,9 +214,4 @@ impl Answer {
         }
         archive.finish().map(Cursor::into_inner).map_err(|error| failed(&error))
     }
-}
-
-/// Keys that stand before and after the others.
-fn object_keys(key: &str) -> bool {
-    ["schema", "status", "warnings"].contains(&key)
 }
