@@ -77,10 +77,32 @@ pub fn fail(words: &str) {
     panic!("{words}");
 }
 
-/// The examples.
-#[wasm_bindgen]
-pub fn examples() -> String {
-    cards::list_of_examples().to_string()
+/// What the engine knows and reads, as JSON texts.
+macro_rules! texts { ($($(#[$about:meta])* $name:ident($($with:ident: &$Text:ident),*) = $value:expr;)*) => { $(
+    $(#[$about])*
+    #[wasm_bindgen]
+    pub fn $name($($with: &$Text),*) -> String {
+        $value.to_string()
+    }
+)* } }
+
+texts! {
+    /// The examples.
+    examples() = cards::list_of_examples();
+    /// The JSON Schema of bridge files.
+    schema() = schemas::schema();
+    /// The cards of all keys.
+    keys() = cards::keys();
+    /// The card of a code.
+    explain(code: &str) = cards::explained(code);
+    /// Every card.
+    codes() = cards::codes();
+    /// Materials with their values, ends and sources.
+    materials() = cards::materials();
+    /// Where a text says what a path names, or "null".
+    place(text: &str, path: &str) = reading::place(text, path);
+    /// The ten numbers of a survey.
+    survey_questions() = cards::survey_questions();
 }
 
 /// A file of an example.
@@ -92,30 +114,6 @@ pub fn example_file(example: &str, file: &str) -> Thrown<Vec<u8>> {
     cards::example_file(example, file).map_err(thrown)
 }
 
-/// The JSON Schema of bridge files.
-#[wasm_bindgen]
-pub fn schema() -> String {
-    schemas::schema().to_string()
-}
-
-/// The cards of all keys.
-#[wasm_bindgen]
-pub fn keys() -> String {
-    cards::keys().to_string()
-}
-
-/// The card of a code.
-#[wasm_bindgen]
-pub fn explain(code: &str) -> String {
-    cards::explained(code).to_string()
-}
-
-/// Every card.
-#[wasm_bindgen]
-pub fn codes() -> String {
-    cards::codes().to_string()
-}
-
 /// Vehicles and rules.
 ///
 /// # Errors
@@ -123,12 +121,6 @@ pub fn codes() -> String {
 #[wasm_bindgen]
 pub fn library() -> Thrown<String> {
     cards::library().map(|library| library.to_string()).map_err(thrown)
-}
-
-/// Materials with their values, ends and sources.
-#[wasm_bindgen]
-pub fn materials() -> String {
-    cards::materials().to_string()
 }
 
 /// The text of a bridge file with a table filled from a material of the library.
@@ -139,18 +131,6 @@ pub fn materials() -> String {
 pub fn with_material(text: &str, table: &str, material: &str, keys: Vec<String>) -> Thrown<String> {
     let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
     extrados::with_material(text, table, material, &keys).map_err(thrown)
-}
-
-/// Where a text says what a path names, or "null".
-#[wasm_bindgen]
-pub fn place(text: &str, path: &str) -> String {
-    reading::place(text, path).to_string()
-}
-
-/// The ten numbers of a survey.
-#[wasm_bindgen]
-pub fn survey_questions() -> String {
-    cards::survey_questions().to_string()
 }
 
 /// A bridge file from answers.
