@@ -1,6 +1,6 @@
 //! Clocks: times that repeat, go back, or change their step; rows that are missing.
 
-use super::judge::Judge;
+use super::judge::{Judge, LONGEST_GAP};
 use crate::Recording;
 use crate::signal::median;
 use findings::words::{counted, verb};
@@ -170,7 +170,7 @@ fn usual_step(times: &[f64]) -> f64 {
 /// Rows that are missing between two times.
 fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) {
     let usual = usual_step(&run.times);
-    let longest = judge.scrutiny.limits.longest_gap;
+    let longest = LONGEST_GAP;
     let shown = run.time_step_shown;
     // Printed times are rounded only where the step is no multiple of what they can show.
     let counts = usual / shown;

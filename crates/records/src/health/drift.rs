@@ -8,6 +8,9 @@ use crate::signal::{Loaded, least_count, line, range};
 const SURE: f64 = 5.0;
 /// Samples of a quiet start whose slope is looked at.
 const SAMPLES: usize = 20;
+/// Drift over the run, as a share of the channel's range, from which a channel is left out. A tenth is the norm that a good
+/// calibration reaches, so that such a drift would be taken for the bridge.
+const SHARE: f64 = 0.1;
 
 pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
     let n = run.times.len();
@@ -18,7 +21,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
         return;
     }
     // Two least counts may be rounding.
-    let limit = (judge.scrutiny.limits.drift * range(smooth)).max(2.0 * least_count(smooth));
+    let limit = (SHARE * range(smooth)).max(2.0 * least_count(smooth));
     let [start, slope, error] = line(&run.times[..loaded.quiet], &values[..loaded.quiet]);
     let duration = run.times[n - 1] - run.times[0];
     let whole = range(smooth).max(f64::MIN_POSITIVE);

@@ -1,6 +1,6 @@
 //! Samples that are missing in one channel.
 
-use super::judge::Judge;
+use super::judge::{Judge, LONGEST_GAP};
 use crate::signal::bridged;
 use crate::{Done, Recording};
 use findings::words::{counted, verb};
@@ -20,7 +20,7 @@ fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
 /// Leaves a channel out whose longest stretch without values is too long to bridge.
 pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
     let stretches = stretches(&run.channels[channel].values);
-    let longest = judge.scrutiny.limits.longest_gap;
+    let longest = LONGEST_GAP;
     let n = run.times.len();
     let Some(worst) = stretches.iter().copied().max_by_key(|[first, last]| last - first) else { return };
     let count: usize = stretches.iter().map(|[first, last]| last - first + 1).sum();

@@ -9,7 +9,7 @@ mod missing;
 mod sisters;
 mod spike;
 
-pub use judge::{Accept, Expected, LeaveOut, Limits, Scrutiny};
+pub use judge::{Accept, Expected, LeaveOut, Scrutiny};
 
 use crate::signal::{bridged, loaded, smoothed};
 use crate::{Recording, Series};

@@ -15,6 +15,8 @@ const OF_COUNT: f64 = 5.0;
 const OF_OTHERS: f64 = 6.0;
 /// Spikes that are named one by one.
 const NAMED: usize = 20;
+/// Most spikes that are taken out of one channel; a channel with more has a loose contact.
+const MOST: usize = 5;
 
 /// Takes spikes out of a channel, or leaves the channel out where there are too many.
 pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
@@ -49,8 +51,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     if spikes.is_empty() {
         return;
     }
-    let most = judge.scrutiny.limits.spikes;
-    if spikes.len() > most {
+    if spikes.len() > MOST {
         let message = format!(
             "{} off their neighbours by more than {}",
             if spikes.len() == 1 { "1 sample stands".to_owned() } else { format!("{} samples stand", spikes.len()) },

@@ -2,7 +2,7 @@
 
 use crate::{judged, the, train};
 use records::{
-    Answer, Dynamics, PeakTable, PlaneStrain, Preparation, Recording, Testing, dynamics, peaks, plane_strain, prepare,
+    Answer, Dynamics, PeakTable, PlaneStrain, Preparation, Recording, dynamics, peaks, plane_strain, prepare,
 };
 
 const LINES: [&str; 3] = ["upstream", "centre", "downstream"];
@@ -19,8 +19,7 @@ fn verdicts(factor: impl Fn(usize, usize, &str, &str) -> f64) -> (PeakTable, Dyn
     assert!(series.left_out().is_empty(), "{:?}", series.left_out());
     let series = prepare(series, &Preparation::default());
     let table = peaks(&series);
-    let testing = Testing::default();
-    let (dynamics, plane) = (dynamics(&table, &testing), plane_strain(&table, Some(&series), &testing));
+    let (dynamics, plane) = (dynamics(&table), plane_strain(&table, Some(&series)));
     (table, dynamics, plane)
 }
 
@@ -93,6 +92,6 @@ fn runs_of_one_name_stay_two_and_runs_without_speed_are_said_not_to_count() {
     assert!(the(&series.findings, "R037").message.contains("`slow (2)`"));
     let table = peaks(&series);
     assert_eq!(table.peaks.len(), 8);
-    let words = dynamics(&table, &Testing::default()).words;
+    let words = dynamics(&table).words;
     assert!(words.contains("without a speed are not counted (1): slow (2)"), "{words}");
 }
