@@ -3,6 +3,7 @@
 use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, TargetStrength, Verdict};
 use crate::warning;
 use bridge::{Bridge, Modulus};
+use findings::words::counted;
 
 impl CalibrationReport {
     /// Nothing found yet.
@@ -74,9 +75,7 @@ impl CalibrationReport {
             self.warnings.push(told.into());
         }
     }
-}
 
-impl CalibrationReport {
     /// The modulus that is compared with the wanted one.
     pub fn compared(&self, measured: &Measured) -> Option<Spread> {
         match self.modulus {
@@ -122,8 +121,7 @@ impl CalibrationReport {
 
     /// "16 packings", for sentences.
     pub fn packings(&self) -> String {
-        let count = self.seeds.len();
-        format!("{count} packing{}", if count == 1 { "" } else { "s" })
+        counted(self.seeds.len(), "packing")
     }
 
     /// The multiple that was found, where the table does not have it.
@@ -177,22 +175,5 @@ impl Measured {
     pub fn at(&self, modulus: Modulus) -> Option<At> {
         let spread = if modulus == Modulus::Tangent { self.tangent } else { self.secant };
         spread.map(|spread| At { multiple: self.multiple, modulus: spread.mean })
-    }
-
-    /// Nothing but a modulus, for tests of the search.
-    pub fn bare(multiple: f64, modulus: f64) -> Measured {
-        let spread = Spread::of(&[(0, modulus)]);
-        Measured {
-            multiple,
-            tangent: spread,
-            least_squares: spread,
-            secant: spread,
-            late_secant: spread,
-            left_out: 0,
-            curve: Vec::new(),
-            samples: Vec::new(),
-            iterations: 0,
-            drawn: None,
-        }
     }
 }

@@ -119,11 +119,12 @@ fn nearest(known: &[(At, Measured)], wanted: f64) -> Option<&(At, Measured)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use outcome::calibration::Spread;
     use std::cell::Cell;
 
     /// A fill whose modulus [MPa] is a function of the multiple.
     fn find(modulus: impl Fn(f64) -> f64, wanted: f64, table: &[f64]) -> (Found, u32) {
-        let at = |multiple: f64| Measured::bare(multiple, modulus(multiple));
+        let at = |multiple: f64| bare(multiple, modulus(multiple));
         let table: Vec<Measured> = table.iter().map(|&m| at(m)).collect();
         let presses = Cell::new(0);
         let mut press = |multiple: f64| {
@@ -132,6 +133,23 @@ mod tests {
         };
         let found = search(wanted, 0.01, Modulus::Tangent, &table, &mut press);
         (found.unwrap(), presses.get())
+    }
+
+    /// Nothing but a modulus.
+    fn bare(multiple: f64, modulus: f64) -> Measured {
+        let spread = Spread::of(&[(0, modulus)]);
+        Measured {
+            multiple,
+            tangent: spread,
+            least_squares: spread,
+            secant: spread,
+            late_secant: spread,
+            left_out: 0,
+            curve: Vec::new(),
+            samples: Vec::new(),
+            iterations: 0,
+            drawn: None,
+        }
     }
 
     #[test]
