@@ -274,9 +274,8 @@ impl Sweeper<'_> {
     /// The factor at which blocks that rest between stiff joints give way without dilation, however they were put together; infinite where they
     /// carry any load, none where the way there has no end.
     pub fn gives_way(&self, effect: &Effect) -> Option<f64> {
-        let Ground { joints, strengths, stands, .. } = self.ground;
         let equilibrium = self.loaded(effect);
-        let stood = stands.at_rest.stood(&equilibrium, joints, strengths)?;
+        let stood = self.ground.stands.at_rest.stood(&equilibrium)?;
         match stood.under(&equilibrium, 0.0) {
             Grown::GivesWay { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
             Grown::Carried => Some(f64::INFINITY),

@@ -261,7 +261,7 @@ mod tests {
                 let mut count = 0;
                 while let Some(change) = shape.next(part, at, rate, left) {
                     assert!(change.onward.dot(rate) > 0.0);
-                    at = at + rate * change.after;
+                    at += rate * change.after;
                     let (before, behind) = (shape.drawn_back(part, at), shape.drawn_back(change.to, at));
                     assert!((before - behind).norm() < 1e-10, "no jump {k} {at:?}");
                     (part, left, count) = (change.to, left - change.after, count + 1);
