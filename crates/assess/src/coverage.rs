@@ -4,7 +4,7 @@ use crate::evidence::Evidence;
 use crate::vehicles::{Chosen, LoadModel, Read, Rule, applicable, chosen, read};
 use bridge::{Bridge, Directions, SweepPlan};
 use outcome::given::Taken;
-use rules::{Confidence, Required, Ways, based_on};
+use rules::{Acting, Confidence, Factor, Required, Ways, based_on};
 
 /// The rule of a file and what its vehicles cover.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,36 +125,19 @@ fn is_normal(model: &LoadModel) -> bool {
 
 /// The rule's factors, and those on the loads of its vehicles.
 fn factors(rule: &Rule, vehicles: &[Chosen]) -> Vec<Acted> {
+    let of = |name: String, factor: &Factor| Acted {
+        name,
+        value: factor.value.to_string(),
+        confidence: factor.source.confidence,
+    };
     let listed = rule.listed().into_iter().filter(|(name, _)| *name != "live load");
-    let mut list: Vec<Acted> = listed
-        .map(|(name, factor)| Acted {
-            name: name.to_owned(),
-            value: factor.value.to_string(),
-            confidence: factor.source.confidence,
-        })
-        .collect();
+    let mut list: Vec<Acted> = listed.map(|(name, factor)| of(name.to_owned(), factor)).collect();
     for one in vehicles {
-        let live = &one.acting.live_load;
-        let acted = [
-            Acted {
-                name: format!("live load of {}", one.model),
-                value: live.value.to_string(),
-                confidence: live.source.confidence,
-            },
-            Acted {
-                name: format!("impact on {}", one.model),
-                value: one.acting.impact.told(),
-                confidence: one
-                    .acting
-                    .impact
-                    .sources()
-                    .iter()
-                    .map(|source| source.confidence)
-                    .max()
-                    .unwrap_or(Confidence::Assumed),
-            },
-        ];
-        for factor in acted {
+        let Acting { live_load, impact, .. } = &one.acting;
+        let surest = impact.sources().iter().map(|source| source.confidence).max();
+        let confidence = surest.unwrap_or(Confidence::Assumed);
+        let impact = Acted { name: format!("impact on {}", one.model), value: impact.told(), confidence };
+        for factor in [of(format!("live load of {}", one.model), live_load), impact] {
             if !list.contains(&factor) {
                 list.push(factor);
             }
@@ -165,12 +148,8 @@ fn factors(rule: &Rule, vehicles: &[Chosen]) -> Vec<Acted> {
 
 /// Vehicles on which no factor above 1 with a source acts.
 fn without_safety(vehicles: &[Chosen]) -> Vec<(String, f64)> {
-    let live = |one: &Chosen| one.acting.live_load.clone();
-    let bare = vehicles.iter().filter(|one| {
-        let factor = live(one);
-        factor.value <= 1.0 || factor.source.confidence == Confidence::Assumed
-    });
-    bare.map(|one| (one.vehicle.code.clone(), live(one).value)).collect()
+    let live = vehicles.iter().map(|one| (&one.vehicle.code, &one.acting.live_load));
+    live.filter(|(_, factor)| !factor.is_safety()).map(|(code, factor)| (code.clone(), factor.value)).collect()
 }
 
 /// Least positions over the shortest span with which the worst one is met.

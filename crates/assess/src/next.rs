@@ -78,18 +78,10 @@ fn inspect(evidence: &Evidence, list: &mut Vec<Step>) {
         let turns = |value: Option<f64>| value.is_some_and(|value| (value <= 1.0) != met);
         let turning = facts.quantities.iter().filter(|one| turns(one.less) || turns(one.more));
         for one in turning {
-            let because = format!(
-                "{} of {:.0} % turns check {}",
-                if met { "a change" } else { "a measurement that differs" },
-                100.0 * facts.share,
-                facts.code
-            );
-            list.push(step(
-                Action::Inspect,
-                format!("measure {} (the file has {})", one.path, one.value),
-                because,
-                SURVEY,
-            ));
+            let differs = if met { "a change" } else { "a measurement that differs" };
+            let because = format!("{differs} of {:.0} % turns check {}", 100.0 * facts.share, facts.code);
+            let what = format!("measure {} (the file has {})", one.path, one.value);
+            list.push(step(Action::Inspect, what, because, SURVEY));
         }
         if list.iter().all(|one| one.action != Action::Inspect)
             && let Some(first) = facts.quantities.first()
@@ -99,12 +91,8 @@ fn inspect(evidence: &Evidence, list: &mut Vec<Step>) {
                 facts.code,
                 100.0 * facts.share
             );
-            list.push(step(
-                Action::Inspect,
-                format!("measure {} first (the file has {})", first.path, first.value),
-                because,
-                SURVEY,
-            ));
+            let what = format!("measure {} first (the file has {})", first.path, first.value);
+            list.push(step(Action::Inspect, what, because, SURVEY));
         }
     }
     let across = evidence.facts.warnings().find(|(_, one)| one.code() == warning::ACROSS_ASSUMED);
@@ -113,6 +101,25 @@ fn inspect(evidence: &Evidence, list: &mut Vec<Step>) {
         list.push(step(Action::Inspect, what, format!("{}: {}", found.code(), found.message()), SURVEY));
     }
 }
+
+/// Whether a defect is one of a kind.
+type Is = fn(&DefectKind) -> bool;
+
+/// Defects that can grow: what is measured of them, what they are, and which they are.
+const GROWING: [(&str, &str, Is); 4] = [
+    ("opening of the joints that stand open, at several temperatures", "open joints", |kind| {
+        matches!(kind, DefectKind::OpenJoint { .. })
+    }),
+    ("extent of ring separation, by tapping", "stretches of separated rings", |kind| {
+        matches!(kind, DefectKind::RingSeparation { .. })
+    }),
+    ("stones beside those that dropped or fell out", "stretches of dropped or missing stones", |kind| {
+        matches!(kind, DefectKind::MissingStones | DefectKind::DroppedStones { .. })
+    }),
+    ("depth of mortar and stone that is lost, at the same places", "stretches of lost mortar or stone", |kind| {
+        matches!(kind, DefectKind::LostMortar { .. } | DefectKind::ThinRing { .. })
+    }),
+];
 
 /// What can grow.
 fn monitor(evidence: &Evidence, checked: &[Checked], list: &mut Vec<Step>) {
@@ -125,27 +132,11 @@ fn monitor(evidence: &Evidence, checked: &[Checked], list: &mut Vec<Step>) {
     if cracks > 0 {
         add("width and length of longitudinal cracks", format!("through the barrel: {cracks}"));
     }
-    let defects = || bridge.spans.iter().flat_map(|span| &span.defects);
-    let has = |is_one: fn(&DefectKind) -> bool| defects().filter(|one| is_one(&one.kind)).count();
-    let counted = |count: usize, what: &str| format!("{what} in the file: {count}");
-    let open = has(|kind| matches!(kind, DefectKind::OpenJoint { .. }));
-    if open > 0 {
-        add("opening of the joints that stand open, at several temperatures", counted(open, "open joints"));
-    }
-    let parted = has(|kind| matches!(kind, DefectKind::RingSeparation { .. }));
-    if parted > 0 {
-        add("extent of ring separation, by tapping", counted(parted, "stretches of separated rings"));
-    }
-    let loose = has(|kind| matches!(kind, DefectKind::MissingStones | DefectKind::DroppedStones { .. }));
-    if loose > 0 {
-        add("stones beside those that dropped or fell out", counted(loose, "stretches of dropped or missing stones"));
-    }
-    let wasting = has(|kind| matches!(kind, DefectKind::LostMortar { .. } | DefectKind::ThinRing { .. }));
-    if wasting > 0 {
-        add(
-            "depth of mortar and stone that is lost, at the same places",
-            counted(wasting, "stretches of lost mortar or stone"),
-        );
+    for (what, defects, is_one) in GROWING {
+        let count = bridge.spans.iter().flat_map(|span| &span.defects).filter(|one| is_one(&one.kind)).count();
+        if count > 0 {
+            add(what, format!("{defects} in the file: {count}"));
+        }
     }
     if let Some(water) = bridge.cover.water {
         add(

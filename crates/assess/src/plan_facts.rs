@@ -1,40 +1,21 @@
 //! What a verdict must know of the rule and the vehicles that a plan names: what the rule asks for, what an engineer's own files change of
 //! the library, what is doubtful in them, and which load cases were not moved.
 
-use crate::vehicles::{Read, longest, read};
+use crate::vehicles::{Read, applicable, read};
 use bridge::{Bridge, SweepPlan};
-use outcome::facts::DoubtFacts;
+use outcome::facts::{DoubtFacts, SafetyFacts, VehicleFacts};
 use outcome::vehicles::Swept;
 use rules::{
-    ChangedFactor, Confidence, Doubt, LoadModel, Required, Requirement, Rule, Source, Ways, based_on,
-    changed_by_vehicles, changed_for, doubts_of_rule, doubts_of_vehicles,
+    Confidence, Doubt, LoadModel, Required, Requirement, Rule, Source, Ways, based_on, changed_by_vehicles,
+    changed_for, doubts_of_rule, doubts_of_vehicles,
 };
 
-/// See above.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct PlanFacts {
-    /// What the rule, and the library's rule that it builds on, asks for.
-    pub requires: Vec<Requirement>,
-    /// The file of the rule; empty where it is the library's.
-    pub rule_file: String,
-    /// The library's rule that it builds on, and whether the file names it.
-    pub based_on: (String, bool),
-    /// What differs from the library's rule.
-    pub changed: Vec<ChangedFactor>,
-    /// Doubtful values of the file's own rule and vehicles.
-    pub doubtful: Vec<DoubtFacts>,
-    /// Vehicles of the same loading that were not moved.
-    pub missing: Vec<String>,
-    /// What is left out of the loads.
-    pub left_out: Vec<String>,
-}
-
-/// What is to be said of a plan whose vehicles were moved.
-pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> PlanFacts {
-    let Ok(Read { rule: Some(rule), library, own, .. }) = read(bridge, plan) else { return PlanFacts::default() };
+/// What is to be said of a plan whose vehicles were moved: of their facts no more than that.
+pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> VehicleFacts {
+    let Ok(Read { rule: Some(rule), library, own, .. }) = read(bridge, plan) else { return VehicleFacts::default() };
     let base = based_on(&rule, &library).filter(|_| plan.rule_file.is_some());
     let moved: Vec<&str> = swept.iter().map(|one| one.model.as_str()).collect();
-    let mut changed = base.map_or_else(Vec::new, |base| changed_for(&rule, base.rule, &moved));
+    let mut changed_factors = base.map_or_else(Vec::new, |base| changed_for(&rule, base.rule, &moved));
     let mut left_out: Vec<String> = Vec::new();
     let mut models: Vec<&str> = Vec::new();
     for one in swept {
@@ -42,7 +23,7 @@ pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> Pla
         left_out.extend(more);
         if !models.contains(&one.model.as_str()) {
             models.push(&one.model);
-            changed.extend(changed_by_vehicles(&rule, &one.model, &one.acting));
+            changed_factors.extend(changed_by_vehicles(&rule, &one.model, &one.acting));
         }
     }
     let doubts = |file: &str, doubts: Vec<Doubt>| {
@@ -59,14 +40,14 @@ pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> Pla
     for (file, model) in plan.vehicle_files.iter().zip(&library.models[own..]) {
         doubtful.extend(doubts(file, doubts_of_vehicles(model)));
     }
-    PlanFacts {
+    let (based_on, based_on_named) = base.map_or_else(Default::default, |base| (base.rule.code.clone(), base.named));
+    VehicleFacts {
         requires: requires(&rule, base.map(|base| base.rule)),
-        based_on: base.map_or_else(Default::default, |base| (base.rule.code.clone(), base.named)),
-        missing: missing(bridge, &rule, &library.models, swept),
-        rule_file,
-        changed,
+        load_cases_missing: missing(bridge, &rule, &library.models, swept),
+        safety: SafetyFacts { rule_file, based_on, based_on_named, changed_factors, ..SafetyFacts::default() },
         doubtful,
         left_out,
+        ..VehicleFacts::default()
     }
 }
 
@@ -96,8 +77,7 @@ fn missing(bridge: &Bridge, rule: &Rule, models: &[LoadModel], swept: &[Swept]) 
     let loading = |code: &str| models.iter().find(|model| model.code == code).map(|model| model.loading.as_str());
     let moved: Vec<&str> = swept.iter().filter_map(|one| loading(&one.model)).filter(|name| !name.is_empty()).collect();
     let applies = |model: &&LoadModel| {
-        let short = model.span_limit.as_ref().is_none_or(|limit| longest(bridge) <= limit.longest_m + 1e-9);
-        moved.contains(&model.loading.as_str()) && short && rule.acting(model).is_some()
+        moved.contains(&model.loading.as_str()) && applicable(bridge, model) && rule.acting(model).is_some()
     };
     let all = models.iter().filter(applies).flat_map(|model| &model.vehicles);
     let not_moved = |code: &&String| swept.iter().all(|one| one.code != **code);

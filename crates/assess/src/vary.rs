@@ -1,12 +1,14 @@
 //! An analysis repeated over ranges of a bridge's quantities: which runs there are, what they gave, what matters most.
 
-mod sweep;
-
-use crate::analysis::{self, AnalysisError};
+use crate::analysis::{self, AnalysisError, Places};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::published;
 use outcome::study::{CARRIED, Command, Outcome, Study};
+use outcome::sweep::Sweep;
+use outcome::vehicles::VehicleSweep;
+use outcome::warning::Warning;
+use structure::discretise::bridge_length;
 
 /// An analysis that can be repeated: from a bridge with its plan to numbers with names.
 #[derive(Clone, Copy)]
@@ -39,22 +41,69 @@ pub const COLLAPSE: Analysis = Analysis {
     ],
     run: |bridge, watch| {
         let found = analysis::collapse(bridge, None, watch)?;
-        Ok(Outcome {
-            status: found.status.word().to_owned(),
-            numbers: published::collapse_numbers(&found),
-            warnings: found.warnings.iter().map(|warning| warning.code().to_owned()).collect(),
-            message: None,
-        })
+        Ok(outcome(found.status.word(), published::collapse_numbers(&found), &found.warnings))
     },
 };
+
+/// What came of an analysis.
+fn outcome(status: &str, numbers: Vec<(String, f64)>, warnings: &[Warning]) -> Outcome {
+    let warnings = warnings.iter().map(|warning| warning.code().to_owned()).collect();
+    Outcome { status: status.to_owned(), numbers, warnings, message: None }
+}
 
 /// Vehicles of the file's `[sweep]` moved over the bridge, or else its loads.
 pub const SWEEP: Analysis = Analysis {
     command: Command::Sweep,
     leading: &["adequacy_factor", "load_factor"],
     brackets: &[["adequacy_upper_bound", "adequacy_lower_bound"]],
-    run: sweep::run,
+    run: sweep,
 };
+
+/// A sweep: vehicles where the file has [sweep], its loads otherwise.
+fn sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
+    let Some(plan) = &bridge.sweep else { return loads(bridge, watch) };
+    // A second opinion on one position is for one bridge.
+    let plan = bridge::SweepPlan { discrete_elements: false, ..plan.clone() };
+    let bridge = Bridge { sweep: Some(plan), ..bridge.clone() };
+    Ok(of_vehicles(&analysis::vehicle_sweep(&bridge, watch)?))
+}
+
+fn loads(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
+    let step = bridge_length(bridge) / STEPS;
+    Ok(of_loads(&analysis::sweep(bridge, Places::Every(step), true, watch)?))
+}
+
+/// Steps over the bridge of a sweep of the file's loads, as `collapse --sweep` has them.
+const STEPS: f64 = 100.0;
+
+fn of_vehicles(found: &VehicleSweep) -> Outcome {
+    let mut numbers = Vec::new();
+    let mut put = |name: String, number: Option<f64>| {
+        numbers.extend(number.filter(|number| number.is_finite()).map(|number| (name, number)));
+    };
+    let governing = found.governing.and_then(|k| found.vehicles.get(k));
+    put("adequacy_factor".into(), governing.and_then(|v| v.adequacy));
+    put("adequacy_lower_bound".into(), governing.and_then(|v| v.bounds).map(|bounds| bounds[0]));
+    put("adequacy_upper_bound".into(), governing.and_then(|v| v.bounds).map(|bounds| bounds[1]));
+    put("governing_position_m".into(), governing.and_then(|v| v.case.as_ref()).map(|case| case.position));
+    for vehicle in &found.vehicles {
+        put(format!("adequacy_factor_of_{}", vehicle.code), vehicle.adequacy);
+    }
+    outcome(found.status().word(), numbers, &found.warnings)
+}
+
+fn of_loads(found: &Sweep) -> Outcome {
+    let governing = found.governing.and_then(|k| found.points.get(k));
+    let numbers = [
+        ("load_factor", governing.and_then(|point| point.load_factor)),
+        ("last_stable_load_kn_per_m", governing.and_then(|point| point.collapse_load).map(|load| load / 1e3)),
+        ("collapse_load_kn_per_m", governing.and_then(|point| point.collapse_load).map(|load| load / 1e3)),
+        ("governing_position_m", governing.map(|point| point.position)),
+    ];
+    let numbers = numbers.into_iter().filter_map(|(name, number)| Some((name.to_owned(), number?)));
+    let numbers = numbers.filter(|(_, number)| number.is_finite()).collect();
+    outcome(found.ended().word(), numbers, &found.warnings)
+}
 
 /// Numbers that only a sweep finds.
 pub const OF_SWEEPS: [&str; 3] = ["adequacy_factor", "load_factor", "governing_position_m"];

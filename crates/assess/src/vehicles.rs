@@ -70,24 +70,22 @@ pub enum Unknown {
 }
 
 /// Everything that keeps vehicles or a rule from being had.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, thiserror::Error)]
+#[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
 pub struct Refused(pub Vec<Unknown>);
 
-impl std::fmt::Display for Refused {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let all: Vec<String> = self.0.iter().map(ToString::to_string).collect();
-        f.write_str(&all.join("; "))
+impl From<Unknown> for Refused {
+    fn from(unknown: Unknown) -> Refused {
+        Refused(vec![unknown])
     }
 }
-
-impl std::error::Error for Refused {}
 
 /// The library with the trains of passages, whose axles weigh by `gravity` [m/s^2].
 ///
 /// # Errors
 /// What is wrong with the files of the library.
-pub fn library(gravity: f64) -> Result<Library, Unknown> {
-    let mut library = rules::library().map_err(|problems| said(&problems))?;
+pub fn library(gravity: f64) -> Result<Library, Refused> {
+    let mut library = rules::library().map_err(|problems| Refused(of_files(problems).collect()))?;
     let vehicles = bridge::train::LIBRARY.iter().filter_map(|train| {
         let vehicles = bridge::train::read_toml(train.text.as_bytes()).vehicles?;
         let whole = bridge::train::Train { name: train.name.to_owned(), file: None, vehicles };
@@ -162,19 +160,24 @@ pub(crate) fn named_beside(
     let Read { library, .. } = read(bridge, plan)?;
     let mut list = Vec::new();
     for code in codes {
-        let found: Vec<(&LoadModel, &Vehicle)> = match library.model(code) {
-            Some(model) => model.vehicles.iter().map(|vehicle| (model, vehicle)).collect(),
-            None => library.vehicle(code).into_iter().collect(),
-        };
+        let found = of_name(&library, code);
         if found.is_empty() {
             let known: Vec<&str> = library.models.iter().map(|model| model.code.as_str()).collect();
-            return Err(Refused(vec![Unknown::Vehicle { code: code.clone(), near: near(code, &known) }]));
+            return Err(Unknown::Vehicle { code: code.clone(), near: near(code, &known) }.into());
         }
         for (model, vehicle) in found {
-            list.push(taken(bridge, rule, &library, model, vehicle).map_err(|unknown| Refused(vec![unknown]))?);
+            list.push(taken(bridge, rule, &library, model, vehicle)?);
         }
     }
     Ok(list)
+}
+
+/// The vehicles of a load model, or the vehicle, that bears a name.
+fn of_name<'l>(library: &'l Library, code: &str) -> Vec<(&'l LoadModel, &'l Vehicle)> {
+    match library.model(code) {
+        Some(model) => model.vehicles.iter().map(|vehicle| (model, vehicle)).collect(),
+        None => library.vehicle(code).into_iter().collect(),
+    }
 }
 
 /// What a plan has to choose from.
@@ -192,7 +195,7 @@ pub(crate) struct Read {
 }
 
 pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
-    let library = library(bridge.gravity).map_err(|unknown| Refused(vec![unknown]))?;
+    let library = library(bridge.gravity)?;
     let mut wrong = Vec::new();
     let mut texts = plan.texts.iter();
     let rule = match &plan.rule_file {
@@ -204,7 +207,7 @@ pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
                 Some(rule)
             }
             Some(Err(problems)) => {
-                wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
+                wrong.extend(of_files(problems));
                 None
             }
             None => {
@@ -227,13 +230,12 @@ pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
                 let levels = model.vehicles.iter().any(|vehicle| !vehicle.with.is_empty());
                 read.library.models.push(model);
                 if levels {
-                    let problems = read.library.join_levels();
-                    read.wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
+                    read.wrong.extend(of_files(read.library.join_levels()));
                 }
             }
             Err(problems) => {
                 read.whole = false;
-                read.wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
+                read.wrong.extend(of_files(problems));
             }
         }
     }
@@ -270,10 +272,7 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
         }
     }
     for code in &plan.vehicles {
-        let found: Vec<(&LoadModel, &Vehicle)> = match library.model(code) {
-            Some(model) => model.vehicles.iter().map(|vehicle| (model, vehicle)).collect(),
-            None => library.vehicle(code).into_iter().collect(),
-        };
+        let found = of_name(&library, code);
         if found.is_empty() && whole {
             let vehicles = library.vehicles().map(|(_, vehicle)| vehicle.code.as_str());
             let known: Vec<&str> = vehicles.chain(library.models.iter().map(|model| model.code.as_str())).collect();
@@ -296,7 +295,7 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
     match rule {
         Some(rule) if wrong.is_empty() && vehicles.is_empty() => {
             let reason = format!("no vehicle of the library goes with rule \"{}\" on spans like these", rule.code);
-            Err(Refused(vec![Unknown::File(reason)]))
+            Err(Unknown::File(reason).into())
         }
         Some(rule) if wrong.is_empty() => Ok((rule, vehicles)),
         _ => Err(Refused(wrong)),
@@ -331,7 +330,7 @@ pub fn applicable(bridge: &Bridge, model: &LoadModel) -> bool {
     model.span_limit.as_ref().is_none_or(|limit| longest(bridge) <= limit.longest_m + 1e-9)
 }
 
-pub(crate) fn longest(bridge: &Bridge) -> f64 {
+fn longest(bridge: &Bridge) -> f64 {
     bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max)
 }
 
@@ -383,16 +382,11 @@ fn grade(model: &LoadModel, vehicle: &Vehicle) -> Option<Grade> {
 }
 
 /// A refusal of the name that was written.
-fn named(unknown: Unknown, code: &str) -> Unknown {
-    match unknown {
-        Unknown::Pairing { model, rule, made_for, others, .. } => {
-            Unknown::Pairing { vehicle: code.to_owned(), model, rule, made_for, others }
-        }
-        Unknown::Span { longest, span, reason, .. } => {
-            Unknown::Span { vehicle: code.to_owned(), longest, span, reason }
-        }
-        other => other,
+fn named(mut unknown: Unknown, code: &str) -> Unknown {
+    if let Unknown::Pairing { vehicle, .. } | Unknown::Span { vehicle, .. } = &mut unknown {
+        code.clone_into(vehicle);
     }
+    unknown
 }
 
 /// How many names are suggested for one that nothing bears.
@@ -413,6 +407,7 @@ fn near(written: &str, known: &[&str]) -> String {
     close.iter().take(SUGGESTED).map(|(_, name)| format!("\"{name}\", or ")).collect()
 }
 
-fn said(problems: &[rules::Problem]) -> Unknown {
-    Unknown::File(problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))
+/// What is wrong with files.
+fn of_files(problems: Vec<rules::Problem>) -> impl Iterator<Item = Unknown> {
+    problems.into_iter().map(|problem| Unknown::File(problem.to_string()))
 }

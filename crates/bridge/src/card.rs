@@ -1,7 +1,7 @@
 //! What a card is: a table of a file, and a key of it.
 
 pub use crate::choice::Word;
-use crate::quantity::Dimension;
+use crate::quantity::{self, Dimension, Quantity};
 
 /// A table of the file.
 #[derive(Debug)]
@@ -78,6 +78,24 @@ pub enum Kind {
     Tables(&'static Section),
 }
 
+impl Kind {
+    /// Whether its values stand in a file without quotes around the whole.
+    pub(crate) const fn is_bare(self) -> bool {
+        matches!(
+            self,
+            Kind::Number
+                | Kind::NumberOr(_)
+                | Kind::Numbers
+                | Kind::Count
+                | Kind::Flag
+                | Kind::Quantities(_)
+                | Kind::Points
+                | Kind::Rows(_)
+                | Kind::Values
+        )
+    }
+}
+
 /// Whether a field must be there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Need {
@@ -133,6 +151,10 @@ impl Field {
         self.above(0.0)
     }
 
+    pub(crate) const fn positive_up_to(self, most: f64) -> Field {
+        self.positive().at_most(most)
+    }
+
     pub(crate) const fn above(mut self, least: f64) -> Field {
         self.limits.least = least;
         self.limits.least_included = false;
@@ -148,6 +170,10 @@ impl Field {
     pub(crate) const fn at_most(mut self, most: f64) -> Field {
         self.limits.most = most;
         self
+    }
+
+    pub(crate) const fn between(self, least: f64, most: f64) -> Field {
+        self.at_least(least).at_most(most)
     }
 
     /// Most characters of a text: as the card says. Names stand in drawings, tables and titles; other texts are some sentences.
@@ -167,6 +193,11 @@ impl Field {
         }
     }
 
+    /// The first quantity of the example, whose unit engineers would use here.
+    pub(crate) fn example_quantity(&self) -> Option<Quantity> {
+        self.example.split('"').find_map(|piece| quantity::parse(piece).ok())
+    }
+
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
         self.literal(self.example)
@@ -175,15 +206,7 @@ impl Field {
     /// A text of the card as the file would have it, in quotes where it is text.
     pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
-            Kind::Number
-            | Kind::NumberOr(_)
-            | Kind::Numbers
-            | Kind::Count
-            | Kind::Flag
-            | Kind::Quantities(_)
-            | Kind::Points
-            | Kind::Rows(_)
-            | Kind::Values => text.to_owned(),
+            kind if kind.is_bare() => text.to_owned(),
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{text}\""),
         }
@@ -191,10 +214,7 @@ impl Field {
 
     /// How a line of the file looks, with the unit and without a value: what a message may say, for a value of another bridge is no remedy.
     pub fn form(&self) -> String {
-        let unit = || {
-            let of_example = self.example.split('"').find_map(|piece| crate::quantity::parse(piece).ok());
-            of_example.map_or("", |quantity| quantity.unit.symbol)
-        };
+        let unit = || self.example_quantity().map_or("", |quantity| quantity.unit.symbol);
         let value = match self.kind {
             Kind::Table(_) | Kind::Tables(_) => return self.example_line(),
             Kind::Word(choices) => {
@@ -253,6 +273,16 @@ pub(crate) const fn joined<const N: usize>(lists: &[&[Field]]) -> [Field; N] {
             (count, k) = (count + 1, k + 1);
         }
         list += 1;
+    }
+    fields
+}
+
+/// The same cards, none of which must be there.
+pub(crate) const fn each_optional<const N: usize>(mut fields: [Field; N], meaning: &'static str) -> [Field; N] {
+    let mut k = 0;
+    while k < N {
+        fields[k] = fields[k].optional(meaning);
+        k += 1;
     }
     fields
 }

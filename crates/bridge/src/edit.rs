@@ -1,6 +1,6 @@
 //! A bridge file's text, edited in one place with everything else kept as it is written: comments, order, spelling.
 
-use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::path::Path;
 
@@ -96,13 +96,10 @@ impl Document {
         for step in before {
             let item = table.get_mut(&step.key).ok_or(Unfit::NoPlace)?;
             if let Item::Value(whole) = item {
-                let others = comment(whole);
-                let others =
-                    others.split("; ").filter(|one| !one.is_empty() && !one.starts_with(&format!("{}: ", last.key)));
-                let all: Vec<&str> = others.collect();
-                let all = [all.join("; "), format!("{}: {words}", last.key)].into_iter().filter(|one| !one.is_empty());
-                let all = all.collect::<Vec<_>>().join("; ");
-                whole.decor_mut().set_suffix(format!("  # {all}"));
+                let (said, own) = (comment(whole), format!("{}: ", last.key));
+                let others = said.split("; ").filter(|one| !one.is_empty() && !one.starts_with(&own));
+                let all: Vec<String> = others.map(str::to_owned).chain([format!("{own}{words}")]).collect();
+                whole.decor_mut().set_suffix(format!("  # {}", all.join("; ")));
                 return Ok(());
             }
             table = entry_mut(item, step.index).ok_or(Unfit::NoPlace)?;
@@ -155,13 +152,11 @@ fn entry_mut(item: &mut Item, index: Option<usize>) -> Option<&mut dyn TableLike
     let place = place(item, index)?;
     match item {
         Item::ArrayOfTables(list) => list.get_mut(place).map(|table| table as &mut dyn TableLike),
-        Item::Value(Value::Array(list)) => array_entry(list, place),
+        Item::Value(Value::Array(list)) => {
+            list.get_mut(place)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
+        }
         other => other.as_table_like_mut(),
     }
-}
-
-fn array_entry(list: &mut Array, place: usize) -> Option<&mut dyn TableLike> {
-    list.get_mut(place)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
 }
 
 fn place(item: &Item, index: Option<usize>) -> Option<usize> {

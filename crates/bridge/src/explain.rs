@@ -1,27 +1,88 @@
-//! What a code means: one card for every error and warning, with an example that raises it and one that does not.
+//! What a code means: one card for every error and warning, with an example that raises it and one that does not. Cards stand in
+//! `crates/bridge/data/messages/`, by subject.
 
-mod errors;
-mod file_card;
-mod geometry;
-mod passage;
-mod update;
-mod vary;
-mod warnings;
+use crate::quantity;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
-pub use file_card::FileCard;
+/// The card of a code about files, with lines that raise it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub struct FileCard {
+    /// The code: `B…` for errors in the file, `P…` for plausibility.
+    pub code: &'static str,
+    /// What is found, in a line.
+    pub title: &'static str,
+    /// What is checked.
+    pub meaning: &'static str,
+    /// Why it matters.
+    pub why: &'static str,
+    /// Lines that raise it.
+    pub wrong: &'static str,
+    /// What to write instead.
+    pub right: &'static str,
+    /// Where the rule comes from.
+    pub source: &'static str,
+}
+
+impl FileCard {
+    /// What to write instead, as it is shown. A value that the file must get from its own bridge is an ellipsis before its unit: the
+    /// value of another bridge is no remedy. Numbers of the wrong lines stay, for there it is the writing that is wrong.
+    pub fn instead(&self) -> String {
+        let doubt = self.code.starts_with('P');
+        let leave_out = |number: &str| doubt || !self.wrong.replace(',', ".").contains(number);
+        let line = |line: &str| match line.split_once(" = ") {
+            // A constant of nature.
+            Some(("gravity", _)) => line.to_owned(),
+            Some((key, count)) if doubt && count.parse::<u32>().is_ok() => format!("{key} = …"),
+            Some(_) => masked(line, leave_out),
+            // A row of a list shows how lists are written.
+            None => line.to_owned(),
+        };
+        self.right.trim().lines().map(line).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The words above these lines.
+    pub fn instead_is(&self) -> &'static str {
+        if self.instead().contains('…') { "Instead, with this bridge's own value:" } else { "Instead:" }
+    }
+}
 
 /// All cards, by subject.
-pub const CARDS: [&[FileCard]; 6] =
-    [errors::CARDS, geometry::CARDS, passage::CARDS, update::CARDS, vary::CARDS, warnings::CARDS];
+static CARDS: LazyLock<[Vec<FileCard>; 6]> = LazyLock::new(|| {
+    let texts = [
+        include_str!("../data/messages/errors.toml"),
+        include_str!("../data/messages/geometry.toml"),
+        include_str!("../data/messages/passage.toml"),
+        include_str!("../data/messages/update.toml"),
+        include_str!("../data/messages/vary.toml"),
+        include_str!("../data/messages/warnings.toml"),
+    ];
+    texts.map(|text| {
+        let lists: BTreeMap<&str, Vec<FileCard>> = toml::from_str(text).expect("cards of messages");
+        lists.into_values().flatten().collect()
+    })
+});
 
 /// All cards one after the other.
 pub fn cards() -> impl Iterator<Item = &'static FileCard> {
-    CARDS.into_iter().flatten()
+    CARDS.iter().flatten()
 }
 
 /// The card of a code, however it is capitalised.
 pub fn explain(code: &str) -> Option<&'static FileCard> {
     cards().find(|card| card.code.eq_ignore_ascii_case(code.trim()))
+}
+
+/// A line with an ellipsis for the number of every quantity in quotes that is one to leave out.
+fn masked(line: &str, leave_out: impl Fn(&str) -> bool) -> String {
+    let piece = |(at, piece): (usize, &str)| match piece.split_once(' ') {
+        Some((number, unit)) if at % 2 == 1 && quantity::parse(piece).is_ok() && leave_out(number) => {
+            format!("… {unit}")
+        }
+        _ => piece.to_owned(),
+    };
+    line.split('"').enumerate().map(piece).collect::<Vec<_>>().join("\"")
 }
 
 #[cfg(test)]
@@ -30,7 +91,7 @@ mod tests {
 
     #[test]
     fn cards_are_complete_and_in_order() {
-        for list in CARDS {
+        for list in CARDS.iter() {
             assert!(list.windows(2).all(|pair| pair[0].code < pair[1].code));
         }
         for card in cards() {

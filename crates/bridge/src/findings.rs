@@ -35,6 +35,19 @@ impl Findings {
         self.add(Diagnostic { code, severity: Severity::Error, message, range, label, note: None, help })
     }
 
+    /// Records an error for which nothing can be read.
+    pub(crate) fn refuse<T>(
+        &mut self,
+        code: &'static str,
+        range: TextRange,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Option<T> {
+        self.error(code, range, message, label, help);
+        None
+    }
+
     /// Records a warning: what is odd, where, the words under the caret, and what to write if it is a slip.
     pub(crate) fn warning(
         &mut self,

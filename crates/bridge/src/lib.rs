@@ -6,6 +6,7 @@ mod asked;
 pub mod assess;
 pub mod blocks;
 mod card;
+mod cards;
 pub mod case;
 pub mod choice;
 mod companions;
@@ -52,7 +53,7 @@ use plain::{LONGEST, not_toml, read_text, readable};
 use toml::de::DeTable;
 
 /// What reading gives: the bridge if it can be used, and all findings.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Read {
     /// The bridge, unless a finding is an error.
     pub bridge: Option<Bridge>,
@@ -68,17 +69,6 @@ pub struct Read {
     pub assess: Option<assess::Assess>,
     /// Every finding, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
-}
-
-/// What a bridge file means: the bridge, what is varied, what is sought, what is asked of it.
-#[derive(Default)]
-struct Resolved {
-    bridge: Option<Bridge>,
-    vary: Vec<vary::Request>,
-    cases: Vec<case::Case>,
-    document: Option<document::ReportDocument>,
-    update: Option<update::Update>,
-    assess: Option<assess::Assess>,
 }
 
 /// Sections that say how to update a bridge, and are no part of it.
@@ -108,7 +98,7 @@ pub fn as_utf8(bytes: Vec<u8>) -> Vec<u8> {
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let found = match is_block_file(text) {
+    let mut found = match is_block_file(text) {
         false => read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default(),
         true => {
             findings.error(
@@ -118,19 +108,13 @@ pub fn read(text: &[u8]) -> Read {
                 "vehicles, trains, records and verdicts need spans, rings and cover",
                 "`check`, `collapse` and `convert` read block model files; for the rest describe the bridge with [bridge] and [[span]] (`extrados new`)",
             );
-            Resolved::default()
+            Read::default()
         }
     };
-    let usable = found.bridge.is_some() && !findings.any_error();
-    Read {
-        bridge: found.bridge.filter(|_| usable),
-        vary: found.vary,
-        cases: if usable { found.cases } else { Vec::new() },
-        document: found.document,
-        update: found.update.filter(|_| usable),
-        assess: found.assess.filter(|_| usable),
-        diagnostics: findings.in_order(text.len()),
+    if found.bridge.is_none() || findings.any_error() {
+        found = Read { vary: found.vary, document: found.document, ..Read::default() };
     }
+    Read { diagnostics: findings.in_order(text.len()), ..found }
 }
 
 /// What reading a block model file gives.
@@ -151,8 +135,7 @@ pub fn read_blocks(text: &[u8]) -> ReadBlocks {
         |_, table, findings| fields::blocks::resolve(table, findings),
         &mut findings,
     );
-    let file = file.flatten();
-    let file = if findings.any_error() { None } else { file };
+    let file = file.flatten().filter(|_| !findings.any_error());
     ReadBlocks { file, diagnostics: findings.in_order(text.len()) }
 }
 
@@ -189,7 +172,7 @@ fn errors(text: &str) -> Vec<String> {
 }
 
 /// The bridge, what is varied, and what is sought.
-fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> Resolved {
+fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> Read {
     let bridge = resolve::resolve(file, findings);
     let vary = asked::vary::vary(file, findings);
     if !vary.is_empty()
@@ -201,5 +184,5 @@ fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -
     let assess = fields::assess::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
     let cases = asked::case::cases(text, file, bridge.as_ref().map(|bridge| &bridge.loads[..]), &errors, findings);
     let document = fields::document::document(file, findings);
-    Resolved { bridge, vary, cases, document, update, assess }
+    Read { bridge, vary, cases, document, update, assess, diagnostics: Vec::new() }
 }

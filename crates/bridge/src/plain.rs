@@ -56,32 +56,29 @@ fn other_kind(bytes: &[u8]) -> Option<(&'static str, &'static str, &'static str)
 /// The bytes as text.
 pub(crate) fn readable<'t>(bytes: &'t [u8], findings: &mut Findings) -> Option<&'t str> {
     if let Some((code, message, help)) = other_kind(bytes) {
-        findings.error(code, TextRange::new(0, 0), message, "a bridge file is text (TOML)", help);
-        return None;
+        return findings.refuse(code, TextRange::new(0, 0), message, "a bridge file is text (TOML)", help);
     }
     if bytes.len() > LONGEST {
-        findings.error(
+        return findings.refuse(
             "B003",
             TextRange::new(0, 0),
             format!("the file is longer than {} MiB", LONGEST >> 20),
             "a bridge file has a few kilobytes",
             "check that this is the bridge file",
         );
-        return None;
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Some(text),
         Err(error) => {
             let start = error.valid_up_to();
             let end = start + error.error_len().unwrap_or(bytes.len() - start);
-            findings.error(
+            findings.refuse(
                 "B001",
                 TextRange::new(start, end),
                 "the file is not UTF-8 text",
                 "this byte belongs to another encoding",
                 "save the file as UTF-8; every editor can",
-            );
-            None
+            )
         }
     }
 }

@@ -18,7 +18,7 @@ pub(crate) fn check(
     findings: &mut Findings,
 ) {
     for usual in USUAL {
-        for table in every(file, usual.section) {
+        for table in usual.sections.iter().flat_map(|section| every(file, section)) {
             unusual(&table, usual, findings);
         }
     }
@@ -38,10 +38,9 @@ pub(crate) fn check(
 
 /// The tables of a section, one or many; their mistakes have been reported already.
 fn every<'t>(file: &Table<'t>, section: &str) -> Vec<Table<'t>> {
-    let mut unheard = Findings::default();
     match file.section.field(section).map(|field| field.kind) {
-        Some(Kind::Table(_)) => file.table(section, &mut unheard).into_iter().collect(),
-        Some(Kind::Tables(_)) => file.tables(section, &mut unheard),
+        Some(Kind::Table(_)) => file.known(section).into_iter().collect(),
+        Some(Kind::Tables(_)) => file.tables(section, &mut Findings::default()),
         _ => Vec::new(),
     }
 }
@@ -108,7 +107,7 @@ fn strength(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings
 /// A fill stiffer than the masonry it lies on.
 fn fill(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings) {
     let Some(modulus) = masonry.and_then(|masonry| masonry.elastic_modulus) else { return };
-    let masonry_place = every(file, "masonry").first().map_or(file.range, |table| table.place("elastic_modulus"));
+    let masonry_place = file.place_in("masonry", "elastic_modulus");
     let soils = ["fill", "haunch_fill", "abutment_fill"].into_iter().flat_map(|key| every(file, key));
     for table in every(file, "cover").into_iter().chain(soils) {
         if !value(&table, "elastic_modulus").is_some_and(|layer| layer > modulus) {
@@ -196,12 +195,16 @@ fn longest_voussoir(spans: &[PlacedSpan]) -> Option<f64> {
     lengths.reduce(f64::max)
 }
 
+/// The spans as they are described: of those that are repeated the first one.
+fn described(spans: &[PlacedSpan]) -> impl Iterator<Item = &PlacedSpan> {
+    let first =
+        |(index, placed): &(usize, &PlacedSpan)| spans[..*index].iter().all(|other| other.shape != placed.shape);
+    spans.iter().enumerate().filter(first).map(|(_, placed)| placed)
+}
+
 /// Rings much thinner or thicker than were ever built, flat spans, corners rounded to pebbles.
 fn rings(file: &Table<'_>, spans: &[PlacedSpan], masonry: Option<&Masonry>, findings: &mut Findings) {
-    for (index, placed) in spans.iter().enumerate() {
-        if spans[..index].iter().any(|other| other.shape == placed.shape) {
-            continue;
-        }
+    for placed in described(spans) {
         let span = &placed.span;
         let Some((thickness_place, _)) = placed.rings.first() else { continue };
         let total: f64 = span.rings.iter().map(|ring| ring.crown_thickness).sum();
@@ -233,7 +236,7 @@ fn rings(file: &Table<'_>, spans: &[PlacedSpan], masonry: Option<&Masonry>, find
         {
             findings.warning(
                 "P011",
-                every(file, "masonry").first().map_or(file.range, |table| table.place("rounding")),
+                file.place_in("masonry", "rounding"),
                 "corners are rounded by more than a tenth of the thickness",
                 format!("the thinnest ring has {thinnest} m"),
                 "give a smaller `rounding` in [masonry]; a hundredth to a fiftieth of the thickness is common",
@@ -244,10 +247,7 @@ fn rings(file: &Table<'_>, spans: &[PlacedSpan], masonry: Option<&Masonry>, find
 
 /// Rings of so few voussoirs that hinges have nowhere to form, and joints between rings where there is one.
 fn few_voussoirs(file: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) {
-    for (index, placed) in spans.iter().enumerate() {
-        if spans[..index].iter().any(|other| other.shape == placed.shape) {
-            continue;
-        }
+    for placed in described(spans) {
         let fewest = placed.span.rings.iter().map(|ring| ring.voussoirs).min();
         if let (Some(fewest), Some((place, _))) = (fewest.filter(|fewest| *fewest < FEW), placed.rings.first()) {
             findings
@@ -347,7 +347,7 @@ fn settings(file: &Table<'_>, findings: &mut Findings) {
 /// Axle loads as no rail has seen them.
 fn axles(file: &Table<'_>, findings: &mut Findings) {
     let mut unheard = Findings::default();
-    let Some(train) = file.table("train", &mut unheard) else { return };
+    let Some(train) = file.known("train") else { return };
     for table in train.tables("vehicle", &mut unheard) {
         for (key, least, most, says) in [
             ("axle_loads", 1e3, 45e3, "axles usually carry 1 to 45 t"),

@@ -139,6 +139,10 @@ pub const UNITS: &[Unit] = &[
     unit("m/s^2", Dimension::Acceleration, 1.0),
     unit("rad/m", Dimension::AngleRate, 1.0),
     unit("deg/m", Dimension::AngleRate, DEGREE),
+    unit("kg", Dimension::Mass, 1.0),
+    unit("t", Dimension::Mass, 1e3),
+    unit("tonne", Dimension::Mass, 1e3),
+    unit("lb", Dimension::Mass, POUND),
     unit("MNm^2", Dimension::BendingStiffness, 1e6),
     unit("kNm^2", Dimension::BendingStiffness, 1e3),
     unit("Nm^2", Dimension::BendingStiffness, 1.0),
@@ -148,10 +152,6 @@ pub const UNITS: &[Unit] = &[
     unit("s", Dimension::Time, 1.0),
     unit("ms", Dimension::Time, 1e-3),
     unit("Hz", Dimension::Frequency, 1.0),
-    unit("kg", Dimension::Mass, 1.0),
-    unit("t", Dimension::Mass, 1e3),
-    unit("tonne", Dimension::Mass, 1e3),
-    unit("lb", Dimension::Mass, POUND),
 ];
 
 /// What a mass is where a force is asked for, its weight, and a force where a mass is.
@@ -169,24 +169,29 @@ const WEIGHTS: &[Unit] = &[
 ];
 
 impl Dimension {
+    /// What it is called, and the largest size [SI] that can belong to a bridge.
+    const fn facts(self) -> (&'static str, f64) {
+        match self {
+            Dimension::Length => ("a length", 1e3),
+            Dimension::Angle => ("an angle", std::f64::consts::PI),
+            Dimension::Density => ("a density", 2.5e4),
+            Dimension::Stress => ("a pressure", 1e13),
+            Dimension::JointStiffness => ("a stiffness per area", 1e16),
+            Dimension::Force => ("a force", 1e11),
+            Dimension::LineLoad => ("a force per metre of width", 1e10),
+            Dimension::Acceleration => ("an acceleration", 1e3),
+            Dimension::AngleRate => ("a rotation per metre", 1e6),
+            Dimension::BendingStiffness => ("a bending stiffness", 1e12),
+            Dimension::Speed => ("a speed", 200.0),
+            Dimension::Time => ("a time", 1e4),
+            Dimension::Frequency => ("a frequency", 1e6),
+            Dimension::Mass => ("a mass", 1e10),
+        }
+    }
+
     /// "a length", "a pressure": for sentences.
     pub fn name(self) -> &'static str {
-        match self {
-            Dimension::Length => "a length",
-            Dimension::Angle => "an angle",
-            Dimension::Density => "a density",
-            Dimension::Stress => "a pressure",
-            Dimension::JointStiffness => "a stiffness per area",
-            Dimension::Force => "a force",
-            Dimension::LineLoad => "a force per metre of width",
-            Dimension::Acceleration => "an acceleration",
-            Dimension::AngleRate => "a rotation per metre",
-            Dimension::BendingStiffness => "a bending stiffness",
-            Dimension::Speed => "a speed",
-            Dimension::Time => "a time",
-            Dimension::Frequency => "a frequency",
-            Dimension::Mass => "a mass",
-        }
+        self.facts().0
     }
 
     /// Units of this dimension, the usual one first.
@@ -201,22 +206,7 @@ impl Dimension {
 
     /// Largest size [SI] that can belong to a bridge; anything beyond is a slip of the pen.
     pub fn most(self) -> f64 {
-        match self {
-            Dimension::Length => 1e3,
-            Dimension::Angle => std::f64::consts::PI,
-            Dimension::Density => 2.5e4,
-            Dimension::Stress => 1e13,
-            Dimension::JointStiffness => 1e16,
-            Dimension::Force => 1e11,
-            Dimension::LineLoad => 1e10,
-            Dimension::Acceleration => 1e3,
-            Dimension::AngleRate => 1e6,
-            Dimension::BendingStiffness => 1e12,
-            Dimension::Speed => 200.0,
-            Dimension::Time => 1e4,
-            Dimension::Frequency => 1e6,
-            Dimension::Mass => 1e10,
-        }
+        self.facts().1
     }
 }
 
@@ -387,28 +377,12 @@ const SPELLINGS: &[(&str, &str)] = &[
 
 /// One spelling for what keyboards and word processors write differently.
 fn plain(symbol: &str) -> String {
-    let mut out = String::with_capacity(symbol.len());
-    for character in symbol.chars() {
-        match character {
-            '²' => out.push_str("^2"),
-            '³' => out.push_str("^3"),
-            ' ' | '\u{a0}' | '\u{202f}' => {}
-            other => out.push(other),
-        }
+    let mut out = symbol.replace('²', "^2").replace('³', "^3").replace([' ', '\u{a0}', '\u{202f}'], "");
+    if let Some((_, short)) = SPELLINGS.iter().find(|(long, _)| out == *long) {
+        return (*short).to_owned();
     }
-    for (long, short) in SPELLINGS {
-        if out == *long {
-            return (*short).to_owned();
-        }
-    }
-    for power in ["m2", "m3", "s2", "ft2", "ft3", "in2", "in3"] {
-        let (base, exponent) = power.split_at(power.len() - 1);
-        if out.ends_with(power) {
-            out.truncate(out.len() - 1);
-            out.push('^');
-            out.push_str(exponent);
-            debug_assert!(out.contains(base));
-        }
+    if ["m2", "m3", "s2", "ft2", "ft3", "in2", "in3"].iter().any(|power| out.ends_with(power)) {
+        out.insert(out.len() - 1, '^');
     }
     out
 }

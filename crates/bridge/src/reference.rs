@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::explain::cards;
 use crate::fields::{FILE, Field, Kind, Need, Section, blocks, sections, sections_of};
-use crate::quantity::{self, Dimension};
+use crate::quantity::{UNITS, USUAL_GRAVITY};
 use crate::tree::title;
 
 /// The reference as Markdown.
@@ -56,37 +56,16 @@ pub fn messages() -> String {
 
 fn units(out: &mut String) {
     out.push_str("## Units\n\n| Quantity | Units |\n|---|---|\n");
-    for dimension in [
-        Dimension::Length,
-        Dimension::Angle,
-        Dimension::Density,
-        Dimension::Stress,
-        Dimension::JointStiffness,
-        Dimension::Force,
-        Dimension::LineLoad,
-        Dimension::Acceleration,
-        Dimension::AngleRate,
-        Dimension::Mass,
-        Dimension::BendingStiffness,
-        Dimension::Speed,
-        Dimension::Time,
-        Dimension::Frequency,
-    ] {
-        let symbols: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.symbol)).collect();
-        line(
-            out,
-            &format!(
-                "| {} | {} |",
-                dimension.name().trim_start_matches("a ").trim_start_matches("an "),
-                symbols.join(", ")
-            ),
-        );
+    for units in UNITS.chunk_by(|a, b| a.dimension == b.dimension) {
+        let name = units[0].dimension.name().trim_start_matches("a ").trim_start_matches("an ");
+        let symbols: Vec<String> = units.iter().map(|unit| format!("`{}`", unit.symbol)).collect();
+        line(out, &format!("| {name} | {} |", symbols.join(", ")));
     }
     let _ = writeln!(
         out,
         "\nA weight per volume such as `22 kN/m^3` is the density that has this weight, and a mass such as `11.5 t` where a force is asked for is its weight, both with \
          gravity at {} m/s²; the file keeps the unit that was written.",
-        quantity::USUAL_GRAVITY
+        USUAL_GRAVITY
     );
     out.push_str("\nExponents may be written `m^3`, `m3` or `m³`. Capitals matter: `MPa`, not `mpa`.\n\n");
 }

@@ -172,18 +172,7 @@ fn example(field: &Field) -> Option<Value> {
 
 /// A value as JSON has it; lists are written alike in TOML and JSON.
 fn literal(field: &Field, text: &str) -> Value {
-    match field.kind {
-        Kind::Number
-        | Kind::NumberOr(_)
-        | Kind::Numbers
-        | Kind::Count
-        | Kind::Flag
-        | Kind::Quantities(_)
-        | Kind::Points
-        | Kind::Rows(_)
-        | Kind::Values => serde_json::from_str(text).unwrap_or(Value::Null),
-        _ => json!(text),
-    }
+    if field.kind.is_bare() { serde_json::from_str(text).unwrap_or(Value::Null) } else { json!(text) }
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! A sensor: what it may measure and where, its card, and whether the bridge has such a place.
 
 use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::cards::*;
+use crate::choice::choice;
 use crate::fields::{loading::share, structure::PlacedSpan};
 use crate::findings::Findings;
-use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;
 use crate::tree::{At, Table};
 
@@ -118,33 +118,21 @@ pub(crate) static SENSOR: Section = Section {
     path: "sensor",
     doc: "A sensor: one channel of the record. Place it by `span` and `place`, by `at`, or by `x` and `y`.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the channel", "crown displacement"),
-        Field::new("kind", Kind::Word(Gauge::WORDS), "what it measures", "displacement"),
-        Field::new("direction", Kind::Word(Direction::WORDS), "direction of the movement, and its sign", "vertical")
+        text("name", "name of the channel", "crown displacement"),
+        word::<Gauge>("kind", "what it measures", "displacement"),
+        word::<Direction>("direction", "direction of the movement, and its sign", "vertical")
             .only("kind", &[Gauge::Displacement.word()]),
-        Field::new(
-            "gauge_length",
-            Kind::Quantity(Length),
-            "length over which strain is measured, within one voussoir",
-            "120 mm",
-        )
-        .positive()
-        .only("kind", &[Gauge::Strain.word()])
-        .default("120 mm"),
-        Field::new("span", Kind::Count, "which span, counted from 1 on the left", "1")
-            .at_least(1.0)
-            .at_most(200.0)
-            .optional("the first"),
-        Field::new("place", Kind::Word(NamedPlace::WORDS), "position on the span, by name", "crown")
-            .optional("given by `at`, or `x` and `y`"),
+        length("gauge_length", "length over which strain is measured, within one voussoir", "120 mm")
+            .positive()
+            .only("kind", &[Gauge::Strain.word()])
+            .default("120 mm"),
+        count("span", "which span, counted from 1 on the left", "1").between(1.0, 200.0).optional("the first"),
+        word::<NamedPlace>("place", "position on the span, by name", "crown").optional("given by `at`, or `x` and `y`"),
         Field::new("at", Kind::Share, "position as a share of a span", "1/4 of span 1")
             .optional("given by `place`, or `x` and `y`"),
-        Field::new("x", Kind::Quantity(Length), "distance from the left springing of the first span", "3.0 m")
-            .optional("given by `place` or `at`"),
-        Field::new("y", Kind::Quantity(Length), "height above the left springing of the first span", "1.5 m")
-            .optional("given by `place` or `at`"),
-        Field::new("face", Kind::Word(Face::WORDS), "on which face of the ring", "intrados")
-            .default(Face::Intrados.word()),
+        length("x", "distance from the left springing of the first span", "3.0 m").optional("given by `place` or `at`"),
+        length("y", "height above the left springing of the first span", "1.5 m").optional("given by `place` or `at`"),
+        word::<Face>("face", "on which face of the ring", "intrados").default(Face::Intrados.word()),
     ],
 };
 
@@ -160,14 +148,13 @@ pub(crate) fn sensors(
 ) -> Option<Vec<Sensor>> {
     let tables = file.tables("sensor", findings);
     if let Some(beyond) = tables.get(MOST) {
-        findings.error(
+        return findings.refuse(
             "B657",
             beyond.range,
             format!("there are {} sensors", tables.len()),
             "a record has a thousand channels at most",
             "remove some",
         );
-        return None;
     }
     let list = file.all("sensor", findings, |table, findings| sensor(table, spans, layout, findings))?;
     for (k, sensor) in list.iter().enumerate() {
@@ -207,14 +194,13 @@ fn sensor(
     let proper =
         !name.value.trim().is_empty() && !name.value.contains([',', '"']) && !name.value.contains(char::is_control);
     if !proper {
-        findings.error(
+        return findings.refuse(
             "B657",
             name.range,
             "this is no name for a channel",
             "it heads a column of channels.csv",
             "write a word or some, without commas, quotes and line ends",
         );
-        return None;
     }
     let sensor = Sensor { name: name.value.trim().to_owned(), kind, place: place?, face };
     stone(table, &sensor, spans?, findings).then_some(sensor)
@@ -228,16 +214,13 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
     let [x, y] = ["x", "y"].map(|key| table.read::<Option<f64>>(key, findings));
     let by_point = table.has("x") || table.has("y");
     if table.has("place") && (table.has("at") || by_point) {
-        table.exclude("place", if by_point { "`x` and `y`" } else { "`at`" }, findings);
-        return None;
+        table.exclude("place", if by_point { "`x` and `y`" } else { "`at`" }, findings)?;
     }
     if table.has("at") && by_point {
-        table.exclude("at", "`x` and `y`", findings);
-        return None;
+        table.exclude("at", "`x` and `y`", findings)?;
     }
     if table.has("span") && !table.has("place") {
-        table.exclude("span", "`at` (or `x` and `y`)", findings);
-        return None;
+        table.exclude("span", "`at` (or `x` and `y`)", findings)?;
     }
     if by_point {
         for key in ["x", "y"].into_iter().filter(|key| !table.has(key)) {
@@ -253,21 +236,19 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
         return Some(SensorPosition::Span { span, share: (at - start) / (end - start) });
     }
     if !table.has("place") {
-        table.need("place", findings);
-        return None;
+        table.need("place", findings)?;
     }
     let word = word??;
     let count = layout.spans.len();
     let span = number?.map_or(0, |number| number - 1);
     if span >= count {
-        findings.error(
+        return findings.refuse(
             "B656",
             table.place("span"),
             "there is no such span",
             format!("the bridge has {count}"),
             format!("name a span from 1 to {count}, counted from the left"),
         );
-        return None;
     }
     let (first, last) = (span == 0, span + 1 == count);
     let share = match word {

@@ -48,19 +48,19 @@ impl Service {
         let mut soils = vec![("fill", &self.fill)];
         soils.extend(self.haunch_fill.as_ref().map(|haunch| ("haunch_fill", &haunch.soil)));
         soils.push(("abutment_fill", &self.abutment_fill.soil));
-        let fill = self.fill;
+        type Has = fn(&Soil) -> bool;
+        let keys: [(&'static str, Has); 5] = [
+            ("elastic_modulus", |soil| soil.elastic_modulus.is_some()),
+            ("poisson_ratio", |soil| soil.poisson_ratio.is_some()),
+            ("density", |soil| soil.density.is_some()),
+            ("friction_angle", |soil| !soil.law.yields() || soil.friction_angle.is_some()),
+            ("cohesion", |soil| !soil.law.yields() || soil.cohesion.is_some()),
+        ];
         for (table, soil) in soils {
-            // What the fill lacks is asked for once: there.
-            let own = |there: bool, of_fill: bool| there || (table != "fill" && !of_fill);
-            let yields = soil.law.yields();
-            let fill_yields = fill.law.yields();
-            need(table, "elastic_modulus", own(soil.elastic_modulus.is_some(), fill.elastic_modulus.is_some()));
-            need(table, "poisson_ratio", own(soil.poisson_ratio.is_some(), fill.poisson_ratio.is_some()));
-            need(table, "density", own(soil.density.is_some(), fill.density.is_some()));
-            let friction = fill.friction_angle.is_some() || !fill_yields;
-            let cohesion = fill.cohesion.is_some() || !fill_yields;
-            need(table, "friction_angle", !yields || own(soil.friction_angle.is_some(), friction));
-            need(table, "cohesion", !yields || own(soil.cohesion.is_some(), cohesion));
+            for (key, has) in keys {
+                // What the fill lacks is asked for once: there.
+                need(table, key, has(soil) || (table != "fill" && !has(&self.fill)));
+            }
         }
         need("mortar", "elastic_modulus", self.mortar.elastic_modulus.is_some());
         need("mortar", "thickness", self.mortar.thickness.is_some());

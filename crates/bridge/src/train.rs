@@ -142,7 +142,7 @@ pub fn read_toml(text: &[u8]) -> ReadTrain {
         |_, table, findings| crate::fields::train::vehicles(table, findings),
         &mut findings,
     );
-    let vehicles = if findings.any_error() { None } else { vehicles.flatten() };
+    let vehicles = vehicles.flatten().filter(|_| !findings.any_error());
     ReadTrain { vehicles, diagnostics: findings.in_order(text.len()) }
 }
 

@@ -115,19 +115,25 @@ impl<'t> Table<'t> {
     pub(crate) fn table(&self, key: &str, findings: &mut Findings) -> Option<Table<'t>> {
         let (field, raw) = self.entry(key)?;
         let Kind::Table(section) = field.kind else { return None };
-        match raw.get_ref() {
-            DeValue::Table(entries) => Some(self.inner(section, entries, raw.span().into(), findings)),
+        let one = match raw.get_ref() {
             // One `[[joint]]` is as good as `[joint]`.
-            DeValue::Array(items) if items.len() == 1 => {
-                match items.iter().next().map(|item| (item.get_ref(), item.span())) {
-                    Some((DeValue::Table(entries), range)) => {
-                        Some(self.inner(section, entries, range.into(), findings))
-                    }
-                    _ => wrong_type(field, raw, findings),
-                }
-            }
+            DeValue::Array(items) if items.len() == 1 => items.iter().next()?,
+            _ => raw,
+        };
+        match one.get_ref() {
+            DeValue::Table(entries) => Some(self.inner(section, entries, one.span().into(), findings)),
             _ => wrong_type(field, raw, findings),
         }
+    }
+
+    /// A table inside this one whose mistakes are reported where it is read.
+    pub(crate) fn known(&self, key: &str) -> Option<Table<'t>> {
+        self.table(key, &mut Findings::default())
+    }
+
+    /// Where the value of a key stands in a table inside this one; this one's head where there is no such table.
+    pub(crate) fn place_in(&self, table: &str, key: &str) -> TextRange {
+        self.known(table).map_or(self.range, |table| table.place(key))
     }
 
     /// What a table inside this one says; the defaults of its cards where the file leaves it out.
@@ -220,22 +226,21 @@ impl<'t> Table<'t> {
             .because("properties of the bridge are never assumed");
     }
 
-    /// Reports a key that must be there in this case.
-    pub(crate) fn need(&self, key: &str, findings: &mut Findings) {
-        if let Some(field) = self.section.field(key) {
-            self.missing(field, findings);
-        }
+    /// Reports a key that must be there in this case; gives nothing, for whoever cannot go on without it.
+    pub(crate) fn need(&self, key: &str, findings: &mut Findings) -> Option<()> {
+        self.missing(self.section.field(key)?, findings);
+        None
     }
 
-    /// Reports two keys that say the same thing.
-    pub(crate) fn exclude(&self, key: &str, other: &str, findings: &mut Findings) {
-        findings.error(
+    /// Reports two keys that say the same thing; gives nothing, for whoever cannot go on with both.
+    pub(crate) fn exclude(&self, key: &str, other: &str, findings: &mut Findings) -> Option<()> {
+        findings.refuse(
             "B016",
             self.place(key),
             format!("`{key}` and {other} exclude one another"),
             format!("{other} is given as well"),
             format!("keep `{key}` or {other}, not both"),
-        );
+        )
     }
 
     fn raw(&self, key: &str) -> Option<Raw<'t>> {
@@ -324,14 +329,13 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Some(number) => format!("write it without quotes: {} = {}", field.key, shorten(number)),
         None => format!("write {}", field.form()),
     };
-    findings.error(
+    findings.refuse(
         "B012",
         raw.span().into(),
         format!("`{}` takes {wanted}, found {found}", field.key),
         field.doc,
         help,
-    );
-    None
+    )
 }
 
 /// Reports a list that is longer than its card allows.

@@ -46,7 +46,7 @@ impl<'t> Table<'t> {
             return Some(None);
         }
         let (field, raw) = self.entry(key)?;
-        let (quantity, _) = measure(field, raw, &[Dimension::LineLoad, Dimension::Force], findings)?;
+        let quantity = measure(field, raw, &[Dimension::LineLoad, Dimension::Force], findings)?;
         Some(Some(match quantity.unit.dimension {
             Dimension::Force => quantity.si() / width?,
             _ => quantity.si(),
@@ -92,7 +92,7 @@ impl Value for f64 {
                 Some(f64::INFINITY)
             }
             Kind::Quantity(dimension) | Kind::QuantityOr(dimension, _) | Kind::Quantities(dimension) => {
-                measure(field, raw, &[dimension], findings).map(|(quantity, _)| quantity.si())
+                measure(field, raw, &[dimension], findings).map(|quantity| quantity.si())
             }
             Kind::Slope => slope(field, raw, findings),
             _ => bare(field, raw, findings),
@@ -125,19 +125,16 @@ fn words(field: &Field, text: String, range: TextRange, findings: &mut Findings)
     let (count, most) = (text.chars().count(), field.most_characters());
     if count > most {
         let message = format!("`{}` has {count} characters, more than {most}", field.key);
-        findings.error("B110", range, message, field.doc, format!("write {most} characters at most"));
-        return None;
+        return findings.refuse("B110", range, message, field.doc, format!("write {most} characters at most"));
     }
     if let Some(hidden) = text.chars().find(|character| is_hidden(*character)) {
         let message = format!("`{}` holds the character U+{:04X}, which cannot be seen", field.key, u32::from(hidden));
-        findings.error("B111", range, message, field.doc, "delete the text and type it again");
-        return None;
+        return findings.refuse("B111", range, message, field.doc, "delete the text and type it again");
     }
     let justifies = field.key.ends_with("source") || field.key.ends_with("reason");
     if justifies && !text.chars().any(char::is_alphanumeric) {
         let message = format!("`{}` names nothing", field.key);
-        findings.error("B113", range, message, field.doc, "write what it rests on, or leave the line out");
-        return None;
+        return findings.refuse("B113", range, message, field.doc, "write what it rests on, or leave the line out");
     }
     Some(text)
 }
@@ -217,14 +214,13 @@ impl<const N: usize> Value for [f64; N] {
         let Kind::Points = field.kind else { return row(field, raw, findings) };
         let items: Vec<Raw<'_>> = raw.get_ref().as_array().into_iter().flat_map(|items| items.iter()).collect();
         if items.len() != N {
-            findings.error(
+            return findings.refuse(
                 "B012",
                 raw.span().into(),
                 "a point is a pair of lengths",
                 "point",
                 "write [\"2.0 m\", \"1.1 m\"]: distance from the left springing, height",
             );
-            return None;
         }
         let lengths: Vec<Option<f64>> = items.into_iter().map(|item| length(field, item, findings)).collect();
         lengths.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
@@ -232,7 +228,7 @@ impl<const N: usize> Value for [f64; N] {
 }
 
 fn length(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
-    measure(field, raw, &[Dimension::Length], findings).map(|(quantity, _)| quantity.si())
+    measure(field, raw, &[Dimension::Length], findings).map(|quantity| quantity.si())
 }
 
 /// "2:1", vertical to horizontal.
@@ -241,8 +237,7 @@ fn slope(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
     let Some(value) = read_slope(text).filter(|value| value.is_finite()) else {
         let message = format!("\"{}\" is no slope", shorten(text));
         let help = "write vertical to horizontal: \"2:1\" spreads by half the depth on each side";
-        findings.error("B109", raw.span().into(), message, field.doc, help);
-        return None;
+        return findings.refuse("B109", raw.span().into(), message, field.doc, help);
     };
     check_limits(field, value, raw.span().into(), findings).then_some(value)
 }
@@ -262,11 +257,6 @@ pub(crate) fn decimal(text: &str) -> Option<f64> {
 /// A row of as many bare numbers; none of them beyond any bridge.
 fn row<const N: usize>(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<[f64; N]> {
     let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-    let number = |item: &DeValue<'_>| match item {
-        DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
-        DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
-        _ => None,
-    };
     let numbers: Option<Vec<f64>> = items.iter().map(|item| number(item.get_ref())).collect();
     let Some(row) = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok()) else {
         return wrong_type(field, raw, findings);
@@ -290,33 +280,36 @@ fn literal(value: &DeValue<'_>) -> Option<String> {
     }
 }
 
+/// A bare number as it is written.
+fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().replace('_', "").parse().ok(),
+        DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
+        _ => None,
+    }
+}
+
 /// Reads a bare number.
 fn bare(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
     let range = raw.span().into();
-    let value = match raw.get_ref() {
-        DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
-        DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
-        _ => return wrong_type(field, raw, findings),
-    };
-    match value {
+    if !matches!(raw.get_ref(), DeValue::Float(_) | DeValue::Integer(_)) {
+        return wrong_type(field, raw, findings);
+    }
+    match number(raw.get_ref()) {
         Some(value) if value.is_finite() => check_limits(field, value, range, findings).then_some(value),
         _ => not_finite(field, range, findings),
     }
 }
 
 /// Reads a quantity of one of several dimensions; the first is the one suggested.
-pub(crate) fn measure(
-    field: &Field,
-    raw: Raw<'_>,
-    wanted: &[Dimension],
-    findings: &mut Findings,
-) -> Option<(Quantity, TextRange)> {
+pub(crate) fn measure(field: &Field, raw: Raw<'_>, wanted: &[Dimension], findings: &mut Findings) -> Option<Quantity> {
     let range = raw.span().into();
-    let unit = example_unit(field, wanted[0]);
+    let unit = field.example_quantity().map(|quantity| quantity.unit).or(wanted[0].units().next());
+    let unit = unit.map_or("", |unit| unit.symbol);
     match raw.get_ref() {
         DeValue::String(text) => match quantity::parse(text) {
             Ok(quantity) => match quantity.of(wanted) {
-                Some(quantity) => check_size(field, quantity, range, findings).then_some((quantity, range)),
+                Some(quantity) => check_size(field, quantity, range, findings).then_some(quantity),
                 None => wrong_dimension(field, quantity, wanted, unit, range, findings),
             },
             Err(reason) => unreadable(field, text, reason, unit, range, findings),
@@ -342,15 +335,6 @@ pub(crate) fn measure(
     }
 }
 
-/// The unit of the field's example, which engineers would use here.
-fn example_unit(field: &Field, wanted: Dimension) -> &'static str {
-    let usual = field.example.split('"').find_map(|piece| quantity::parse(piece).ok());
-    match usual {
-        Some(quantity) => quantity.unit.symbol,
-        None => wanted.units().next().map_or("", |unit| unit.symbol),
-    }
-}
-
 /// What a unit measures.
 fn dimension_of(symbol: &str) -> Option<Dimension> {
     quantity::UNITS.iter().find(|unit| unit.symbol == symbol).map(|unit| unit.dimension)
@@ -370,8 +354,7 @@ fn wrong_dimension<T>(
         true => format!("write {} in {unit}", wanted[0].name()),
         false => format!("write \"{} {unit}\", if {unit} is meant", found.number),
     };
-    findings.error("B104", range, format!("expected {names}, found {}", found.unit.dimension.name()), field.doc, help);
-    None
+    findings.refuse("B104", range, format!("expected {names}, found {}", found.unit.dimension.name()), field.doc, help)
 }
 
 fn unreadable<T>(
@@ -382,15 +365,10 @@ fn unreadable<T>(
     range: TextRange,
     findings: &mut Findings,
 ) -> Option<T> {
-    match reason {
+    let (code, message, help) = match reason {
         Unreadable::NoUnit(number) => {
-            findings.error(
-                "B102",
-                range,
-                format!("`{}` has no unit", field.key),
-                field.doc,
-                format!("write \"{number} {unit}\", if {unit} is meant"),
-            );
+            let help = format!("write \"{number} {unit}\", if {unit} is meant");
+            ("B102", format!("`{}` has no unit", field.key), help)
         }
         Unreadable::UnknownUnit(number, symbol, near) => {
             // A number never goes into another unit as it is.
@@ -409,69 +387,43 @@ fn unreadable<T>(
                     format!("convert the number into one of these units: {}", list.join(", "))
                 }
             };
-            let message = format!("`{}` is not a unit that is known here", shorten(&symbol));
-            findings.error("B103", range, message, field.doc, help);
+            ("B103", format!("`{}` is not a unit that is known here", shorten(&symbol)), help)
         }
         Unreadable::Comma(meant) => {
-            findings.error(
-                "B105",
-                range,
-                format!("`{}` is written with a decimal comma", field.key),
-                field.doc,
-                format!("use a decimal point: \"{}\"", shorten(&meant)),
-            );
+            let message = format!("`{}` is written with a decimal comma", field.key);
+            ("B105", message, format!("use a decimal point: \"{}\"", shorten(&meant)))
         }
         Unreadable::NoNumber => {
-            findings.error(
-                "B105",
-                range,
-                format!("\"{}\" does not start with a number", shorten(text)),
-                field.doc,
-                format!("write {}", field.form()),
-            );
+            let message = format!("\"{}\" does not start with a number", shorten(text));
+            ("B105", message, format!("write {}", field.form()))
         }
         Unreadable::Infinite => return not_finite(field, range, findings),
-    }
-    None
+    };
+    findings.refuse(code, range, message, field.doc, help)
 }
 
 fn not_finite<T>(field: &Field, range: TextRange, findings: &mut Findings) -> Option<T> {
-    findings.error(
+    findings.refuse(
         "B106",
         range,
         format!("`{}` is not a number that can be calculated with", field.key),
         field.doc,
         format!("write {}", field.form()),
-    );
-    None
+    )
 }
 
 /// A size that no bridge has is a slip of the pen; one outside the card's limits is impossible.
 fn check_size(field: &Field, quantity: Quantity, range: TextRange, findings: &mut Findings) -> bool {
     let value = quantity.si();
     let most = quantity.unit.dimension.most();
-    if value.abs() > most {
-        findings.error(
-            "B106",
-            range,
-            format!("`{}` is beyond anything that a bridge can have", field.key),
-            field.doc,
-            "check number and unit".to_owned(),
-        );
-        return false;
-    }
-    // A number that vanishes in SI would divide by zero later on.
-    if value != 0.0 && value.abs() < 1e-12 * most.min(1.0) {
-        findings.error(
-            "B106",
-            range,
-            format!("`{}` is so small that it vanishes", field.key),
-            field.doc,
-            "check number and unit".to_owned(),
-        );
-        return false;
-    }
-    check_limits(field, value, range, findings)
+    let slip = match value.abs() {
+        size if size > most => "is beyond anything that a bridge can have",
+        // A number that vanishes in SI would divide by zero later on.
+        size if size != 0.0 && size < 1e-12 * most.min(1.0) => "is so small that it vanishes",
+        _ => return check_limits(field, value, range, findings),
+    };
+    findings.error("B106", range, format!("`{}` {slip}", field.key), field.doc, "check number and unit");
+    false
 }
 
 fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Findings) -> bool {
@@ -485,7 +437,7 @@ fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Find
         false => ("more than", limits.least),
     };
     // In the unit that the example uses, and no more digits than that is worth.
-    let bound = match field.example.split('"').find_map(|piece| quantity::parse(piece).ok()) {
+    let bound = match field.example_quantity() {
         Some(example) => format!("{} {}", (bound / example.unit.size * 1e6).round() / 1e6, example.unit.symbol),
         None if matches!(field.kind, Kind::Slope) && bound > 0.0 && bound < 1.0 => {
             format!("1:{}", (1.0 / bound).round())

@@ -75,8 +75,7 @@ impl Basis {
         let full = full_passage(evaluator, point)?;
         let mut basis = Self { samples: samples(evaluator, &full), ..self.clone() };
         let request = basis.request(evaluator.has_sensitivities(&basis.samples));
-        let answers = evaluator.respond(&[point.to_vec()], &request)?;
-        let slices = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
+        let slices = answer(evaluator, point, &request)?;
         let problem = evaluator.problem;
         let peak = |channel: usize, values: &[f64]| misfit::peak_place(problem, channel, values).map(|at| values[at]);
         let beyond = |k: usize| Some(peak(k, &full.values[k])? - peak(k, &slices.values[k])?);
@@ -102,7 +101,12 @@ impl Basis {
 
 /// A full passage at one point.
 pub(crate) fn full_passage(evaluator: &mut Evaluator, point: &[f64]) -> Result<Response, Halt> {
-    let answers = evaluator.respond(&[point.to_vec()], &Request::all())?;
+    answer(evaluator, point, &Request::all())
+}
+
+/// The answer at one point.
+pub(crate) fn answer(evaluator: &mut Evaluator, point: &[f64], request: &Request) -> Result<Response, Halt> {
+    let answers = evaluator.respond(&[point.to_vec()], request)?;
     answers[0].as_ref().clone().map_err(Halt::Failed)
 }
 

@@ -95,11 +95,6 @@ impl<'a> Evaluator<'a> {
         self.forward.length(channel)
     }
 
-    /// What the log knows of a point.
-    pub(crate) fn known(&self, point: &[f64], request: &Request) -> Option<Arc<Evaluation>> {
-        self.log.get(point, request)
-    }
-
     /// Answers at many points, in their order. What the log knows is not evaluated again.
     ///
     /// # Errors
@@ -174,20 +169,18 @@ fn sound(problem: &Problem, forward: &dyn Forward, request: &Request, evaluation
         Samples::At(places) => places.get(k).map_or(0, Vec::len),
     };
     let derivatives = if request.sensitivities { problem.parameters().len() } else { 0 };
+    let wrong = |message: String| Err(Failure::new("wrong-shape", message));
     if response.derivatives.len() != derivatives {
-        let message = format!("{} sets of derivatives came for {derivatives}", response.derivatives.len());
-        return Err(Failure::new("wrong-shape", message));
+        return wrong(format!("{} sets of derivatives came for {derivatives}", response.derivatives.len()));
     }
     for table in std::iter::once(&response.values).chain(&response.derivatives) {
         if table.len() != channels.len() {
-            let message = format!("{} channels were computed, {} are measured", table.len(), channels.len());
-            return Err(Failure::new("wrong-shape", message));
+            return wrong(format!("{} channels were computed, {} are measured", table.len(), channels.len()));
         }
         for (k, row) in table.iter().enumerate() {
             let name = &channels[k].name;
             if row.len() != wanted(k) {
-                let message = format!("channel {name}: {} values were computed for {}", row.len(), wanted(k));
-                return Err(Failure::new("wrong-shape", message));
+                return wrong(format!("channel {name}: {} values were computed for {}", row.len(), wanted(k)));
             }
             if row.iter().any(|value| !value.is_finite()) {
                 return Err(Failure::new("not-finite", format!("channel {name}: a value is no finite number")));

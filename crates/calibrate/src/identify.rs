@@ -5,12 +5,12 @@
 
 use faer::Mat;
 
-use crate::basis::{Basis, Halt};
+use crate::basis::{Basis, Halt, answer};
 use crate::evaluator::Evaluator;
 use crate::forward::Response;
 use crate::misfit::{residual_derivatives, residuals};
-use crate::parameter::shares;
-use crate::search::jacobian::{by_differences, by_shares};
+use crate::parameter::{shares, values};
+use crate::search::jacobian::{by_differences, by_shares, points};
 use serde::{Deserialize, Serialize};
 
 /// Parameters taken together with their collinearity.
@@ -97,32 +97,23 @@ pub(crate) fn columns(
     let problem = evaluator.problem;
     let at = shares(problem.parameters(), point);
     if evaluator.has_sensitivities(&basis.samples) {
-        let answers = evaluator.respond(&[point.to_vec()], &basis.request(true))?;
-        let response = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
-        return Ok(by_shares(problem.parameters(), &at, own(response)));
+        let response = answer(evaluator, point, &basis.request(true))?;
+        return Ok(by_shares(problem.parameters(), &at, own(&response)));
     }
-    // Which points are wanted is asked first, so that they are evaluated in one batch.
-    let wanted = std::cell::RefCell::new(Vec::new());
-    let _ = by_differences(&at, step, |shares| {
-        wanted.borrow_mut().push(crate::parameter::values(problem.parameters(), shares));
-        Ok::<_, ()>(Vec::new())
+    let wanted: Vec<Vec<f64>> = points(&at, step).iter().map(|at| values(problem.parameters(), at)).collect();
+    let answers = evaluator.respond(&wanted, &basis.request(false))?;
+    let found = answers.iter().map(|answer| match answer.as_ref() {
+        Ok(response) => Ok(numbers(response)),
+        Err(failure) => Err(Halt::Failed(failure.clone())),
     });
-    evaluator.respond(&wanted.into_inner(), &basis.request(false))?;
-    let request = basis.request(false);
-    by_differences(&at, step, |shares| {
-        let point = crate::parameter::values(problem.parameters(), shares);
-        match evaluator.known(&point, &request).as_deref() {
-            Some(Ok(response)) => Ok(numbers(response)),
-            Some(Err(failure)) => Err(Halt::Failed(failure.clone())),
-            None => Err(Halt::Failed(crate::forward::Failure::new("no-answer", "the evaluator keeps no log"))),
-        }
-    })
+    Ok(by_differences(&at, step, found.collect::<Result<Vec<_>, _>>()?))
 }
 
 /// Judges columns of sensitivities, one for each of `names`.
 pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]) -> Identifiability {
     let n = sensitivities.len();
-    let strengths: Vec<f64> = sensitivities.iter().map(|column| length(column)).collect();
+    let length = |column: &Vec<f64>| column.iter().map(|value| value * value).sum::<f64>().sqrt();
+    let strengths: Vec<f64> = sensitivities.iter().map(length).collect();
     let mut singular_values = singular_values(&sensitivities);
     singular_values.resize(n, 0.0);
     let largest = singular_values.first().copied().unwrap_or(0.0);
@@ -149,10 +140,6 @@ pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]
     };
     found.words = words(&found, names);
     found
-}
-
-fn length(column: &[f64]) -> f64 {
-    column.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
 
 /// Singular values of a matrix given by columns, largest first; none where it is empty or not finite.

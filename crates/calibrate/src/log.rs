@@ -97,13 +97,11 @@ impl Log {
         Ok((log, broken))
     }
 
-    /// Drops what does not have the shape that is asked for; says how many.
-    pub(crate) fn keep_sound(&mut self, sound: impl Fn(&Request, usize, &Evaluation) -> bool) -> usize {
-        let before = self.len();
+    /// Drops what does not have the shape that is asked for.
+    pub(crate) fn keep_sound(&mut self, sound: impl Fn(&Request, usize, &Evaluation) -> bool) {
         for (request, entries) in &mut self.entries {
             entries.retain(|point, entry| sound(request, point.len(), &entry.evaluation));
         }
-        before - self.len()
     }
 
     /// A search begins: what it uses is counted anew.
@@ -137,12 +135,7 @@ impl Log {
 
     fn put(&mut self, request: &Request, point: Vec<u64>, evaluation: Evaluation) {
         let entry = Entry { evaluation: Arc::new(evaluation), used_by: 0 };
-        if !self.entries.contains_key(request) {
-            self.entries.insert(request.clone(), BTreeMap::new());
-        }
-        if let Some(entries) = self.entries.get_mut(request) {
-            entries.insert(point, entry);
-        }
+        self.entries.entry(request.clone()).or_default().insert(point, entry);
     }
 }
 

@@ -125,25 +125,6 @@ pub fn hold(problem: &Problem, response: &Response) -> Held {
     Held { weights, shape_correlations, beyond: Vec::new() }
 }
 
-/// What a reader of the weights should look at, in words: the square of a factor hides its sign.
-pub fn doubts(problem: &Problem, held: &Held) -> Vec<String> {
-    let mut doubts = Vec::new();
-    for (k, channel) in problem.channels().iter().enumerate().filter(|(_, channel)| channel.counts()) {
-        let name = &channel.name;
-        match held.shape_correlations[k] {
-            Some(factor) if factor < 0.0 => doubts.push(format!(
-                "{name}: the start model moves against the record (shape correlation {factor:.3}), and the weight, its \
-                 square, hides it; look at the channel's sign."
-            )),
-            None if problem.misfit().weights == Weights::ShapeCorrelation => doubts.push(format!(
-                "{name}: the start model or the record is zero throughout, so that the channel weighs nothing."
-            )),
-            _ => {}
-        }
-    }
-    doubts
-}
-
 /// Place of the model's peak among the values of a channel; none where there is no value.
 pub fn peak_place(problem: &Problem, channel: usize, values: &[f64]) -> Option<usize> {
     let measured = problem.channels()[channel].measured_peak().unwrap_or(0.0);
@@ -166,7 +147,9 @@ fn divisor(problem: &Problem, channel: usize) -> f64 {
 }
 
 /// Differences of one channel that enter its error, each with the place of the model's value.
-fn differences(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Vec<(usize, f64)> {
+type Differences = Vec<(usize, f64)>;
+
+fn differences(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Differences {
     let beyond = held.beyond.get(channel).copied().unwrap_or(0.0);
     let measured = &problem.channels()[channel];
     let divisor = divisor(problem, channel);
@@ -202,16 +185,21 @@ pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
     Fit { norm: (sum / total).sqrt(), channels }
 }
 
+/// Differences of each channel with a weight in turn, and the factor that makes residuals of them.
+fn weighted(problem: &Problem, held: &Held, response: &Response) -> Vec<(usize, f64, Differences)> {
+    let total: f64 = held.weights.iter().sum();
+    let counting = response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0);
+    let of = |(k, values): (usize, &Vec<f64>)| {
+        let all = differences(problem, held, k, values);
+        (k, (held.weights[k] / total / all.len() as f64).sqrt(), all)
+    };
+    counting.map(of).collect()
+}
+
 /// Residuals whose sum of squares is the square of the norm: of each channel with a weight in turn.
 pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64> {
-    let total: f64 = held.weights.iter().sum();
-    let mut residuals = Vec::new();
-    for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
-        let all = differences(problem, held, k, values);
-        let factor = (held.weights[k] / total / all.len() as f64).sqrt();
-        residuals.extend(all.iter().map(|(_, difference)| factor * difference));
-    }
-    residuals
+    let of = |(_, factor, all): (usize, f64, Differences)| all.into_iter().map(move |(_, d)| factor * d);
+    weighted(problem, held, response).into_iter().flat_map(of).collect()
 }
 
 /// How many residuals there are, from the lengths of the channels' histories.
@@ -256,13 +244,12 @@ fn places(problem: &Problem, channel: usize, values: &[f64]) -> Vec<usize> {
 
 /// Derivatives of the residuals with respect to each parameter, from those of the response: by parameter, in the order of [`residuals`].
 pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
-    let total: f64 = held.weights.iter().sum();
+    let weighted = weighted(problem, held, response);
     let by_parameter = |derivatives: &Vec<Vec<f64>>| {
         let mut column = Vec::new();
-        for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
-            let all = differences(problem, held, k, values);
-            let factor = (held.weights[k] / total / all.len() as f64).sqrt() / divisor(problem, k);
-            column.extend(all.iter().map(|(place, _)| factor * derivatives[k][*place]));
+        for (k, factor, all) in &weighted {
+            let factor = factor / divisor(problem, *k);
+            column.extend(all.iter().map(|(place, _)| factor * derivatives[*k][*place]));
         }
         column
     };

@@ -86,6 +86,14 @@ impl Surrogate {
             100.0 * worst
         )
     }
+
+    /// What it gives at shares of the ranges, by channel.
+    fn values(&self, shares: &[f64]) -> Vec<Vec<f64>> {
+        let monomials = monomials(shares, &self.exponents);
+        let mut rows = self.coefficients.iter();
+        let value = |row: &Vec<f64>| row.iter().zip(&monomials).map(|(a, b)| a * b).sum::<f64>();
+        self.widths.iter().map(|width| rows.by_ref().take(*width).map(value).collect()).collect()
+    }
 }
 
 /// Fits polynomials of rising degree and keeps the one with the least error at held-out points.
@@ -217,15 +225,6 @@ fn judge(surrogate: &mut Surrogate, evaluator: &Evaluator, held_out: &[(Vec<f64>
     let mean = |squares: Vec<f64>| squares.into_iter().map(|sum| (sum / held_out.len() as f64).sqrt()).collect();
     (surrogate.largest_error, surrogate.mean_error, surrogate.value_error) =
         (largest, mean(squares), mean(value_squares));
-}
-
-impl Surrogate {
-    fn values(&self, shares: &[f64]) -> Vec<Vec<f64>> {
-        let monomials = monomials(shares, &self.exponents);
-        let mut rows = self.coefficients.iter();
-        let value = |row: &Vec<f64>| row.iter().zip(&monomials).map(|(a, b)| a * b).sum::<f64>();
-        self.widths.iter().map(|width| rows.by_ref().take(*width).map(value).collect()).collect()
-    }
 }
 
 impl Forward for Surrogate {

@@ -291,7 +291,7 @@ pub(crate) struct Assess {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Leave a stage out
-    #[arg(long, value_name = "STAGE", value_parser = one_of(STAGES))]
+    #[arg(long, value_name = "STAGE", value_parser = one_of(STAGES.to_vec()))]
     pub skip: Vec<StageName>,
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
@@ -472,7 +472,7 @@ pub(crate) struct Validate {
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     pub only: Vec<String>,
     /// Only these methods, with commas [default: all but particles, which take hours]
-    #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = one_of(PREDICTORS))]
+    #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = predictor())]
     pub methods: Vec<Predictor>,
     /// Whether it is one of several.
     #[command(flatten)]
@@ -502,7 +502,7 @@ pub(crate) struct Bench {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=10_000_000))]
     pub count: Option<u32>,
     /// What yields, for `footing` (von-mises)
-    #[arg(long, value_name = "LAW", value_parser = one_of(GROUNDS))]
+    #[arg(long, value_name = "LAW", value_parser = one_of(GROUNDS.to_vec()))]
     pub material: Option<Ground>,
     /// For `disks`: compare with this many boxes stepped side by side, one thread each
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
@@ -554,16 +554,6 @@ pub(crate) const STAGES: &[Word<StageName>] = &[
     ("sensitivity", "What would change the verdict", StageName::Sensitivity),
 ];
 
-/// Methods of `validate`.
-pub(crate) const PREDICTORS: &[Word<Predictor>] = &[
-    ("weight", Predictor::Weight.about(), Predictor::Weight),
-    ("pressure", Predictor::Pressure.about(), Predictor::Pressure),
-    ("continuum", Predictor::Continuum.about(), Predictor::Continuum),
-    ("path", Predictor::Path.about(), Predictor::Path),
-    ("movement", Predictor::Movement.about(), Predictor::Movement),
-    ("particles", Predictor::Particles.about(), Predictor::Particles),
-];
-
 /// Ground under the footing of `bench footing`.
 pub(crate) const GROUNDS: &[Word<Ground>] = &[
     ("von-mises", "Clay", Ground::VonMises),
@@ -574,15 +564,19 @@ pub(crate) const GROUNDS: &[Word<Ground>] = &[
 
 /// Words of a key of bridge files, with what the reference says of them.
 fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
-    let words = T::WORDS.iter().map(|choice| PossibleValue::new(choice.word).help(choice.doc));
-    PossibleValuesParser::new(words).try_map(|word| T::named(&word).ok_or("unknown"))
+    one_of(T::WORDS.iter().zip(T::VALUES).map(|(choice, value)| (choice.word, choice.doc, *value)).collect())
+}
+
+/// A method of `validate` by its word.
+fn predictor() -> impl TypedValueParser<Value = Predictor> {
+    one_of(Predictor::ALL.iter().map(|one| (one.word(), one.about(), *one)).collect())
 }
 
 /// Takes one of these words for what it stands for.
-fn one_of<T: Copy + Send + Sync>(words: &'static [Word<T>]) -> impl TypedValueParser<Value = T> {
-    let known = words.iter().map(|(word, about, _)| PossibleValue::new(word).help(about));
+fn one_of<T: Copy + Send + Sync + 'static>(words: Vec<Word<T>>) -> impl TypedValueParser<Value = T> {
+    let known: Vec<PossibleValue> = words.iter().map(|(word, about, _)| PossibleValue::new(word).help(about)).collect();
     PossibleValuesParser::new(known)
-        .map(|said| words.iter().find(|(word, ..)| *word == said).expect("only these words pass").2)
+        .map(move |said| words.iter().find(|(word, ..)| *word == said).expect("only these words pass").2)
 }
 
 /// The word for one of these.

@@ -44,22 +44,19 @@ impl Checkpoint {
 
     /// The state that was kept, where there is one.
     pub(crate) fn take_up(&self) -> Result<Option<Vec<u8>>, Failure> {
+        let aside = self.set_aside(self.fingerprint);
         match read(&self.path, self.fingerprint) {
-            Ok(state) => Ok(Some(state)),
             Err(Unusable::Unread(error)) if error.kind() == io::ErrorKind::NotFound => {
-                Ok(read(&self.set_aside(self.fingerprint), self.fingerprint).ok())
+                Ok(read(&aside, self.fingerprint).ok())
             }
-            Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) if self.set_aside(self.fingerprint).exists() => {
-                match read(&self.set_aside(self.fingerprint), self.fingerprint) {
-                    Ok(state) => Ok(Some(state)),
-                    Err(error) => Err(self.unusable(&error)),
-                }
+            Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) if aside.exists() => {
+                read(&aside, self.fingerprint).map(Some).map_err(|error| self.unusable(&error))
             }
             Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) => {
                 let message = format!("{} belongs to another bridge or another plan", self.path.display());
                 Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
             }
-            Err(error) => Err(self.unusable(&error)),
+            found => found.map(Some).map_err(|error| self.unusable(&error)),
         }
     }
 

@@ -1,6 +1,7 @@
 //! What keeps a command from its work: what, where, and what to do about it.
 
 use crate::status::Status;
+use assess::analysis::AnalysisError;
 use extrados::{Refusal, reason};
 use std::io;
 use std::path::Path;
@@ -231,6 +232,13 @@ fn listed(names: &[String]) -> String {
 impl From<Refusal> for Failure {
     fn from(refusal: Refusal) -> Failure {
         Failure::input(refusal.code, refusal.message, refusal.help)
+    }
+}
+
+impl From<AnalysisError> for Failure {
+    /// An analysis that cannot be set up.
+    fn from(error: AnalysisError) -> Failure {
+        Refusal::not_set_up(&error).into()
     }
 }
 

@@ -41,9 +41,9 @@ pub(crate) struct Placed {
     pub avoided: Vec<String>,
 }
 
-/// The default folder for a file: out/NAME beside the current folder.
-pub(crate) fn default_for(file: &Path) -> PathBuf {
-    Path::new("out").join(shown_stem(file))
+/// The folder that was named for the results of a file; by default out/NAME beside the current folder.
+pub(crate) fn named(out: &Option<PathBuf>, file: &Path) -> PathBuf {
+    out.clone().unwrap_or_else(|| Path::new("out").join(shown_stem(file)))
 }
 
 /// The name of a file without its ending, as a folder may be called: characters that act instead of being seen become "_".
@@ -123,41 +123,39 @@ impl Folder {
         seal: impl FnOnce(&[String], &Path, &Placed) -> String,
     ) -> Result<Placed, Failure> {
         let _busy = crate::signs::busy();
-        let staging = Staging::new(self.path.join(format!("{PARTIAL}{}", std::process::id())));
+        let staging = Staging(self.path.join(format!("{PARTIAL}{}", std::process::id())));
         let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
-        fs::create_dir_all(&staging.path).map_err(not_written)?;
-        write(&staging.path).map_err(not_written)?;
-        let files = files_in(&staging.path).map_err(not_written)?;
+        fs::create_dir_all(&staging.0).map_err(not_written)?;
+        write(&staging.0).map_err(not_written)?;
+        let files = files_in(&staging.0).map_err(not_written)?;
         let (mut placed, place) = self.clear(&files).map_err(not_written)?;
         let target = place.as_deref().unwrap_or(&self.path);
         if target == self.path {
             placed.earlier = self.keep_earlier().map_err(not_written)?;
         }
-        fs::write(staging.path.join(SEAL), seal(&files, target, &placed)).map_err(not_written)?;
-        self.replace(&staging.path, target, &files).map_err(not_written)?;
+        fs::write(staging.0.join(SEAL), seal(&files, target, &placed)).map_err(not_written)?;
+        self.replace(&staging.0, target, &files).map_err(not_written)?;
         Ok(placed)
     }
 
     /// Writes files, each whole or not at all, beside whatever else is there. An answer of another file is moved away first.
-    pub(crate) fn put(&self, files: &[(&str, &[u8])]) -> Result<Placed, Failure> {
+    pub(crate) fn put(&self, files: &[figures::File]) -> Result<(), Failure> {
         let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
+        let hash = |file: &figures::File| blake3::hash(&file.bytes).to_hex().to_string();
         self.guard()?;
-        let mut placed = Placed::default();
         let mut list = List::read(&self.path);
         if list.of != self.purpose.of() {
-            placed.earlier = earlier::keep(&self.path, &mut list).map_err(not_written)?;
+            earlier::keep(&self.path, &mut list).map_err(not_written)?;
             (list.kind, list.of) = (String::new(), self.purpose.of());
         }
-        for (name, bytes) in files {
-            list.expect(name, blake3::hash(bytes).to_hex().to_string());
-        }
+        files.iter().for_each(|file| list.expect(&file.name, hash(file)));
         list.write(&self.path).map_err(not_written)?;
-        for (name, bytes) in files {
-            write_whole(&self.file(name), bytes).map_err(|error| Failure::not_written(&self.file(name), &error))?;
-            list.settle(name, blake3::hash(bytes).to_hex().to_string());
+        for file in files {
+            let place = self.file(&file.name);
+            write_whole(&place, &file.bytes).map_err(|error| Failure::not_written(&place, &error))?;
+            list.settle(&file.name, hash(file));
         }
-        list.write(&self.path).map_err(not_written)?;
-        Ok(placed)
+        list.write(&self.path).map_err(not_written)
     }
 
     /// Files of somebody else in the way of an answer, which came since [`Folder::prepare`] looked, and the free place that the
@@ -193,11 +191,10 @@ impl Folder {
         let mut list = List::read(target);
         let all: Vec<String> = files.iter().cloned().chain([SEAL.to_owned()]).collect();
         let hashes: Vec<String> = all.iter().map(|name| list::hash(&staging.join(name))).collect::<io::Result<_>>()?;
-        let stale: Vec<String> = list.last.iter().filter(|name| !all.contains(name)).cloned().collect();
-        let stale: Vec<String> = stale.into_iter().filter(|name| list.holds(target, name)).collect();
+        let stale = list.stale(target, &all);
         all.iter().zip(&hashes).for_each(|(name, hash)| list.expect(name, hash.clone()));
         (list.kind, list.of, list.last) = (self.purpose.kind.clone(), self.purpose.of(), all.clone());
-        list.last.extend(stale.iter().cloned());
+        list.last.extend(stale);
         // Should the move be cut off, whatever then stands there is on the list, and the next run ends it.
         list.write(target)?;
         if target != self.path {
@@ -230,6 +227,12 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = fs::remove_file(&partial);
     }
     moved
+}
+
+/// The place of a file, in a folder that is made where it is not there.
+pub(crate) fn with_room(place: &Path) -> io::Result<&Path> {
+    place.parent().map_or(Ok(()), fs::create_dir_all)?;
+    Ok(place)
 }
 
 /// A name beside a file that nobody else uses.
@@ -267,18 +270,10 @@ pub(crate) fn files_in(folder: &Path) -> io::Result<Vec<String>> {
 }
 
 /// A folder that is gone when the work is done, whichever way it ends.
-struct Staging {
-    path: PathBuf,
-}
-
-impl Staging {
-    fn new(path: PathBuf) -> Staging {
-        Staging { path }
-    }
-}
+struct Staging(PathBuf);
 
 impl Drop for Staging {
     fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.path);
+        let _ = fs::remove_dir_all(&self.0);
     }
 }

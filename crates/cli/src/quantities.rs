@@ -13,11 +13,7 @@ pub(crate) fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Fai
     };
     match positive(option, text, load, example)? {
         load if load >= LEAST_LOAD => Ok(load),
-        _ => Err(Failure::input(
-            "F107",
-            format!("{option} \"{text}\" is less than 0.001 kN/m"),
-            format!("write {option} \"{example}\""),
-        )),
+        _ => Err(refused(format!("{option} \"{text}\" is less than 0.001 kN/m"), option, example)),
     }
 }
 
@@ -26,36 +22,33 @@ const LEAST_LOAD: f64 = 1.0;
 
 /// A length [m].
 pub(crate) fn length(option: &str, text: &str) -> Result<f64, Failure> {
-    let example = "0.25 m";
-    positive(option, text, read(option, text, &[Dimension::Length], example)?.si(), example)
+    above_zero(option, text, Dimension::Length, "0.25 m")
 }
 
 /// A stress or modulus [Pa].
 pub(crate) fn stress(option: &str, text: &str) -> Result<f64, Failure> {
-    let example = "40 MPa";
-    positive(option, text, read(option, text, &[Dimension::Stress], example)?.si(), example)
+    above_zero(option, text, Dimension::Stress, "40 MPa")
 }
 
 /// A speed [m/s].
 pub(crate) fn speed(option: &str, text: &str) -> Result<f64, Failure> {
     let example = "45 km/h";
-    let speed = positive(option, text, read(option, text, &[Dimension::Speed], example)?.si(), example)?;
-    if (LEAST_SPEED..=Dimension::Speed.most()).contains(&speed) {
-        return Ok(speed);
+    let speed = above_zero(option, text, Dimension::Speed, example)?;
+    match (LEAST_SPEED..=Dimension::Speed.most()).contains(&speed) {
+        true => Ok(speed),
+        false => Err(refused(format!("{option} \"{text}\" is no speed of a train"), option, example)),
     }
-    let message = format!("{option} \"{text}\" is no speed of a train");
-    Err(Failure::input("F107", message, format!("write {option} \"{example}\"")))
 }
 
 /// A sampling rate [Hz].
 pub(crate) fn frequency(option: &str, text: &str) -> Result<f64, Failure> {
     let example = "200 Hz";
-    let rate = positive(option, text, read(option, text, &[Dimension::Frequency], example)?.si(), example)?;
+    let rate = above_zero(option, text, Dimension::Frequency, example)?;
     if (LEAST_RATE..=MOST_RATE).contains(&rate) {
         return Ok(rate);
     }
     let message = format!("{option} \"{text}\" is no rate of a logger: {LEAST_RATE} Hz to {MOST_RATE} Hz");
-    Err(Failure::input("F107", message, format!("write {option} \"{example}\"")))
+    Err(refused(message, option, example))
 }
 
 /// Rates of loggers [Hz]: a sample in ten seconds shows no train, and a train's minutes at the most make tables of a hundred million
@@ -87,23 +80,29 @@ const MOST_OF_RECORDS: f64 = 1.0;
 const LEAST_SPEED: f64 = 0.01;
 
 fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result<quantity::Quantity, Failure> {
-    let help = format!("write {option} \"{example}\"");
     let names = || wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");
-    match quantity::parse(text) {
-        Ok(quantity) => quantity.of(wanted).ok_or_else(|| {
-            let found = quantity.unit.dimension.name();
-            Failure::input("F107", format!("{option} \"{text}\": expected {}, found {found}", names()), help)
-        }),
-        Err(_) => Err(Failure::input("F107", format!("{option} \"{text}\" is not {}", names()), help)),
-    }
+    let quantity = quantity::parse(text)
+        .map_err(|_| refused(format!("{option} \"{text}\" is not {}", names()), option, example))?;
+    quantity.of(wanted).ok_or_else(|| {
+        let found = quantity.unit.dimension.name();
+        refused(format!("{option} \"{text}\": expected {}, found {found}", names()), option, example)
+    })
+}
+
+/// A quantity of one kind that is above zero [SI].
+fn above_zero(option: &str, text: &str, wanted: Dimension, example: &str) -> Result<f64, Failure> {
+    positive(option, text, read(option, text, &[wanted], example)?.si(), example)
 }
 
 fn positive(option: &str, text: &str, value: f64, example: &str) -> Result<f64, Failure> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(value);
+    match value > 0.0 && value.is_finite() {
+        true => Ok(value),
+        false => Err(refused(format!("{option} \"{text}\" is not above zero"), option, example)),
     }
-    let help = format!("write {option} \"{example}\"");
-    Err(Failure::input("F107", format!("{option} \"{text}\" is not above zero"), help))
+}
+
+fn refused(message: String, option: &str, example: &str) -> Failure {
+    Failure::input("F107", message, format!("write {option} \"{example}\""))
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use bridge::{Diagnostic, Severity};
 use console::Style;
 use extrados::Excerpt;
 use findings::visible::{one_line, visible};
+use findings::words::counted;
 use std::fmt::Write;
 
 /// Colours, or none where the text does not go to a terminal.
@@ -37,6 +38,13 @@ impl Paint {
         let style = if severity == Severity::Error { &self.error } else { &self.warning };
         (severity.word(), style)
     }
+
+    /// The first line of a finding.
+    fn headed(&self, severity: Severity, code: &str, message: &str) -> String {
+        let (word, style) = self.of(severity);
+        let message = self.bold.apply_to(format!(": {}", visible(message)));
+        format!("{}{message}\n", style.apply_to(format!("{word}[{code}]")))
+    }
 }
 
 /// All findings about a file, and how many they are.
@@ -59,15 +67,9 @@ pub(crate) fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> S
     let (mut errors, mut warnings) = (0, 0);
     let mut notes: Vec<(&drawing::Finding, usize)> = Vec::new();
     for finding in list {
-        let (word, style) = match finding.severity {
-            Severity::Error => {
-                errors += 1;
-                paint.of(Severity::Error)
-            }
-            Severity::Warning => {
-                warnings += 1;
-                paint.of(Severity::Warning)
-            }
+        match finding.severity {
+            Severity::Error => errors += 1,
+            Severity::Warning => warnings += 1,
             Severity::Note => {
                 let same = |(known, _): &&mut (&drawing::Finding, usize)| {
                     known.code == finding.code && known.place.layer == finding.place.layer
@@ -78,9 +80,8 @@ pub(crate) fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> S
                 }
                 continue;
             }
-        };
-        let head = style.apply_to(format!("{word}[{}]", finding.code));
-        let _ = writeln!(page, "{head}{}", paint.bold.apply_to(format!(": {}", visible(&finding.message))));
+        }
+        page += &paint.headed(finding.severity, finding.code, &finding.message);
         let words = finding.place.to_string();
         let words = one_line(&words);
         let _ = writeln!(page, "  {name}{}{words}", if words.is_empty() { "" } else { ": " });
@@ -104,18 +105,16 @@ pub(crate) fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> S
         );
     }
     if errors + warnings > 0 {
-        let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
         let end = if errors > 0 { "the drawing cannot be used" } else { "the drawing can be used" };
-        let _ = writeln!(page, "{name}: {}, {}; {end}", number(errors, "error"), number(warnings, "warning"));
+        let _ = writeln!(page, "{name}: {}, {}; {end}", counted(errors, "error"), counted(warnings, "warning"));
     }
     page
 }
 
 /// A failure of the command itself.
 pub(crate) fn failure(failure: &Failure, paint: &Paint) -> String {
-    let head = paint.error.apply_to(format!("error[{}]", failure.code));
-    let message = paint.bold.apply_to(format!(": {}", visible(&failure.message)));
-    format!("{head}{message}\n  help: {}\n", visible(&failure.help))
+    let head = paint.headed(Severity::Error, failure.code, &failure.message);
+    format!("{head}  help: {}\n", visible(&failure.help))
 }
 
 /// A warning of an analysis.
@@ -129,27 +128,22 @@ fn count(name: &str, list: &[Diagnostic]) -> String {
     let name = one_line(name);
     let errors = list.iter().filter(|finding| finding.severity == Severity::Error).count();
     let warnings = list.len() - errors;
-    let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     match (errors, warnings) {
-        (0, _) => format!("{name}: {}; the file can be used\n", number(warnings, "warning")),
-        (_, 0) => format!("{name}: {}; the file cannot be used\n", number(errors, "error")),
-        _ => format!("{name}: {}, {}; the file cannot be used\n", number(errors, "error"), number(warnings, "warning")),
+        (0, _) => format!("{name}: {}; the file can be used\n", counted(warnings, "warning")),
+        (_, 0) => format!("{name}: {}; the file cannot be used\n", counted(errors, "error")),
+        _ => {
+            format!("{name}: {}, {}; the file cannot be used\n", counted(errors, "error"), counted(warnings, "warning"))
+        }
     }
 }
 
 fn one(name: &str, text: &[u8], finding: &Diagnostic, paint: &Paint) -> String {
-    let (word, style) = paint.of(finding.severity);
+    let (_, style) = paint.of(finding.severity);
     let place = bridge::text::position(text, finding.range.start);
     let excerpt = Excerpt::of(text, finding.range);
     let gutter = place.line.to_string().len().max(3);
     let bar = paint.frame.apply_to("|");
-    let mut page = String::new();
-    let _ = writeln!(
-        page,
-        "{}{}",
-        style.apply_to(format!("{word}[{}]", finding.code)),
-        paint.bold.apply_to(format!(": {}", visible(&finding.message)))
-    );
+    let mut page = paint.headed(finding.severity, finding.code, &finding.message);
     let _ = writeln!(page, "  {}:{}:{}", one_line(name), place.line, place.column);
     let number = paint.frame.apply_to(format!("{:>gutter$}", place.line));
     let _ = writeln!(page, "{number} {bar} {}", excerpt.shown);

@@ -23,6 +23,8 @@ pub(crate) struct Report {
     pub summary: String,
     /// Whether every analysis came to its end: an answer that is undetermined for lack of something else says so by its code.
     pub finished: bool,
+    /// Whether its words are the answer for scripts too: the JSON Schema.
+    pub is_text: bool,
 }
 
 impl Report {
@@ -35,6 +37,7 @@ impl Report {
             errors: Vec::new(),
             summary: String::new(),
             finished: false,
+            is_text: false,
         }
     }
 

@@ -2,40 +2,24 @@
 
 use crate::desk::Desk;
 use crate::failure::Failure;
-use crate::folder::Folder;
+use crate::folder::{Folder, with_room};
 use crate::report::Report;
-use crate::status::Status;
 use crate::workbook;
-use assess::analysis::AnalysisError;
-use extrados::Refusal;
-use extrados::written::Written;
-pub(crate) use extrados::written::tables;
-use figures::RasterError;
+pub(crate) use extrados::written::{Written, tables};
 use serde_json::json;
+use std::fmt::Display;
 use std::fs;
 use std::io;
 use std::path::Path;
 
-/// An analysis that cannot be set up.
-pub(crate) fn not_set_up(error: &AnalysisError) -> Failure {
-    Refusal::not_set_up(error).into()
-}
-
-/// A figure that cannot be drawn is a result that cannot be written.
-pub(crate) fn not_drawn(folder: &Path, error: &RasterError) -> Failure {
+/// A figure that cannot be drawn, or a workbook that cannot be packed, is a result that cannot be written.
+pub(crate) fn not_drawn(folder: &Path, error: &impl Display) -> Failure {
     Failure::not_written(folder, &io::Error::other(error.to_string()))
 }
 
 /// Writes files into a folder, with folders of their own where their names have them.
-fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
-    for file in files {
-        let path = folder.join(&file.name);
-        if let Some(parent) = path.parent() {
-            fs::create_dir_all(parent)?;
-        }
-        fs::write(path, &file.bytes)?;
-    }
-    Ok(())
+pub(crate) fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
+    files.iter().try_for_each(|file| fs::write(with_room(&folder.join(&file.name))?, &file.bytes))
 }
 
 /// Moves the files into the folder, sealed with the object that scripts read. Says where an earlier answer of another run went.
@@ -43,13 +27,12 @@ pub(crate) fn publish(
     desk: &mut Desk,
     mut report: Report,
     folder: &Folder,
-    files: &[figures::File],
+    written: Written,
 ) -> Result<Report, Failure> {
-    let mut files = files.to_vec();
-    files.extend(in_one_workbook(&report, &files).map_err(|error| not_packed(folder.path(), &error))?);
-    let files = &files;
+    let mut files = files(folder, written)?;
+    files.extend(in_one_workbook(&report, &files).map_err(|error| not_drawn(folder.path(), &error))?);
     folder.fill(
-        |staging| write(staging, files),
+        |staging| write(staging, &files),
         |names, place, placed| {
             report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
@@ -64,7 +47,7 @@ pub(crate) fn publish(
             ::outcome::published::json(&report.object(&desk.schema, desk.clock))
         },
     )?;
-    report.summary += &written(files, desk.screen.details);
+    report.summary += &told(&files, desk.screen.details);
     Ok(report)
 }
 
@@ -81,13 +64,8 @@ fn in_one_workbook(
     Ok(bytes.map(|bytes| figures::File { name: workbook::NAME.to_owned(), bytes }))
 }
 
-/// A workbook that could not be made.
-fn not_packed(folder: &Path, error: &rust_xlsxwriter::XlsxError) -> Failure {
-    Failure::not_written(folder, &io::Error::other(error.to_string()))
-}
-
 /// What was written, in lines, or in one by kinds: only what is there is named.
-fn written(files: &[figures::File], details: bool) -> String {
+fn told(files: &[figures::File], details: bool) -> String {
     let ending = |name: &str| name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_owned());
     let top = |wanted: &str| -> Vec<&str> {
         let names = files.iter().map(|file| file.name.as_str());
@@ -116,30 +94,16 @@ fn written(files: &[figures::File], details: bool) -> String {
     filled.map(|(what, names)| format!("  {what}: {}\n", names.join(", "))).collect()
 }
 
+/// Puts files beside whatever else is in the folder; gives their names.
+pub(crate) fn put(folder: &Folder, written: Written) -> Result<Vec<String>, Failure> {
+    let files = files(folder, written)?;
+    folder.put(&files)?;
+    Ok(files.into_iter().map(|file| file.name).collect())
+}
+
 /// Every file of an answer; each drawing as SVG and as PNG.
-pub(crate) fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Failure> {
-    let mut files = Vec::new();
-    for (name, svg) in &written.drawings {
-        files.extend(figures::both(name, svg).map_err(|error| not_drawn(folder.path(), &error))?);
-    }
+fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Failure> {
+    let mut files = figures::written(&written.drawings).map_err(|error| not_drawn(folder.path(), &error))?;
     files.extend(written.files);
     Ok(files)
-}
-
-/// The status of an analysis as a status of the command.
-pub(crate) fn status(status: outcome::collapse::Status) -> Status {
-    Status::named(status.word()).unwrap_or(Status::NotConverged)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_status_of_an_analysis_is_one_of_the_command() {
-        for &one in outcome::collapse::Status::ALL {
-            assert_eq!(status(one).name(), one.word());
-            assert_eq!(status(one).exit_code(), one.exit_code());
-        }
-    }
 }

@@ -4,15 +4,14 @@
 
 use crate::desk::Desk;
 use crate::failure::Failure;
-use crate::folder::{self, Folder, SEAL, write_whole};
+use crate::folder::{self, Folder, SEAL, with_room, write_whole};
 use crate::program;
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Format of what a finished shard says of itself.
@@ -121,6 +120,12 @@ pub(crate) fn folder_of(whole: PathBuf, shard: Option<Shard>) -> PathBuf {
     name.into()
 }
 
+/// The pieces of a work that a shard makes, or all of them.
+pub(crate) fn own<T>(all: &[T], shard: Option<Shard>) -> impl Iterator<Item = &T> {
+    let makes = move |place: &usize| shard.is_none_or(|one| one.makes(*place));
+    all.iter().enumerate().filter(move |(place, _)| makes(place)).map(|(_, piece)| piece)
+}
+
 /// The kind of run that a folder is for.
 pub(crate) fn kind(whole: &str, shard: Option<Shard>) -> String {
     shard.map_or_else(|| whole.to_owned(), |one| format!("{whole}-shard-{}-of-{}", one.number(), one.of()))
@@ -150,7 +155,7 @@ pub(crate) fn publish(
         shard.of()
     );
     desk.schema = SCHEMA.to_owned();
-    results::publish(desk, report, folder, &[])
+    results::publish(desk, report, folder, Written::default())
 }
 
 /// Shards that belong together, and are all there.
@@ -182,10 +187,8 @@ impl Merged {
         for (from, portion) in &self.shards {
             for piece in &portion.pieces {
                 let place = folder.file(&piece.file);
-                let copied = read_at_most(&from.join(&piece.file), LONGEST).and_then(|bytes| {
-                    fs::create_dir_all(place.parent().unwrap_or(folder.path()))?;
-                    write_whole(&place, &bytes)
-                });
+                let copied = read_at_most(&from.join(&piece.file), LONGEST)
+                    .and_then(|bytes| write_whole(with_room(&place)?, &bytes));
                 copied.map_err(|error| Failure::not_written(&place, &error))?;
             }
         }

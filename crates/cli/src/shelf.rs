@@ -2,12 +2,11 @@
 //! is there is never computed again.
 
 use crate::failure::Failure;
-use crate::folder::{Folder, write_whole};
+use crate::folder::{Folder, with_room, write_whole};
 use crate::log::LogFile;
 use extrados::Refusal;
 use extrados::files::{LONGEST, read_at_most};
 use extrados::shelf::Shelf;
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -82,11 +81,7 @@ impl Shelf for FolderShelf<'_> {
     }
 
     fn put(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
-        let path = self.file(name);
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        write_whole(&path, bytes)
+        write_whole(with_room(&self.file(name))?, bytes)
     }
 
     fn evaluations(&self, identity: &str) -> Result<calibrate::Log, Refusal> {

@@ -86,8 +86,15 @@ impl Status {
         self.row().2
     }
 
-    pub(crate) fn named(name: &str) -> Option<Status> {
-        ALL.iter().copied().find(|status| status.name() == name)
+    /// The worst of several analyses; where nothing failed, the command has completed.
+    pub(crate) fn worst_of(all: impl Iterator<Item = AnalysisStatus>) -> Status {
+        let worst = all.map(|one| Status::of(one.word())).max_by_key(|status| status.exit_code());
+        worst.filter(|status| status.exit_code() != 0).unwrap_or(Status::Completed)
+    }
+
+    /// The status of something that ended with this word.
+    pub(crate) fn of(word: &str) -> Status {
+        ALL.iter().copied().find(|status| status.name() == word).unwrap_or(Status::Undetermined)
     }
 }
 
@@ -98,8 +105,15 @@ mod tests {
     #[test]
     fn names_are_unique_and_lead_back() {
         for &status in ALL {
-            assert_eq!(Status::named(status.name()), Some(status));
+            assert_eq!(Status::of(status.name()), status);
         }
-        assert_eq!(Status::named("fine"), None);
+        assert_eq!(Status::of("fine"), Status::Undetermined);
+    }
+    #[test]
+    fn every_status_of_an_analysis_is_one_of_the_command() {
+        for &one in AnalysisStatus::ALL {
+            assert_eq!(Status::of(one.word()).name(), one.word());
+            assert_eq!(Status::of(one.word()).exit_code(), one.exit_code());
+        }
     }
 }

@@ -8,7 +8,7 @@ mod validation;
 mod vary;
 mod vehicles;
 
-pub(crate) use self::assess::assessment;
+pub(crate) use self::assess::{assessment, governs};
 pub(crate) use passage::passage;
 pub(crate) use records::records;
 pub(crate) use update::update;
@@ -178,13 +178,7 @@ fn title(found: &Collapse) -> String {
 
 fn loads(page: &mut String, found: &Collapse, details: bool) {
     if let Some(headline) = found.headline() {
-        let (load, whole) = (headline.load / 1e3, headline.whole / 1e3);
-        let _ = match found.has_own_widths() {
-            true => writeln!(page, "  {:<22}  {load:>9.2} kN/m", "carried"),
-            false => {
-                writeln!(page, "  {:<22}  {load:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", "carried", found.width)
-            }
-        };
+        *page += &strip(found, "carried", headline.load, headline.whole);
         let _ = writeln!(page, "  {:<22}  {}", "", headline.from);
     }
     let both = found.combination.is_some();
@@ -196,14 +190,7 @@ fn loads(page: &mut String, found: &Collapse, details: bool) {
         if let Some(load) = load.filter(|_| both) {
             let _ = writeln!(page, "  {name:<22}  {:>9.2} kN/m   of the strip between the walls", load / 1e3);
         } else if let Some(load) = load {
-            let whole = load * found.width / 1e3;
-            let _ = match found.has_own_widths() {
-                // An axle stands on a width of its own: on the whole width nobody asked for a load.
-                true => writeln!(page, "  {name:<22}  {:>9.2} kN/m", load / 1e3),
-                false => {
-                    writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width)
-                }
-            };
+            *page += &strip(found, name, load, load * found.width);
         }
     };
     line("last stable load", found.last_stable_load);
@@ -244,6 +231,16 @@ fn loads(page: &mut String, found: &Collapse, details: bool) {
     axles(page, found);
     if let Some(stress) = found.max_compressive_stress {
         let _ = writeln!(page, "  {:<22}  {:>9.2} MPa", "largest compression", stress / 1e6);
+    }
+}
+
+/// A load per metre of width [N/m], and on the whole width [N] where it stands on that: an axle stands on a width of its own, on the whole
+/// width nobody asked for a load.
+fn strip(found: &Collapse, name: &str, load: f64, whole: f64) -> String {
+    let (load, whole) = (load / 1e3, whole / 1e3);
+    match found.has_own_widths() {
+        true => format!("  {name:<22}  {load:>9.2} kN/m\n"),
+        false => format!("  {name:<22}  {load:>9.2} kN/m   {whole:>9.0} kN over {:.2} m\n", found.width),
     }
 }
 
@@ -355,8 +352,7 @@ fn mechanism(page: &mut String, found: &Collapse) {
 /// Where a hinge is: with its edge in a ring, between which blocks elsewhere.
 fn hinge(found: &Collapse, hinge: &Hinge) -> String {
     let edge = match hinge.edge {
-        HingeAt::Intrados => "intrados".to_owned(),
-        HingeAt::Extrados => "extrados".to_owned(),
+        HingeAt::Intrados | HingeAt::Extrados => hinge.edge.word().to_owned(),
         HingeAt::Other => match found.sides(hinge) {
             Some([first, second]) => format!("between {first} and {second}"),
             None => format!("y = {:.2} m", hinge.point[1]),

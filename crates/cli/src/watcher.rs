@@ -15,7 +15,7 @@ const BAR: u64 = 1000;
 /// Looks on one run.
 pub(crate) struct Watcher {
     bar: ProgressBar,
-    checkpoint: Option<Checkpoint>,
+    checkpoint: Checkpoint,
     keep_every: Duration,
     kept: Option<Instant>,
     trouble: Option<Failure>,
@@ -24,12 +24,7 @@ pub(crate) struct Watcher {
 impl Watcher {
     /// Draws progress unless it is unwanted, and keeps a checkpoint every so often.
     pub(crate) fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
-        Watcher { bar: bar(quiet, BAR), checkpoint: Some(checkpoint), keep_every, kept: None, trouble: None }
-    }
-
-    /// Draws progress unless it is unwanted; for runs that keep no state.
-    pub(crate) fn without_checkpoint(quiet: bool) -> Watcher {
-        Watcher { bar: bar(quiet, BAR), checkpoint: None, keep_every: Duration::MAX, kept: None, trouble: None }
+        Watcher { bar: bar(quiet, BAR), checkpoint, keep_every, kept: None, trouble: None }
     }
 
     /// Whether a checkpoint of this run was kept.
@@ -47,16 +42,12 @@ impl Watcher {
 /// Looks on work that keeps nothing.
 pub(crate) struct Spectator(ProgressBar);
 
-impl Spectator {
-    /// Draws progress unless it is unwanted.
-    pub(crate) fn new(quiet: bool) -> Spectator {
-        Spectator(bar(quiet, BAR))
-    }
-
-    /// Ends the drawing.
-    pub(crate) fn finish(self) {
-        self.0.finish_and_clear();
-    }
+/// Lets work that keeps nothing be looked on; draws its progress unless that is unwanted.
+pub(crate) fn watched<T>(quiet: bool, work: impl FnOnce(&mut Spectator) -> T) -> T {
+    let mut spectator = Spectator(bar(quiet, BAR));
+    let done = work(&mut spectator);
+    spectator.0.finish_and_clear();
+    done
 }
 
 impl Watch for Spectator {
@@ -74,8 +65,19 @@ pub(crate) struct Silent;
 
 impl Watch for Silent {
     fn look(&mut self, _: &Progress) -> Wish {
-        if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+        wish()
     }
+}
+
+/// Predictions call analyses by themselves.
+impl mechanics::watch::Watch for Silent {
+    fn look(&mut self, _: &Progress) -> Wish {
+        wish()
+    }
+}
+
+fn wish() -> Wish {
+    if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
 }
 
 /// Measures of speed call analyses by themselves.
@@ -95,12 +97,7 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
     };
     signs::tell(&words, progress.fraction);
     bar.set_message(one_line(&words).into_owned());
-    if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
-}
-
-/// A bar that counts pieces of work.
-pub(crate) fn count(quiet: bool, pieces: u64) -> ProgressBar {
-    bar(quiet, pieces)
+    wish()
 }
 
 /// A piece of work is done that is as large as so many.
@@ -118,8 +115,8 @@ pub(crate) fn counted(bar: &ProgressBar, what: &str) {
     signs::tell(&format!("{done} of {all} {what}"), Some(done as f64 / all as f64));
 }
 
-/// A bar on stderr; nothing is drawn where that is no terminal.
-fn bar(quiet: bool, length: u64) -> ProgressBar {
+/// A bar of so many pieces of work on stderr; nothing is drawn where that is no terminal.
+pub(crate) fn bar(quiet: bool, length: u64) -> ProgressBar {
     let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let bar = ProgressBar::with_draw_target(Some(length), target);
     // The template is a constant that a test reads; without it the plain bar does.
@@ -137,15 +134,14 @@ impl Watch for Watcher {
     }
 
     fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
-        let Some(checkpoint) = &self.checkpoint else { return };
         let due = self.kept.is_none_or(|kept| kept.elapsed() >= self.keep_every);
         if !due && !asked_to_stop() {
             return;
         }
-        match checkpoint.keep(&state()) {
+        match self.checkpoint.keep(&state()) {
             Ok(()) => {
                 self.kept = Some(Instant::now());
-                signs::keeps("checkpoint", checkpoint.path(), checkpoint.words());
+                signs::keeps("checkpoint", self.checkpoint.path(), self.checkpoint.words());
             }
             Err(failure) => self.trouble = Some(failure),
         }

@@ -69,22 +69,13 @@ fn partners(strands: &[Strand], gap: f64, findings: &mut Findings) -> BTreeMap<E
             // More than a few is crowded, however many they are.
             near.extend(list.iter().filter(|&&e| e != end && distance(point(strands, e), at) <= gap).take(4));
         }
-        match near[..] {
-            [] => {}
-            [one] => {
-                nearest.insert(end, one);
-            }
-            _ => {
-                // Ends that coincide go before ends that almost meet.
-                let same: Vec<End> =
-                    near.iter().copied().filter(|&e| distance(point(strands, e), at) <= COINCIDE).collect();
-                match same[..] {
-                    [one] => {
-                        nearest.insert(end, one);
-                    }
-                    _ => crowded.push((end, near.len() + 1)),
-                }
-            }
+        // Ends that coincide go before ends that almost meet.
+        let coincides = |e: &End| near.len() == 1 || distance(point(strands, *e), at) <= COINCIDE;
+        let nearer: Vec<End> = near.iter().copied().filter(coincides).collect();
+        match nearer[..] {
+            [one] => drop(nearest.insert(end, one)),
+            _ if near.is_empty() => {}
+            _ => crowded.push((end, near.len() + 1)),
         }
     }
     let mut said: Vec<Point> = Vec::new();

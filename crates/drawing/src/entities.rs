@@ -113,8 +113,7 @@ impl Expansion<'_> {
         match &entity.shape {
             Shape::Line(ends) => {
                 if self.is_flat(&place, context, ends.iter().map(|p| p[2])) {
-                    let points = ends.iter().map(|p| context.map.point([p[0], p[1]])).collect();
-                    self.strand(place, points, false, false);
+                    self.strand(place, ends.map(|p| [p[0], p[1]]).to_vec(), &context.map, false, false);
                 }
             }
             Shape::Polyline { mesh: true, .. } => {
@@ -133,8 +132,7 @@ impl Expansion<'_> {
                 let sweep = curve::sweep(from, to.to_radians());
                 if self.is_flat(&place, context, [*z].into_iter()) && self.has_size(&place, *radius) {
                     let points = curve::arc([*x, *y], *radius, from, sweep, self.tolerance(&map));
-                    let points = points.into_iter().map(|p| map.point(p)).collect();
-                    self.strand(place, points, false, true);
+                    self.strand(place, points, &map, false, true);
                 }
             }
             Shape::Circle { centre: [x, y, z], radius, normal } => {
@@ -177,8 +175,7 @@ impl Expansion<'_> {
             points.extend(curve::bulge(last.at, first.at, last.bulge, tolerance));
             points.pop();
         }
-        let points = points.into_iter().map(|p| map.point(p)).collect();
-        self.strand(place, points, closed, flattened);
+        self.strand(place, points, map, closed, flattened);
     }
 
     fn circle(&mut self, place: Place, centre: Point, radius: f64, map: &Transform) {
@@ -194,7 +191,7 @@ impl Expansion<'_> {
             None => {
                 let mut points = curve::arc(centre, radius, 0.0, TAU, self.tolerance(map));
                 points.pop();
-                self.strand(place, points.into_iter().map(|p| map.point(p)).collect(), true, true);
+                self.strand(place, points, map, true, true);
             }
         }
     }
@@ -219,7 +216,7 @@ impl Expansion<'_> {
         if closed {
             points.pop();
         }
-        self.strand(place, points.into_iter().map(|p| context.map.point(p)).collect(), closed, true);
+        self.strand(place, points, &context.map, closed, true);
     }
 
     fn spline(&mut self, place: Place, curve: &Spline<'_>, context: &Context) {
@@ -227,8 +224,7 @@ impl Expansion<'_> {
             let message = format!("the spline cannot be drawn: it has {defect}");
             return self.findings.error("D103", place, message, "convert it to a polyline");
         }
-        let points = curve.points(self.tolerance(&context.map));
-        self.strand(place, points.into_iter().map(|p| context.map.point(p)).collect(), false, true);
+        self.strand(place, curve.points(self.tolerance(&context.map)), &context.map, false, true);
     }
 
     /// A spline that is given by the points it passes through.
@@ -251,7 +247,7 @@ impl Expansion<'_> {
         } else {
             self.findings.note("D110", at, message);
         }
-        self.strand(place, points.into_iter().map(|p| context.map.point(p)).collect(), false, true);
+        self.strand(place, points, &context.map, false, true);
     }
 
     fn insert(&mut self, insert: &Insert, place: &Place, context: &Context) {
@@ -301,7 +297,9 @@ impl Expansion<'_> {
         }
     }
 
-    fn strand(&mut self, place: Place, points: Vec<Point>, closed: bool, flattened: bool) {
+    /// Points before a map, as a strand.
+    fn strand(&mut self, place: Place, points: Vec<Point>, map: &Transform, closed: bool, flattened: bool) {
+        let points: Vec<Point> = points.into_iter().map(|p| map.point(p)).collect();
         if !points.is_empty() && self.is_near(&place, &points) {
             self.points += points.len();
             let place = place.at(points[0]);

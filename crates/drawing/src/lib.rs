@@ -17,7 +17,6 @@ mod finding;
 mod options;
 mod outline;
 mod overlap;
-mod point;
 mod read;
 mod shapes;
 mod shown;
@@ -30,8 +29,9 @@ mod write;
 pub use finding::{Finding, Place};
 pub use findings::Severity;
 pub use options::{Concave, Options};
-pub use point::Point;
 pub use read::{Read, read};
 pub use shapes::{Circle, Drawing, Outline};
-pub use units::{UNITS, Unit};
 pub use write::{Item, Layer, Sheet, layer_name};
+
+/// A point [m].
+pub type Point = [f64; 2];

@@ -7,6 +7,7 @@ use crate::entities::Strand;
 use crate::finding::{Findings, Place};
 use crate::options::{Concave, Options};
 use crate::shapes::Outline;
+use ::findings::words::counted;
 use geo::algorithm::line_intersection::{LineIntersection, line_intersection};
 use geo::{Coord, Line};
 
@@ -106,9 +107,8 @@ fn without_duplicates(points: Vec<Point>, place: &Place, findings: &mut Findings
         at = kept.pop();
     }
     if let Some(at) = at {
-        let count = before - kept.len();
-        let word = if count == 1 { "point" } else { "points" };
-        findings.note("D201", place.at(at), format!("{count} duplicate {word} removed"));
+        let removed = counted(before - kept.len(), "duplicate point");
+        findings.note("D201", place.at(at), format!("{removed} removed"));
     }
     kept
 }
@@ -150,14 +150,8 @@ pub(crate) fn straightened(points: Vec<Point>) -> (Vec<Point>, Option<Point>) {
             skipped.clear();
         }
     }
-    if kept.len() < 3 {
-        return (points, None);
-    }
-    if dropped.is_none() {
-        // Nothing to do: the order of the file stays.
-        return (points, None);
-    }
-    (kept, dropped)
+    // Where there is nothing to do, the order of the file stays.
+    if kept.len() < 3 || dropped.is_none() { (points, None) } else { (kept, dropped) }
 }
 
 fn edges(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {

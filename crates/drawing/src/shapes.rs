@@ -1,7 +1,7 @@
 //! A drawing as it was understood: outlines and circles.
 
+use crate::Point;
 use crate::finding::Place;
-use crate::point::Point;
 
 /// A closed convex outline, counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]

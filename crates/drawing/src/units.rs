@@ -2,13 +2,13 @@
 
 /// A unit that a drawing may be drawn in.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
+pub(crate) struct Unit {
     /// Value of `$INSUNITS`.
-    pub number: i16,
+    pub(crate) number: i16,
     /// Symbol.
-    pub symbol: &'static str,
+    pub(crate) symbol: &'static str,
     /// Metres in one unit.
-    pub metres: f64,
+    pub(crate) metres: f64,
 }
 
 const fn unit(number: i16, symbol: &'static str, metres: f64) -> Unit {
@@ -16,7 +16,7 @@ const fn unit(number: i16, symbol: &'static str, metres: f64) -> Unit {
 }
 
 /// Units that bridges are drawn in; Autodesk, DXF Reference, header variable $INSUNITS.
-pub const UNITS: &[Unit] = &[
+pub(crate) const UNITS: &[Unit] = &[
     unit(1, "in", 0.0254),
     unit(2, "ft", 0.3048),
     unit(4, "mm", 1e-3),

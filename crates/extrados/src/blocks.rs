@@ -119,8 +119,7 @@ pub fn collapse_of_blocks(
     watch: &mut dyn Watch,
 ) -> Result<Collapse, Refusal> {
     let scene = blocks.planned(options)?;
-    analysis::collapse_of_blocks(&scene, options.resume.as_deref(), &mut Looking(watch))
-        .map_err(|error| Refusal::not_set_up(&error))
+    Ok(analysis::collapse_of_blocks(&scene, options.resume.as_deref(), &mut Looking(watch))?)
 }
 
 fn unreadable(part: &DrawingPart, reason: Refusal) -> Diagnostic {

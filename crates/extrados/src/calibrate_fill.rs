@@ -29,5 +29,5 @@ pub fn calibrate_fill(
     let plan = &mut bridge.calibration;
     plan.wanted_modulus = options.modulus.or(plan.wanted_modulus);
     plan.seeds = options.seeds.unwrap_or(plan.seeds);
-    calibrate::calibrate_fill(&bridge, &mut Looking(watch)).map_err(|error| Refusal::not_set_up(&error))
+    Ok(calibrate::calibrate_fill(&bridge, &mut Looking(watch))?)
 }

@@ -23,8 +23,7 @@ pub struct CollapseOptions {
 /// A file that cannot be used, or an analysis that cannot be set up for its bridge (F108).
 pub fn collapse(project: &Project, options: &CollapseOptions, watch: &mut dyn Watch) -> Result<Collapse, Refusal> {
     let bridge = planned(project, &options.choice)?;
-    analysis::collapse(&bridge, options.resume.as_deref(), &mut Looking(watch))
-        .map_err(|error| Refusal::not_set_up(&error))
+    Ok(analysis::collapse(&bridge, options.resume.as_deref(), &mut Looking(watch))?)
 }
 
 /// The bridge of a project with what was chosen in place of its plan.

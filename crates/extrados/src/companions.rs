@@ -122,10 +122,6 @@ pub(crate) fn main_text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refus
     Ok(bridge::as_utf8(bytes))
 }
 
-fn bytes(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
-    files.read(path).map_err(|error| Refusal::unreadable(path, &error))
-}
-
 fn beside(path: &Path, name: &str) -> PathBuf {
     path.parent().unwrap_or(Path::new("")).join(name)
 }
@@ -133,7 +129,8 @@ fn beside(path: &Path, name: &str) -> PathBuf {
 fn packing(particles: &mut Particles, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
     let Some(name) = &particles.file else { return Ok(()) };
     let path = beside(path, name);
-    particles.grains = packing_file::read(&bytes(&path, files)?).map_err(|error| {
+    let bytes = files.read(&path).map_err(|error| Refusal::unreadable(&path, &error))?;
+    particles.grains = packing_file::read(&bytes).map_err(|error| {
         let message = format!("cannot use the packing {}: {error}", path.display());
         Refusal::new("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
     })?;

@@ -12,7 +12,7 @@ use outcome::{note, published};
 use serde_json::{Value, json};
 
 /// A value that stands in one file alone, or differs.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct Difference {
     /// Section, with its number where it stands several times, and key: `cover[2].thickness`; the section alone where all of it stands in
     /// one file only.
@@ -63,7 +63,7 @@ impl Compared {
         let mut fields = published::Object::new();
         fields.insert("verdict".into(), json!(self.verdict()));
         fields.insert("cautions".into(), json!(self.cautions));
-        fields.insert("differences".into(), self.differences.iter().map(difference).collect());
+        fields.insert("differences".into(), json!(self.differences));
         fields.insert("numbers".into(), self.numbers.iter().map(number).collect());
         fields.insert("assumptions_before_only".into(), json!(self.assumptions[0]));
         fields.insert("assumptions_after_only".into(), json!(self.assumptions[1]));
@@ -94,10 +94,6 @@ impl Compared {
             _ => "no load is known to be carried by either".to_owned(),
         }
     }
-}
-
-fn difference(one: &Difference) -> Value {
-    json!({ "path": one.path, "before": one.before, "after": one.after })
 }
 
 fn number(one: &Answered) -> Value {

@@ -45,99 +45,49 @@ impl Example {
     }
 }
 
-macro_rules! files {
-    ($example:literal: $($name:literal),+) => {
-        &[$(File { name: $name, text: include_str!(concat!("../../../examples/", $example, "/", $name)) }),+]
-    };
-}
+/// Every example: its name, what it shows, and its files, the one to start with first.
+macro_rules! examples { ($($example:literal, $about:literal: $($name:literal),+;)*) => {
+    /// Every example.
+    pub const ALL: &[Example] = &[$(Example {
+        name: $example,
+        about: $about,
+        main: [$($name),+][0],
+        files: &[$(File { name: $name, text: include_str!(concat!("../../../examples/", $example, "/", $name)) }),+],
+    }),*];
+} }
 
-/// Every example.
-pub const ALL: &[Example] = &[
-    Example {
-        name: "bridgemill",
-        about: "the Bridgemill bridge, 18.3 m, tested to collapse",
-        main: "case-1.toml",
-        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "pressure.toml", "continuum.toml", "vehicles.toml", "vary.toml", "assess.toml", "hb-45.toml"),
-    },
-    Example {
-        name: "railway-arch",
-        about: "a monitored railway arch of four spans, and the train that crosses it",
-        main: "passage.toml",
-        files: files!("railway-arch": "passage.toml", "update.toml", "update-table-1.toml", "second-twin.toml", "update-second-twin.toml", "assess.toml", "table-6.csv", "table-1/crawling.csv", "table-1/slow.csv", "table-1/design.csv"),
-    },
-    Example {
-        name: "prestwood",
-        about: "the Prestwood bridge, 6.55 m, tested to collapse: fill that presses against movement",
-        main: "limit.toml",
-        files: files!("prestwood": "limit.toml", "continuum.toml", "particles.toml"),
-    },
-    Example {
-        name: "tiny",
-        about: "a small bridge in as few lines as will do",
-        main: "bridge.toml",
-        files: files!("tiny": "bridge.toml"),
-    },
-    Example {
-        name: "semicircle",
-        about: "a semicircular ring under its own weight: the least thickness that stands",
-        main: "ring.toml",
-        files: files!("semicircle": "ring.toml"),
-    },
-    Example {
-        name: "two-span",
-        about: "two spans on a slender pier that fail together",
-        main: "bridge.toml",
-        files: files!("two-span": "bridge.toml"),
-    },
-    Example {
-        name: "viaduct",
-        about: "a brick viaduct of three spans under every vehicle of a rule, on deformable joints",
-        main: "bridge.toml",
-        files: files!("viaduct": "bridge.toml"),
-    },
-    Example {
-        name: "two-ring",
-        about: "a ring of two half-brick rings that may separate",
-        main: "bridge.toml",
-        files: files!("two-ring": "bridge.toml"),
-    },
-    Example {
-        name: "skew-railway",
-        about: "a skew railway bridge of two spans and four rings, cracked, with what a report is signed with",
-        main: "bridge.toml",
-        files: files!("skew-railway": "bridge.toml"),
-    },
-    Example {
-        name: "packhorse",
-        about: "a rubble packhorse bridge with a humped road, and named cases of its loads",
-        main: "cases.toml",
-        files: files!("packhorse": "cases.toml", "bridge.toml"),
-    },
-    Example {
-        name: "defects",
-        about: "an arch as an inspection found it: mortar lost, rings separated, bricks spalled and soft",
-        main: "bridge.toml",
-        files: files!("defects": "bridge.toml"),
-    },
-    Example {
-        name: "gradient",
-        about: "two spans on a gradient, a pier with cutwaters, abutments that can move, hollow spandrels",
-        main: "bridge.toml",
-        files: files!("gradient": "bridge.toml"),
-    },
-    Example {
-        name: "settlement",
-        about: "an abutment that gives way until a mechanism forms",
-        main: "bridge.toml",
-        files: files!("settlement": "bridge.toml"),
-    },
-    Example {
-        name: "drawing",
-        about: "blocks drawn by a CAD program (DXF): the ring of Bridgemill, case 1",
-        main: "bridge.toml",
-        files: files!("drawing": "bridge.toml", "arch.dxf"),
-    },
-];
+examples! {
+    "bridgemill", "the Bridgemill bridge, 18.3 m, tested to collapse":
+        "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml",
+        "pressure.toml", "continuum.toml", "vehicles.toml", "vary.toml", "assess.toml", "hb-45.toml";
+    "railway-arch", "a monitored railway arch of four spans, and the train that crosses it":
+        "passage.toml", "update.toml", "update-table-1.toml", "second-twin.toml", "update-second-twin.toml",
+        "assess.toml", "table-6.csv", "table-1/crawling.csv", "table-1/slow.csv", "table-1/design.csv";
+    "prestwood", "the Prestwood bridge, 6.55 m, tested to collapse: fill that presses against movement":
+        "limit.toml", "continuum.toml", "particles.toml";
+    "tiny", "a small bridge in as few lines as will do":
+        "bridge.toml";
+    "semicircle", "a semicircular ring under its own weight: the least thickness that stands":
+        "ring.toml";
+    "two-span", "two spans on a slender pier that fail together":
+        "bridge.toml";
+    "viaduct", "a brick viaduct of three spans under every vehicle of a rule, on deformable joints":
+        "bridge.toml";
+    "two-ring", "a ring of two half-brick rings that may separate":
+        "bridge.toml";
+    "skew-railway", "a skew railway bridge of two spans and four rings, cracked, with what a report is signed with":
+        "bridge.toml";
+    "packhorse", "a rubble packhorse bridge with a humped road, and named cases of its loads":
+        "cases.toml", "bridge.toml";
+    "defects", "an arch as an inspection found it: mortar lost, rings separated, bricks spalled and soft":
+        "bridge.toml";
+    "gradient", "two spans on a gradient, a pier with cutwaters, abutments that can move, hollow spandrels":
+        "bridge.toml";
+    "settlement", "an abutment that gives way until a mechanism forms":
+        "bridge.toml";
+    "drawing", "blocks drawn by a CAD program (DXF): the ring of Bridgemill, case 1":
+        "bridge.toml", "arch.dxf";
+}
 
 /// The example of this name.
 pub fn named(name: &str) -> Option<&'static Example> {

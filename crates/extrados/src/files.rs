@@ -107,54 +107,44 @@ pub struct Disk;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct WholeDisk;
 
-impl Files for WholeDisk {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        Disk.read(path)
-    }
+/// The disk, and whether reports may hold pictures from anywhere.
+macro_rules! disk {
+    ($Disk:ident, $outside:literal) => {
+        impl Files for $Disk {
+            fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+                read_at_most(path, LONGEST)
+            }
 
-    fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>> {
-        Disk.list(folder)
-    }
+            fn head(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+                head(path, most)
+            }
 
-    fn head(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
-        head(path, most)
-    }
+            fn read_at_most(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+                read_at_most(path, most)
+            }
 
-    fn read_at_most(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
-        read_at_most(path, most)
-    }
+            fn real(&self, path: &Path) -> io::Result<PathBuf> {
+                path.canonicalize()
+            }
 
-    fn pictures_from_outside(&self) -> bool {
-        true
-    }
-}
+            fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>> {
+                if !folder.is_dir() {
+                    return Ok(None);
+                }
+                let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)?.flatten().map(|entry| entry.path()).collect();
+                paths.sort();
+                Ok(Some(paths))
+            }
 
-impl Files for Disk {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        read_at_most(path, LONGEST)
-    }
-
-    fn head(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
-        head(path, most)
-    }
-
-    fn read_at_most(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
-        read_at_most(path, most)
-    }
-
-    fn real(&self, path: &Path) -> io::Result<PathBuf> {
-        path.canonicalize()
-    }
-
-    fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>> {
-        if !folder.is_dir() {
-            return Ok(None);
+            fn pictures_from_outside(&self) -> bool {
+                $outside
+            }
         }
-        let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)?.flatten().map(|entry| entry.path()).collect();
-        paths.sort();
-        Ok(Some(paths))
-    }
+    };
 }
+
+disk!(Disk, false);
+disk!(WholeDisk, true);
 
 /// Files that a caller holds: from a browser, an archive, a test.
 #[derive(Debug, Clone, Default)]

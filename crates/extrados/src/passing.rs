@@ -4,9 +4,9 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::respond::{RespondOptions, crossed};
 use crate::watch::{Looking, Watch};
+use assess::analysis::passage;
 use assess::analysis::passage::sensors::{Placed, Reading};
 use assess::analysis::passage::{Setup, report, setup};
-use assess::analysis::{AnalysisError, passage};
 use bridge::Bridge;
 use mechanics::ids::NodeId;
 use outcome::passage::{Moment, Passage, PassageStatus};
@@ -26,8 +26,8 @@ impl Passing {
     /// A file that cannot be used or has no train, or a passage that cannot be set up (F108).
     pub fn new(project: &Project, options: &RespondOptions, watch: &mut dyn Watch) -> Result<Passing, Refusal> {
         let bridge = crossed(project, options)?;
-        let setup = setup(&bridge).map_err(|error| Refusal::not_set_up(&error))?;
-        let run = told(passage::Passing::new(&bridge, Cow::Owned(setup), &mut Looking(watch)))?;
+        let setup = setup(&bridge)?;
+        let run = passage::Passing::new(&bridge, Cow::Owned(setup), &mut Looking(watch))?;
         Ok(Passing { bridge, run })
     }
 
@@ -36,7 +36,7 @@ impl Passing {
     /// # Errors
     /// A part of the bridge whose law has no answer (F108).
     pub fn advance(&mut self, positions: usize, watch: &mut dyn Watch) -> Result<Option<PassageStatus>, Refusal> {
-        told(self.run.advance(positions, &mut Looking(watch)))
+        Ok(self.run.advance(positions, &mut Looking(watch))?)
     }
 
     /// Time since the train started [s] and place of its first axle [m] at the position that was reached last.
@@ -55,7 +55,7 @@ impl Passing {
     /// # Errors
     /// Those of [`advance`](Self::advance).
     pub fn moment(&mut self) -> Result<Moment, Refusal> {
-        told(self.run.moment())
+        Ok(self.run.moment()?)
     }
 
     /// Mesh, positions and sensors.
@@ -91,11 +91,7 @@ impl Passing {
     /// Those of [`advance`](Self::advance).
     pub fn finish(self, watch: &mut dyn Watch) -> Result<Passage, Refusal> {
         let setup = self.setup().clone();
-        let solution = told(self.run.finish(&mut Looking(watch)))?;
+        let solution = self.run.finish(&mut Looking(watch))?;
         Ok(report(&self.bridge, &setup, solution))
     }
-}
-
-fn told<T>(found: Result<T, AnalysisError>) -> Result<T, Refusal> {
-    found.map_err(|error| Refusal::not_set_up(&error))
 }

@@ -9,7 +9,6 @@ use bridge::edit::Document;
 use bridge::path::Path as QuantityPath;
 use bridge::vary::{Setting, find, parse_setting, settle};
 use bridge::{Bridge, Diagnostic, Read, Severity};
-use outcome::picture::Picture;
 use report::Photograph;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -91,14 +90,6 @@ impl Project {
         })
     }
 
-    /// The bridge as its file describes it, for drawing: what `figures::bridge_as_drawn` takes.
-    ///
-    /// # Errors
-    /// A file that cannot be used, or blocks that cannot be built (F108).
-    pub fn as_built(&self) -> Result<Picture, Refusal> {
-        assess::analysis::as_built(self.bridge()?).map_err(|error| Refusal::not_set_up(&error))
-    }
-
     /// The records that the file names; empty where it names none.
     ///
     /// # Errors
@@ -163,9 +154,7 @@ impl Project {
     pub fn in_case(&self, case: &Case) -> Result<Project, Refusal> {
         let mut document = self.document(&["case"])?;
         for change in &case.changes {
-            let slip = |slip: bridge::vary::Slip| Refusal::new(slip.code, slip.message, slip.help);
-            let quantity = find(&document, &change.quantity).map_err(slip)?;
-            let settled = settle(&quantity, &change.spread).map_err(slip)?;
+            let settled = settle(&find(&document, &change.quantity)?, &change.spread)?;
             for value in &settled.values {
                 document.set(&settled.path, &value.literal).map_err(|_| {
                     Refusal::new(
@@ -191,7 +180,7 @@ impl Project {
     /// Every edit that names no quantity or gives no value that fits (B501 to B503), or what the reader says of the edited text.
     pub fn with<E: AsRef<str>>(&self, edits: &[E]) -> Result<Project, Vec<Refusal>> {
         let varied = self.edited(edits)?;
-        varied.bridge().map_err(|refusal| vec![refusal])?;
+        varied.bridge()?;
         Ok(varied)
     }
 
@@ -200,7 +189,7 @@ impl Project {
     /// # Errors
     /// Every edit that names no quantity or gives no value that fits (B501 to B503).
     pub fn edited<E: AsRef<str>>(&self, edits: &[E]) -> Result<Project, Vec<Refusal>> {
-        let mut document = self.document(&[]).map_err(|refusal| vec![refusal])?;
+        let mut document = self.document(&[])?;
         let mut refusals = Vec::new();
         for edit in edits {
             match setting(&document, edit.as_ref()) {
@@ -223,8 +212,7 @@ impl Project {
 /// The path and the one value of `PATH=VALUE`.
 fn setting(document: &Document, edit: &str) -> Result<(QuantityPath, String), Refusal> {
     let settled = parse_setting(document, edit)
-        .and_then(|request| settle(&find(document, &request.quantity)?, &request.spread))
-        .map_err(|slip| Refusal::new(slip.code, slip.message, slip.help))?;
+        .and_then(|request| settle(&find(document, &request.quantity)?, &request.spread))?;
     match <[Setting; 1]>::try_from(settled.values) {
         Ok([value]) => Ok((settled.path, value.literal)),
         Err(values) => {

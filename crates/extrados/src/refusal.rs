@@ -1,5 +1,7 @@
 //! Why work cannot begin: what is wrong, and what to do about it.
 
+use assess::analysis::AnalysisError;
+use bridge::vary::Slip;
 use std::error::Error;
 use std::fmt;
 use std::io;
@@ -46,6 +48,24 @@ impl fmt::Display for Refusal {
 }
 
 impl Error for Refusal {}
+
+impl From<AnalysisError> for Refusal {
+    fn from(error: AnalysisError) -> Refusal {
+        Refusal::not_set_up(&error)
+    }
+}
+
+impl From<Slip> for Refusal {
+    fn from(slip: Slip) -> Refusal {
+        Refusal::new(slip.code, slip.message, slip.help)
+    }
+}
+
+impl From<Refusal> for Vec<Refusal> {
+    fn from(refusal: Refusal) -> Vec<Refusal> {
+        vec![refusal]
+    }
+}
 
 /// The system's words without its number.
 pub fn reason(error: &io::Error) -> String {

@@ -27,7 +27,7 @@ impl Stepping {
     /// [`with_fill`](Self::with_fill).
     pub fn new(project: &Project, choice: &Choice) -> Result<Stepping, Refusal> {
         let bridge = planned(project, choice)?;
-        let (blocks, run) = analysis::stepping_of_blocks(&bridge).map_err(|error| Refusal::not_set_up(&error))?;
+        let (blocks, run) = analysis::stepping_of_blocks(&bridge)?;
         Ok(Stepping { bridge, blocks, run })
     }
 
@@ -38,7 +38,7 @@ impl Stepping {
     /// Those of [`new`](Self::new), or fill that does not come to rest (F108).
     pub fn with_fill(project: &Project, choice: &Choice, watch: &mut dyn Watch) -> Result<Option<Stepping>, Refusal> {
         let bridge = planned(project, choice)?;
-        let made = analysis::stepping(&bridge, &mut Looking(watch)).map_err(|error| Refusal::not_set_up(&error))?;
+        let made = analysis::stepping(&bridge, &mut Looking(watch))?;
         Ok(made.map(|(blocks, run)| Stepping { bridge, blocks, run }))
     }
 

@@ -62,7 +62,7 @@ pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -
             })
         }
     };
-    found.map_err(|error| Refusal::not_set_up(&error))
+    Ok(found?)
 }
 
 /// Whether a method moves loads over a bridge: limit analysis does, and the equilibrium path beside it.

@@ -170,11 +170,15 @@ pub fn object(project: &Project, schema: &str, status: &str, fields: Object, war
     let of_file = project.findings().iter().filter(|finding| finding.severity != Severity::Error);
     let of_file = of_file.map(|one| finding(project.name(), project.text(), one));
     let of_analysis = warnings.iter().map(|one| json!({ "code": one.code(), "message": one.message() }));
-    let all: Vec<Value> = of_file.chain(of_analysis).collect();
+    headed(schema, status, fields, of_file.chain(of_analysis).collect())
+}
+
+/// An object with its head, and what is warned of at its end.
+pub fn headed(schema: &str, status: &str, fields: Object, warnings: Vec<Value>) -> Object {
     let mut object = Object::new();
     object.insert("schema".to_owned(), json!(schema));
     object.insert("status".to_owned(), json!(status));
     object.extend(fields.into_iter().filter(|(key, _)| !["schema", "status", "warnings"].contains(&key.as_str())));
-    object.insert("warnings".to_owned(), json!(all));
+    object.insert("warnings".to_owned(), json!(warnings));
     object
 }

@@ -15,17 +15,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::fs::write(path, bytes)
     };
     for (name, picture) in sample::every() {
-        for file in figures::all(&picture)? {
+        for file in sample::all(&picture)? {
             put(&format!("{name}/{}", file.name), &file.bytes)?;
         }
     }
     if let Some(svg) = figures::envelope("Bridgemill, two axles", figures::Ordinate::Factor, &sample::sweeps(), None) {
-        for file in figures::both("envelope", &svg)? {
+        for file in figures::written(&[("envelope".to_owned(), svg)])? {
             put(&file.name, &file.bytes)?;
         }
     }
     for (name, update) in [("update", sample::updates::twin()), ("update-hard", sample::updates::hard())] {
-        for file in figures::update(&update)? {
+        for file in figures::written(&figures::update_drawings(&update))? {
             put(&format!("{name}/{}", file.name), &file.bytes)?;
         }
     }

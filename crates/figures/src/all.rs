@@ -1,32 +1,46 @@
 //! Everything that is written beside the result of a collapse analysis: figures, and files for ParaView.
 
-use crate::animation::animation;
-use crate::figure::Figure;
-use crate::file::{File, written};
-use crate::raster::RasterError;
+use crate::file::File;
+use crate::stiffness::over_stiffness;
+use crate::stress::last_stress;
 use crate::{
-    chains, displaced, drawn, fill_stress, frames, load_path, mechanism, packing, soil, stiffness, stress, thrust, vtk,
+    bridge_as_drawn, collapse_frames, displacement, fill_stress, force_chains, load_displacement, mechanism, packing,
+    soil_mechanism, soil_pressure, soil_stress, thrust_line, vtk,
 };
 use outcome::picture::Picture;
 
+/// A kind of figure of a collapse.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure {
+    /// Its name, which its files have.
+    pub name: &'static str,
+    /// What is said under it.
+    pub caption: &'static str,
+    /// Draws it as SVG; none where the picture has no material for it.
+    pub draw: fn(&Picture) -> Option<String>,
+}
+
+const fn figure(name: &'static str, caption: &'static str, draw: fn(&Picture) -> Option<String>) -> Figure {
+    Figure { name, caption, draw }
+}
+
 /// Every figure of a collapse, in the order of its files.
 pub const FIGURES: &[Figure] = &[
-    drawn::FIGURE,
-    mechanism::FIGURE,
-    thrust::FIGURE,
-    stress::FIGURE,
-    load_path::FIGURE,
-    stiffness::FIGURE,
-    frames::FIGURE,
-    packing::FIGURE,
-    chains::FIGURE,
-    displaced::FIGURE,
-    fill_stress::FIGURE,
-    soil::mechanism::FIGURE,
-    soil::stress::FIGURE,
-    soil::pressure::FIGURE,
+    figure("bridge", "The bridge as its file describes it.", |picture| Some(bridge_as_drawn(picture))),
+    figure("mechanism", "Mechanism at collapse.", mechanism),
+    figure("thrust-line", "Thrust line at collapse.", thrust_line),
+    figure("stress", "Largest compression in every block, at the last stable load.", last_stress),
+    figure("load-displacement", "Load over displacement of the watched point.", load_displacement),
+    figure("stiffness", "Load over the stiffness of the joints; rigid blocks are its asymptote.", over_stiffness),
+    figure("collapse", "The bridge on its way to collapse.", collapse_frames),
+    figure("packing", "Particles as packed.", packing),
+    figure("force-chains", "Forces between particles.", force_chains),
+    figure("displacement", "Displacement of particles and blocks.", displacement),
+    figure("fill-stress", "Mean stress in the fill.", fill_stress),
+    figure("soil-mechanism", "Mechanism of blocks and fill, with the power that the fill dissipates.", soil_mechanism),
+    figure("soil-stress", "Principal stresses in the fill, and the thrust line.", soil_stress),
+    figure("soil-pressure", "Pressure of the fill on the ring.", soil_pressure),
 ];
-
 /// All figures that the picture has material for, as SVG: name without extension, and drawing.
 pub fn drawings(picture: &Picture) -> Vec<(String, String)> {
     let draw = |figure: &Figure| Some((figure.name.to_owned(), (figure.draw)(picture)?));
@@ -52,17 +66,4 @@ pub fn paraview(picture: &Picture) -> Vec<File> {
         files.extend(vtk::over_time(kind, texts));
     }
     files
-}
-
-/// Every file of a collapse analysis, in a fixed order.
-///
-/// # Errors
-/// A drawing of which no PNG can be made.
-pub fn all(picture: &Picture) -> Result<Vec<File>, RasterError> {
-    let mut files = written(drawings(picture))?;
-    if let Some(bytes) = animation(picture)? {
-        files.push(File { name: "animation.png".into(), bytes });
-    }
-    files.extend(paraview(picture));
-    Ok(files)
 }

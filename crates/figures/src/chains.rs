@@ -4,16 +4,11 @@ use crate::bar::quantile;
 use crate::chart::Key;
 use crate::discs;
 use crate::elevation::{self as draw, FAINT, INK, Sign, THRUST};
-use crate::figure::Figure;
 use crate::geometry::{View, round_down};
 use crate::panels::{outline, shown};
 use crate::sheet::{HAIR, Pen, Sheet, Spot};
 use crate::words;
 use outcome::picture::{ParticleForce, Partner, Picture, Point, Snapshot};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "force-chains", caption: "Forces between particles.", draw: force_chains };
 
 /// Contacts that carry more than the mean.
 const STRONG: &str = "#7a1020";

@@ -1,64 +1,20 @@
 //! A perceptually uniform colour map that also prints in grey.
 
 /// The map "cividis" of Nuñez, Anderton and Renslow (2018), PLoS ONE 13(7): e0199239, at seventeen even steps.
-const CIVIDIS: [[u8; 3]; 17] = [
-    [0, 34, 78],
-    [0, 46, 106],
-    [26, 56, 111],
-    [50, 67, 109],
-    [67, 78, 108],
-    [83, 90, 109],
-    [97, 101, 111],
-    [111, 112, 115],
-    [125, 124, 120],
-    [140, 136, 120],
-    [155, 148, 118],
-    [171, 160, 114],
-    [188, 174, 108],
-    [205, 187, 99],
-    [222, 201, 88],
-    [240, 216, 70],
-    [254, 232, 56],
+const CIVIDIS: [u32; 17] = [
+    0x00224e, 0x002e6a, 0x1a386f, 0x32436d, 0x434e6c, 0x535a6d, 0x61656f, 0x6f7073, 0x7d7c78, 0x8c8878, 0x9b9476,
+    0xaba072, 0xbcae6c, 0xcdbb63, 0xdec958, 0xf0d846, 0xfee838,
 ];
 
 /// The map "OrRd" of Harrower and Brewer (2003), The Cartographic Journal 40(1): 27-37, at nine even steps.
-const ORANGE_RED: [[u8; 3]; 9] = [
-    [255, 247, 236],
-    [254, 232, 200],
-    [253, 212, 158],
-    [253, 187, 132],
-    [252, 141, 89],
-    [239, 101, 72],
-    [215, 48, 31],
-    [179, 0, 0],
-    [127, 0, 0],
-];
+const ORANGE_RED: [u32; 9] = [0xfff7ec, 0xfee8c8, 0xfdd49e, 0xfdbb84, 0xfc8d59, 0xef6548, 0xd7301f, 0xb30000, 0x7f0000];
 
 /// The map "YlGnBu" of the same authors, at nine even steps.
-const YELLOW_BLUE: [[u8; 3]; 9] = [
-    [255, 255, 217],
-    [237, 248, 177],
-    [199, 233, 180],
-    [127, 205, 187],
-    [65, 182, 196],
-    [29, 145, 192],
-    [34, 94, 168],
-    [37, 52, 148],
-    [8, 29, 88],
-];
+const YELLOW_BLUE: [u32; 9] =
+    [0xffffd9, 0xedf8b1, 0xc7e9b4, 0x7fcdbb, 0x41b6c4, 0x1d91c0, 0x225ea8, 0x253494, 0x081d58];
 
 /// The map "RdBu" of the same authors turned round, at nine even steps.
-const BLUE_RED: [[u8; 3]; 9] = [
-    [33, 102, 172],
-    [67, 147, 195],
-    [146, 197, 222],
-    [209, 229, 240],
-    [247, 247, 247],
-    [253, 219, 199],
-    [244, 165, 130],
-    [214, 96, 77],
-    [178, 24, 43],
-];
+const BLUE_RED: [u32; 9] = [0x2166ac, 0x4393c3, 0x92c5de, 0xd1e5f0, 0xf7f7f7, 0xfddbc7, 0xf4a582, 0xd6604d, 0xb2182b];
 
 /// The colour of a share from 0 (light) to 1 (dark), as `#rrggbb`; grey for what is not a number.
 pub(crate) fn dark_for_much(share: f64) -> String {
@@ -80,18 +36,16 @@ pub(crate) fn either_way(share: f64) -> String {
     mixed(&BLUE_RED, 0.5 * (share + 1.0))
 }
 
-fn mixed(map: &[[u8; 3]], share: f64) -> String {
+fn mixed(map: &[u32], share: f64) -> String {
     if share.is_nan() {
         return "#cccccc".into();
     }
     let at = share.clamp(0.0, 1.0) * (map.len() - 1) as f64;
     let low = (at.floor() as usize).min(map.len() - 2);
     let t = at - low as f64;
-    let mix = |c: usize| {
-        let (a, b) = (f64::from(map[low][c]), f64::from(map[low + 1][c]));
-        (a + t * (b - a)).round() as u8
-    };
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+    let [a, b] = [map[low], map[low + 1]].map(u32::to_be_bytes);
+    let mix = |c: usize| (f64::from(a[c]) + t * (f64::from(b[c]) - f64::from(a[c]))).round() as u8;
+    format!("#{:02x}{:02x}{:02x}", mix(1), mix(2), mix(3))
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub(crate) fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
         let at = [x, lowest.max(y) + 20.0 + 2.4 * RADIUS * near as f64];
         sheet.line([x, y], [at[0], at[1] - RADIUS], Pen::line(COLOUR, HAIR));
         number(sheet, at, index);
-        sheet.avoid(Area { left: at[0] - RADIUS, right: at[0] + RADIUS, top: at[1] - RADIUS, bottom: at[1] + RADIUS });
+        sheet.avoid(Area::about(at, RADIUS));
     }
     sheet.close();
 }

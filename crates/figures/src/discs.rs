@@ -36,10 +36,6 @@ pub fn left_out(picture: &Picture) -> Option<Command> {
     (particles > MOST).then_some(Command::NotDrawn { particles, most: MOST })
 }
 
-pub(crate) fn layer_colour(layer: usize) -> &'static str {
-    LAYERS[layer % LAYERS.len()][0]
-}
-
 /// The colour of a particle in bands that were upright when the fill was packed.
 pub(crate) fn band_colour(picture: &Picture, particle: usize) -> &'static str {
     let disc = &picture.particles[particle];
@@ -92,7 +88,7 @@ fn dots<'c>(
 
 /// Draws every particle as packed or where a state has it, coloured by layer.
 pub(crate) fn by_layer(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
-    draw(sheet, view, picture, state, |k| layer_colour(picture.particles[k].layer).into());
+    draw(sheet, view, picture, state, |k| LAYERS[picture.particles[k].layer % LAYERS.len()][0].into());
 }
 
 /// Pale particles behind something.

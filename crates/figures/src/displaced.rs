@@ -4,17 +4,12 @@ use crate::bar::{Scale, quantile};
 use crate::colour::blue_for_much;
 use crate::discs;
 use crate::elevation::{self as draw, LOAD};
-use crate::figure::Figure;
 use crate::geometry::{View, centroid};
 use crate::near::cells;
 use crate::panels::{coloured, fits, load, panel, shown};
 use crate::sheet::{MARGIN, Pen, Sheet, THIN, WIDTH};
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "displacement", caption: "Displacement of particles and blocks.", draw: displacement };
 
 /// Side of a square of the sheet that gets one arrow.
 const GRID: f64 = 27.0;

@@ -5,16 +5,8 @@ use crate::defects;
 use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, Sign};
-use crate::figure::Figure;
 use crate::sheet::{Sheet, place::Room};
 use outcome::picture::Picture;
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure {
-    name: "bridge",
-    caption: "The bridge as its file describes it.",
-    draw: |picture| Some(bridge_as_drawn(picture)),
-};
 
 /// Elevation of the bridge as built: blocks, supports, road surface, loads, dimensions. An empty sheet with its
 /// title where there are no blocks.

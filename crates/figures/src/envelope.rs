@@ -13,8 +13,6 @@ pub enum Ordinate {
     Factor,
     /// Adequacy factor of a vehicle under a rule.
     Adequacy,
-    /// Collapse load [N/m].
-    Load,
 }
 
 /// One curve of an envelope.
@@ -49,21 +47,21 @@ pub fn sweep_drawing(name: &str, found: &outcome::sweep::Sweep) -> Option<String
 
 /// Line colours and dashes, told apart in grey print by their dashes.
 const STYLES: [(&str, &str); 4] = [("#0b5394", ""), ("#a02020", "9 4"), ("#3d3d3d", "2.5 3"), ("#7a6a00", "10 3 2 3")];
-const X_NAME: &str = "position of the reference point along the bridge [m]";
 
 /// The curves, with the least value of all marked as governing, and a note below them. None without a finite point.
 pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<&str>) -> Option<String> {
     let (second, x_name, y_name) = match quantity {
-        Ordinate::Factor => {
-            ("Load factor at collapse over the position of the load", X_NAME, "load factor at collapse [–]")
-        }
-        Ordinate::Adequacy => {
-            let second = "Adequacy factor over the position of the vehicle, worst axles at each";
-            (second, "position of the first axle along the bridge [m]", "adequacy factor [–]")
-        }
-        Ordinate::Load => ("Collapse load over the position of the load", X_NAME, "collapse load [kN/m]"),
+        Ordinate::Factor => (
+            "Load factor at collapse over the position of the load",
+            "position of the reference point along the bridge [m]",
+            "load factor at collapse [–]",
+        ),
+        Ordinate::Adequacy => (
+            "Adequacy factor over the position of the vehicle, worst axles at each",
+            "position of the first axle along the bridge [m]",
+            "adequacy factor [–]",
+        ),
     };
-    let unit = |v: f64| if quantity == Ordinate::Load { v / 1e3 } else { v };
     let finite = |&(x, v): &(f64, f64)| x.is_finite() && v.is_finite();
     let points = || sweeps.iter().flat_map(|s| s.points.iter().copied()).filter(finite);
     let governing = points().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.total_cmp(&b.0)))?;
@@ -71,13 +69,13 @@ pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<
     let (low_x, high_x) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |r, p| (r.0.min(p.0), r.1.max(p.0)));
     let largest = points().map(|p| p.1).fold(0.0_f64, f64::max);
     let ceiling = largest.min(3.5 * governing.1.abs().max(1e-300));
-    let y = Axis::round(y_name, Ticks::over(unit(governing.1.min(0.0)), unit(ceiling), 6));
+    let y = Axis::round(y_name, Ticks::over(governing.1.min(0.0), ceiling, 6));
 
     let mut panel = Panel::new(Axis::exact(x_name, low_x, high_x, 8), y);
     panel.clip("curves", "plane");
     for (k, sweep) in sweeps.iter().enumerate() {
         let (colour, dashes) = STYLES[k % STYLES.len()];
-        let places: Vec<PanelPoint> = sweep.points.iter().map(|point| [point.0, unit(point.1)]).collect();
+        let places: Vec<PanelPoint> = sweep.points.iter().map(|point| [point.0, point.1]).collect();
         for run in runs(&places) {
             panel.curve(run, Pen::line(colour, 1.8).dashed(dashes).class("sweep"));
             if run.len() == 1 {
@@ -86,13 +84,10 @@ pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<
         }
     }
     panel.close();
-    let at = [governing.0, unit(governing.1)];
+    let at = [governing.0, governing.1];
     panel.curve([at, [at[0], panel.y.range[0]]], Pen::line(INK, 0.9).dashed("5 4").class("governing"));
     panel.mark(at, Mark::Full, INK);
-    let size = match quantity {
-        Ordinate::Factor | Ordinate::Adequacy => words::four_digits(governing.1),
-        Ordinate::Load => words::force(governing.1),
-    };
+    let size = words::four_digits(governing.1);
     panel.label(at, format!("governing: {size} at {}", words::metres(governing.0)), [0.5, 0.8], 10.0);
 
     let mut chart = Chart::of(panel, 340.0);

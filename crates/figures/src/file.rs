@@ -14,20 +14,15 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
-/// A drawing as the two files it is written to.
+/// Drawings, each a name without extension and SVG, as the files they are written to: SVG and PNG.
 ///
 /// # Errors
 /// Those of [`png()`].
-pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
-    let picture = png(svg, PNG_WIDTH)?;
-    Ok([
-        File { name: format!("{name}.svg"), bytes: svg.as_bytes().to_vec() },
-        File { name: format!("{name}.png"), bytes: picture },
-    ])
-}
-
-/// Drawings as the files they are written to.
-pub(crate) fn written(drawings: Vec<(String, String)>) -> Result<Vec<File>, RasterError> {
-    let files: Result<Vec<[File; 2]>, _> = drawings.iter().map(|(name, svg)| both(name, svg)).collect();
-    Ok(files?.into_iter().flatten().collect())
+pub fn written(drawings: &[(String, String)]) -> Result<Vec<File>, RasterError> {
+    let mut files = Vec::new();
+    for (name, svg) in drawings {
+        files.push(File { name: format!("{name}.svg"), bytes: svg.as_bytes().to_vec() });
+        files.push(File { name: format!("{name}.png"), bytes: png(svg, PNG_WIDTH)? });
+    }
+    Ok(files)
 }

@@ -4,7 +4,6 @@ use crate::bar::{Scale, quantile};
 use crate::colour::{blue_for_much, red_for_much};
 use crate::discs;
 use crate::elevation as draw;
-use crate::figure::Figure;
 use crate::near::means;
 use crate::panels::{coloured, load, panel, shown};
 use crate::sheet::{MARGIN, Sheet, WIDTH};
@@ -12,10 +11,6 @@ use crate::stress::most_compressive;
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
 use std::f64::consts::PI;
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "fill-stress", caption: "Mean stress in the fill.", draw: fill_stress };
 
 /// Stresses of particles are averaged over neighbours within so many mean diameters.
 const REACH: f64 = 3.0;

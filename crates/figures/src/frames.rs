@@ -2,15 +2,10 @@
 
 use crate::discs;
 use crate::elevation as draw;
-use crate::figure::Figure;
 use crate::geometry::{Extent, Turn, View, as_built, largest_displacement, moved, round_down};
 use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
 use crate::words;
 use outcome::picture::{Motion, Picture};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "collapse", caption: "The bridge on its way to collapse.", draw: collapse_frames };
 
 /// Most panels on a sheet.
 const MOST: usize = 6;

@@ -2,18 +2,10 @@
 
 use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint};
 use crate::elevation::INK;
-use crate::figure::Figure;
 use crate::sheet::Pen;
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Step};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure {
-    name: "load-displacement",
-    caption: "Load over displacement of the watched point.",
-    draw: load_displacement,
-};
 
 const CURVE: &str = "#0b5394";
 

@@ -2,15 +2,12 @@
 
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
-use crate::figure::Figure;
 use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved};
 use crate::sheet::place::Room;
-use crate::sheet::{Pen, Sheet, Spot, Style};
+use crate::sheet::{Area, Pen, Sheet, Spot, Style};
 use crate::{soil, words};
 use outcome::picture::{Hinge, HingeAt, Picture, Point, Shape};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure { name: "mechanism", caption: "Mechanism at collapse.", draw: mechanism };
+use outcome::soil::SoilPicture;
 
 /// Share of the larger dimension of the bridge that the largest displacement is drawn with.
 const SHARE: f64 = 0.05;
@@ -24,33 +21,14 @@ const SHARE_IN_SOIL: f64 = 0.03;
 /// the circle tells the edge.
 const MANY: usize = 12;
 
-/// The edge about which a hinge turns.
-fn edge_words(edge: HingeAt) -> &'static str {
-    match edge {
-        HingeAt::Intrados => "intrados",
-        HingeAt::Extrados => "extrados",
-        HingeAt::Other => "",
-    }
-}
-
-/// How fill that yields as a continuum is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Ground {
-    /// Pale, behind the blocks.
-    Pale,
-    /// Coloured by the power that it dissipates.
-    Dissipating,
-}
-
 /// The mechanism, exaggerated, over the faint bridge as built; hinges, sliding joints and loads marked. None where
 /// the analysis found no mechanism.
 pub fn mechanism(picture: &Picture) -> Option<String> {
-    drawn(picture, Ground::Pale)
+    drawn(picture, None)
 }
 
-/// The mechanism with its fill in one way or the other.
-pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
-    let coloured = soil::of(picture).filter(|_| ground == Ground::Dissipating);
+/// The mechanism with its fill pale behind the blocks, or coloured by the power that it dissipates.
+pub(crate) fn drawn(picture: &Picture, coloured: Option<&SoilPicture>) -> Option<String> {
     let motions = picture.mechanism.as_deref().filter(|m| m.len() == picture.shapes.len())?;
     let built = as_built(&picture.shapes)?;
     let size = built.size()[0].max(built.size()[1]);
@@ -94,7 +72,7 @@ pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
     draw::blocks(&mut sheet, &view, &picture.shapes, place);
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
     for shape in picture.shapes.iter().filter(|s| !s.held) {
-        if let Some(area) = crate::sheet::Area::around(&view.spots(&shape.outline)) {
+        if let Some(area) = Area::around(&view.spots(&shape.outline)) {
             sheet.avoid_lightly(area);
         }
     }
@@ -162,15 +140,15 @@ pub(crate) fn mark_hinges(
             (true, false) => (2.8, 1.6),
             (false, false) => (4.2, 1.6),
         };
-        sheet.circle(view.spot(*point), radius, Pen::shape("white", INK, pen).class("hinge"));
-        let [x, y] = view.spot(*point);
-        sheet.avoid(crate::sheet::Area { left: x - 6.0, right: x + 6.0, top: y - 6.0, bottom: y + 6.0 });
+        let at = view.spot(*point);
+        sheet.circle(at, radius, Pen::shape("white", INK, pen).class("hinge"));
+        sheet.avoid(Area::about(at, 6.0));
     }
     sheet.close();
     let labelled = if hinges.len() > MANY { &[] } else { hinges };
     for (k, (hinge, point)) in labelled.iter().enumerate() {
-        let words = edge_words(hinge.edge);
-        let text = if words.is_empty() { format!("{}", k + 1) } else { format!("{} {words}", k + 1) };
+        let number = (k + 1).to_string();
+        let text = if hinge.edge == HingeAt::Other { number } else { format!("{number} {}", hinge.edge) };
         let towards = label_side(shapes, *hinge, middle);
         sheet.label(view.spot(*point), &text, Style::on_drawing(), room.towards(towards));
     }

@@ -3,16 +3,12 @@
 use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
-use crate::figure::Figure;
 use crate::geometry::{Extent, View};
 use crate::panels::{blocks, fits};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, HAIR, Pen, Sheet, Style};
 use crate::words;
 use outcome::picture::{DimensionLine, Measure, Picture, Shape};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure { name: "packing", caption: "Particles as packed.", draw: packing };
 
 /// Thickness of the lid in the drawing [m].
 const LID: f64 = 0.25;
@@ -34,7 +30,8 @@ pub fn packing(picture: &Picture) -> Option<String> {
     let (mut sheet, top) = Sheet::titled("packing", &picture.title, &second);
 
     // (a) the blocks that bring loads come after the packing.
-    let first = Picture { shapes: standing(picture), snapshots: Vec::new(), ..picture.clone() };
+    let shapes: Vec<Shape> = picture.shapes.iter().filter(|s| s.role != "block").cloned().collect();
+    let first = Picture { shapes, snapshots: Vec::new(), ..picture.clone() };
     let (frame, view) = draw::fit(extent, top + 20.0, TALLEST);
     discs::by_layer(&mut sheet, &view, &first, None);
     blocks(&mut sheet, &view, &first, None);
@@ -73,11 +70,6 @@ pub fn packing(picture: &Picture) -> Option<String> {
     y = discs::key(&mut sheet, y + 4.0, picture, false);
     y = draw::key(&mut sheet, y, &[(Sign::Support, "support, fixed wall, lid", true)]);
     Some(sheet.finish(y))
-}
-
-/// The blocks without those that bring loads.
-fn standing(picture: &Picture) -> Vec<Shape> {
-    picture.shapes.iter().filter(|s| s.role != "block").cloned().collect()
 }
 
 /// Level of the fill's upper face, and its ends.

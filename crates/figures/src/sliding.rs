@@ -33,7 +33,7 @@ pub(crate) fn mark(sheet: &mut Sheet, shapes: &[Shape], motions: &[Motion], poin
             };
             sheet.arrow(offset(-8.0 * size), offset(8.0 * size), Pen::line(SLIDING, 1.5 * size).class("sliding"));
         }
-        sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(9.0));
+        sheet.avoid(Area::about(at, 9.0));
     }
     sheet.close();
 }

@@ -2,25 +2,17 @@
 
 use crate::chart::{Axis, Chart, Entry, Mark, Panel, PanelPoint};
 use crate::elevation::INK;
-use crate::figure::Figure;
 use crate::sheet::Pen;
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::Picture;
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure {
-    name: "stiffness",
-    caption: "Load over the stiffness of the joints; rigid blocks are its asymptote.",
-    draw: over_stiffness,
-};
 
 const CURVE: &str = "#0b5394";
 const RIGID: &str = "#a02020";
 
 /// The largest load in balance over the stiffness of the joints, that of the result marked, and the load of rigid blocks. Nothing
 /// where only one stiffness was tried.
-fn over_stiffness(picture: &Picture) -> Option<String> {
+pub(crate) fn over_stiffness(picture: &Picture) -> Option<String> {
     let over = picture.over_stiffness.as_ref().filter(|over| over.points.len() > 1)?;
     let [first, last] = [over.points.first()?[0], over.points.last()?[0]];
     let most = over.points.iter().map(|point| point[1]).fold(over.rigid, f64::max) / 1e3;

@@ -4,23 +4,12 @@ use crate::bar::Scale;
 use crate::colour::dark_for_much;
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
-use crate::figure::Figure;
 use crate::geometry::{
     Extent, Turn, View, as_built, back, centroid, exaggerated, largest_displacement, moved, round_down,
 };
 use crate::sheet::{Area, MARGIN, Pen, Sheet, WIDTH};
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure {
-    name: "stress",
-    caption: "Largest compression in every block, at the last stable load.",
-    draw: |picture| {
-        let last = picture.last_stable.or_else(|| picture.snapshots.len().checked_sub(1));
-        last.and_then(|k| stress(picture, k))
-    },
-};
 
 /// Share of the larger dimension of the bridge that displacements are drawn with, at most.
 const SHARE: f64 = 0.012;
@@ -41,8 +30,7 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     if count == 0 || state.stresses.len() != count || state.motions.len() != count {
         return None;
     }
-    let blocks_only = as_built(&picture.shapes)?;
-    let extent = blocks_only;
+    let extent = as_built(&picture.shapes)?;
     let scale = exaggeration(picture, state, extent);
     let place = |k: usize| moved(&picture.shapes[k], state.motions[k], scale, Turn::Finite);
 
@@ -61,7 +49,7 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
         draw::heading(&format!("stress-{snapshot}"), picture, &format!("Compressive stress at {at}{which}"));
     let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
     let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
-    let shown = blocks_only.with(deformed.within(roomy));
+    let shown = extent.with(deformed.within(roomy));
     // Room for the bars.
     let shown = shown.grown(BAR / WIDTH * shown.size()[0].max(shown.size()[1]));
     let (frame, view) = draw::fit(shown, top, draw::TALLEST);
@@ -102,6 +90,11 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     }
     caption += &format!(" Largest average stress of a block: {} MPa.", words::four_digits(largest / 1e6));
     Some(sheet.end(y, &caption))
+}
+
+/// The last stable state, or the last of all.
+pub(crate) fn last_stress(picture: &Picture) -> Option<String> {
+    stress(picture, picture.last_stable.or_else(|| picture.snapshots.len().checked_sub(1))?)
 }
 
 /// How many times larger displacements are drawn: a round number.

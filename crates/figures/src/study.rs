@@ -9,20 +9,10 @@ pub use heat_map::heat_map;
 pub use response::response;
 pub use tornado::tornado;
 
-use crate::file::{File, written};
-use crate::raster::RasterError;
 use crate::words;
 use outcome::study::{Design, Study};
 
-/// Every figure of a study that there is material for.
-///
-/// # Errors
-/// A drawing of which no PNG can be made.
-pub fn study(study: &Study) -> Result<Vec<File>, RasterError> {
-    written(study_drawings(study))
-}
-
-/// The same as SVG: name without extension, and drawing.
+/// Every figure of a study that there is material for, as SVG: name without extension, and drawing.
 pub fn study_drawings(study: &Study) -> Vec<(String, String)> {
     let mut drawings = Vec::new();
     match study.design {

@@ -2,17 +2,12 @@
 
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign, THRUST};
-use crate::figure::Figure;
 use crate::geometry::{View, as_built};
 use crate::mechanism::mark_hinges;
 use crate::sheet::place::Room;
 use crate::sheet::{Area, Pen, Sheet, Style, THICK};
 use crate::{soil, words};
 use outcome::picture::{Picture, Point, ThrustPoint};
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "thrust-line", caption: "Thrust line at collapse.", draw: thrust_line };
 
 /// The ring with its line of thrust, hinges, loads, and the size of the thrust at springings and crown. None
 /// without a line of thrust.
@@ -57,7 +52,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
             if !at_hinge(line[k].point) {
                 sheet.circle(at, 2.8, Pen::shape(THRUST, INK, 0.6).class("thrust-mark"));
             }
-            sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(5.0));
+            sheet.avoid(Area::about(at, 5.0));
         }
     }
     mark_hinges(&mut sheet, &picture.shapes, &view, &hinges, middle, room);

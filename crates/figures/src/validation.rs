@@ -4,8 +4,6 @@ mod marks;
 
 use crate::chart::{Axis, Key};
 use crate::elevation::INK;
-use crate::file::{File, written};
-use crate::raster::RasterError;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
 use marks::{colour, mark};
 use outcome::validation::{Bias, Prediction, Predictor, Tested, Validation};
@@ -22,16 +20,8 @@ const ALARM: &str = "#a02020";
 /// The axis never shows less than this, nor more than that: what goes beyond ends in an arrow.
 const FARTHEST: [f64; 2] = [0.02, 20.0];
 
-/// The figure of a validation, as the files it is written to.
-///
-/// # Errors
-/// A drawing of which no PNG can be made.
-pub fn validation(found: &Validation) -> Result<Vec<File>, RasterError> {
-    written(validation_drawing(found).map(|svg| ("validation".to_owned(), svg)).into_iter().collect())
-}
-
-/// The same as SVG. None without a prediction.
-pub fn validation_drawing(found: &Validation) -> Option<String> {
+/// The figure of a validation as SVG. None without a prediction.
+pub fn validation(found: &Validation) -> Option<String> {
     let methods: Vec<Predictor> = found.statistics.iter().map(|one| one.by).collect();
     let range = range(found)?;
     let (mut sheet, top) = Sheet::titled(

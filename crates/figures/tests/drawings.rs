@@ -296,7 +296,7 @@ fn the_envelope_marks_the_least_value_of_all_curves() {
     // Gaps at both ends take nothing from the curves in between.
     assert_eq!(classed(&document, "polyline", "sweep").len(), 2);
     let nothing = figures::Sweep { label: String::new(), points: vec![(0.0, f64::INFINITY)] };
-    assert!(figures::envelope("Nothing", figures::Ordinate::Load, &[nothing], None).is_none());
+    assert!(figures::envelope("Nothing", figures::Ordinate::Factor, &[nothing], None).is_none());
 }
 
 #[test]
@@ -363,7 +363,7 @@ fn results_that_are_not_numbers_and_lists_that_do_not_fit_do_no_harm() {
         Document::parse(&svg).unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
     }
-    assert!(figures::all(&picture).is_ok());
+    assert!(sample::all(&picture).is_ok());
 }
 
 #[test]
@@ -436,7 +436,7 @@ fn particles_that_are_not_numbers_and_forces_between_nobody_do_no_harm() {
         Document::parse(&svg).unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
     }
-    assert!(figures::all(&picture).is_ok());
+    assert!(sample::all(&picture).is_ok());
     picture.snapshots[0].particles.clear();
     assert!(figures::displacement(&picture).is_none());
     picture.snapshots.clear();

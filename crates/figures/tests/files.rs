@@ -98,7 +98,7 @@ fn the_mechanism_is_a_grid_of_its_own() {
 
 #[test]
 fn everything_is_the_same_twice_and_named_once() {
-    let (a, b) = (figures::all(&sample::two_rings()).unwrap(), figures::all(&sample::two_rings()).unwrap());
+    let (a, b) = (sample::all(&sample::two_rings()).unwrap(), sample::all(&sample::two_rings()).unwrap());
     assert!(!a.is_empty());
     assert!(a == b, "files differ between two calls");
     let names: std::collections::BTreeSet<_> = a.iter().map(|f| &f.name).collect();
@@ -203,12 +203,12 @@ fn the_animation_has_a_frame_for_every_state_and_says_for_how_long() {
 
 #[test]
 fn runs_without_particles_have_none_of_their_files() {
-    let names: Vec<String> = figures::all(&sample::arch()).unwrap().into_iter().map(|f| f.name).collect();
+    let names: Vec<String> = sample::all(&sample::arch()).unwrap().into_iter().map(|f| f.name).collect();
     for part in ["packing", "force-chains", "displacement.", "fill-stress", "particle"] {
         let own = |n: &String| n.trim_start_matches("paraview/").starts_with(part);
         assert!(!names.iter().any(own), "{part}: {names:?}");
     }
-    let names: Vec<String> = figures::all(&sample::filled()).unwrap().into_iter().map(|f| f.name).collect();
+    let names: Vec<String> = sample::all(&sample::filled()).unwrap().into_iter().map(|f| f.name).collect();
     for name in ["packing.svg", "force-chains.png", "displacement.svg", "fill-stress.svg", "animation.png"] {
         assert!(names.iter().any(|n| n == name), "{name}: {names:?}");
     }

@@ -131,7 +131,6 @@ fn made_up(bridge: &Bridge) -> Passage {
         ],
         influence: Some(influence),
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     };
     report(bridge, &setup, solution)
 }
@@ -168,7 +167,7 @@ fn a_passage_is_drawn() {
 #[test]
 fn every_moment_is_in_the_series() {
     let passage = made_up(&example());
-    let files = figures::passage(&passage).expect("drawn");
+    let files = figures::passage_paraview(&passage);
     let text = |name: &str| {
         let file = files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}"));
         String::from_utf8(file.bytes.clone()).expect("text")
@@ -197,5 +196,5 @@ fn a_passage_without_material_is_not_drawn() {
     passage.influence = None;
     passage.moments.clear();
     assert!(figures::passage_drawings(&passage).is_empty());
-    assert!(figures::passage(&passage).expect("nothing fails").is_empty());
+    assert!(figures::passage_paraview(&passage).is_empty());
 }

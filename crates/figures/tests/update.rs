@@ -97,5 +97,4 @@ fn without_material_nothing_is_drawn_and_nothing_fails() {
     update.paper.clear();
     update.posterior = None;
     assert!(figures::update_drawings(&update).is_empty());
-    assert!(figures::update(&update).expect("nothing fails").is_empty());
 }

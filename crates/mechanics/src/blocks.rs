@@ -280,16 +280,21 @@ impl BlockModel {
     /// # Errors
     /// A block whose rounding leaves nothing of an edge.
     pub fn cores(&self) -> Result<Table<BlockId, Core>, ModelError> {
-        self.blocks
-            .pairs()
-            .map(|(id, b)| {
-                Core::new(&b.outline, b.rounding).map_err(|source| ModelError::Outline { block: id.0, source })
-            })
-            .collect()
+        self.rounded(|block| block.rounding)
     }
-    /// Where each block's centre of mass is built.
+    fn rounded(&self, by: impl Fn(&Block) -> f64) -> Result<Table<BlockId, Core>, ModelError> {
+        let core = |(id, block): (BlockId, &Block)| {
+            Core::new(&block.outline, by(block)).map_err(|source| ModelError::Outline { block: id.0, source })
+        };
+        self.blocks.pairs().map(core).collect()
+    }
+    /// Where each block's centre of mass is built [m].
+    pub fn centroids(&self) -> Table<BlockId, Vec2> {
+        self.blocks.iter().map(|b| b.outline.centroid()).collect()
+    }
+    /// The same of blocks that have not turned.
     pub fn poses(&self) -> Table<BlockId, Pose> {
-        self.blocks.iter().map(|b| Pose::at(b.outline.centroid())).collect()
+        self.centroids().iter().map(|&at| Pose::at(at)).collect()
     }
     /// Weight of the free blocks [N/m], positive.
     pub fn free_weight(&self) -> f64 {
@@ -325,11 +330,7 @@ pub struct Interface {
 /// A block whose rounding leaves nothing of an edge.
 pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, ModelError> {
     let rounded = model.cores()?;
-    let sharp: Table<BlockId, Core> = model
-        .blocks
-        .pairs()
-        .map(|(id, b)| Core::new(&b.outline, 0.0).map_err(|source| ModelError::Outline { block: id.0, source }))
-        .collect::<Result<_, _>>()?;
+    let sharp = model.rounded(|_| 0.0)?;
     let poses = model.poses();
     let (mut found, mut pins) = (Vec::new(), Vec::new());
     for (a, b) in close_pairs(model, tolerance) {

@@ -284,11 +284,8 @@ fn compressed<T: Number>(ends: [T; 2]) -> ([T; 2], [T; 2]) {
         (false, false) => ([zero; 2], [zero; 2]),
         (true, false) => one_end(a, b),
         (false, true) => {
-            let ([far, near], [far_share, near_share]) = {
-                let (pressed, share) = one_end(b, a);
-                ([pressed[1], pressed[0]], [share[1], share[0]])
-            };
-            ([far, near], [far_share, near_share])
+            let (pressed, share) = one_end(b, a);
+            ([pressed[1], pressed[0]], [share[1], share[0]])
         }
     }
 }

@@ -4,8 +4,8 @@
 pub(crate) const HELD: u32 = u32::MAX;
 
 /// Equations of the free motions, block by block from neighbour to neighbour (blocks that act on one another), so that the band is narrow (Cuthill and McKee
-/// 1969).
-pub(crate) fn numbered(held: &[[bool; 3]], pairs: &[[usize; 2]]) -> (Vec<[u32; 3]>, usize) {
+/// 1969); and of each equation the last one that it acts with: those of its own block, and of the blocks that act on it.
+pub(crate) fn numbered(held: &[[bool; 3]], pairs: &[[usize; 2]]) -> (Vec<[u32; 3]>, Vec<u32>) {
     let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); held.len()];
     let free = |i: usize| held[i] != [true; 3];
     for &[a, b] in pairs.iter().filter(|pair| pair.iter().all(|&block| free(block))) {
@@ -38,7 +38,14 @@ pub(crate) fn numbered(held: &[[bool; 3]], pairs: &[[usize; 2]]) -> (Vec<[u32; 3
             }
         }
     }
-    (equation, count as usize)
+    let mut last = vec![0; count as usize];
+    let own = (0..equation.len()).map(|block| [block, block]);
+    for [first, second] in own.chain(pairs.iter().copied()) {
+        let both: Vec<u32> = equation[first].iter().chain(&equation[second]).copied().filter(|&e| e != HELD).collect();
+        let most = both.iter().copied().max().unwrap_or(0);
+        both.iter().for_each(|&e| last[e as usize] = most.max(last[e as usize]));
+    }
+    (equation, last)
 }
 
 fn breadth_first(start: usize, neighbours: &[Vec<usize>], seen: &mut [bool]) -> Vec<usize> {
@@ -55,16 +62,4 @@ fn breadth_first(start: usize, neighbours: &[Vec<usize>], seen: &mut [bool]) -> 
         next += 1;
     }
     order
-}
-
-/// The last equation that each one acts with: those of its own block, and of the blocks that act on it.
-pub(crate) fn last_joined(equation: &[[u32; 3]], equations: usize, pairs: &[[usize; 2]]) -> Vec<u32> {
-    let mut last = vec![0; equations];
-    let own = (0..equation.len()).map(|block| [block, block]);
-    for [first, second] in own.chain(pairs.iter().copied()) {
-        let both: Vec<u32> = equation[first].iter().chain(&equation[second]).copied().filter(|&e| e != HELD).collect();
-        let most = both.iter().copied().max().unwrap_or(0);
-        both.iter().for_each(|&e| last[e as usize] = most.max(last[e as usize]));
-    }
-    last
 }

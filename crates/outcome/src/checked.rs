@@ -9,8 +9,10 @@ use serde::{Deserialize, Serialize};
 
 words! {
     /// Units of comparisons.
+    #[derive(Default)]
     pub enum Unit {
         /// A bare number.
+        #[default]
         Ratio = "",
         /// Millimetres.
         Millimetre = "mm",
@@ -29,7 +31,7 @@ words! {
 
 published! {
     /// A number and its limit, of a check.
-    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
     pub struct Comparison |one, check: &Checked| {
         /// Code of the check.
         = code: String = &check.code,

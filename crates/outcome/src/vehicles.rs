@@ -104,6 +104,11 @@ impl EnvelopePoint {
         }
     }
 
+    /// Whether it is of the same arrangement that drives the same way, at the same place.
+    fn stands_at(&self, other: &EnvelopePoint) -> bool {
+        self.position == other.position && self.direction == other.direction && self.arrangement == other.arrangement
+    }
+
     /// Takes the factor of a case on deformable joints: where it is the smaller one, it counts, unless a case was not answered.
     pub fn deforms(&mut self, factor: f64, case: &Case) {
         self.deformable = Some(factor);
@@ -244,10 +249,7 @@ impl Swept {
     /// A position at which joints slide, answered again without dilation: the smaller factor counts, and where every load was carried with
     /// dilation, this one.
     pub fn slides_at(&mut self, at: &EnvelopePoint, level: Option<f64>) {
-        let same = |p: &&mut EnvelopePoint| {
-            p.position == at.position && p.direction == at.direction && p.arrangement == at.arrangement
-        };
-        for point in self.envelope.iter_mut().filter(|p| same(p)) {
+        for point in self.envelope.iter_mut().filter(|p| p.stands_at(at)) {
             point.converged &= level.is_some();
             let smaller = |level: f64| point.adequacy.map_or(level, |old| old.min(level));
             point.adequacy = level.filter(|_| point.converged).map(smaller);
@@ -257,10 +259,7 @@ impl Swept {
     /// Takes points of the envelope at which cases found no answer as answered: this factor is proven to be carried there by all of them,
     /// and does not govern.
     pub fn is_settled(&mut self, at: &EnvelopePoint, carried: f64) {
-        let same = |p: &&mut EnvelopePoint| {
-            p.position == at.position && p.direction == at.direction && p.arrangement == at.arrangement
-        };
-        for point in self.envelope.iter_mut().filter(same).filter(|p| !p.converged) {
+        for point in self.envelope.iter_mut().filter(|p| p.stands_at(at) && !p.converged) {
             (point.converged, point.adequacy) = (true, Some(carried));
         }
     }

@@ -122,11 +122,7 @@ impl Answer {
                 ("compare", worst(found.answers.iter().map(|one| one.status)), fields)
             }
         };
-        let mut whole = Object::new();
-        whole.insert("schema".to_owned(), json!(format!("extrados.{schema}/1")));
-        whole.insert("status".to_owned(), json!(status));
-        whole.extend(fields.into_iter().filter(|(key, _)| !["schema", "status", "warnings"].contains(&key.as_str())));
-        whole.insert("warnings".to_owned(), json!(warnings));
+        let mut whole = written::headed(&format!("extrados.{schema}/1"), status, fields, warnings);
         whole.insert("wall_seconds".to_owned(), json!(self.seconds));
         whole.insert("threads".to_owned(), json!(run::threads()));
         whole

@@ -30,9 +30,7 @@ impl Kept {
         let pieces = self.pieces();
         pieces.by_name.len() + pieces.lines.len()
     }
-}
 
-impl Kept {
     /// Evaluations of an update that are kept.
     pub fn lines(&self) -> usize {
         self.pieces().lines.len()

@@ -47,7 +47,7 @@ fn _break(py: Python<'_>, deep: bool) -> PyResult<()> {
         true => rayon::join(|| panic!("a test breaks on a thread of the pool"), || ()).1,
         false => panic!("a test breaks"),
     })?;
-    broken.result.map_or(Ok(()), Ok)
+    broken.given(py)
 }
 
 /// Does nothing for a while, in steps of a millisecond that can be interrupted, for tests of interruption.
@@ -68,10 +68,7 @@ fn _wait(py: Python<'_>, seconds: f64, progress: Option<&Bound<'_, PyAny>>) -> P
         }
         looks
     })?;
-    match (done.interrupted, done.result) {
-        (Some(cause), _) => Err(run::interruption(py, cause, None, None, None)),
-        (None, looks) => Ok(looks.unwrap_or(0)),
-    }
+    done.given(py)
 }
 
 /// The sum of the limit loads [kN/m] of bridges that differ in a friction angle, from a loop in Rust: what a loop in Python is held against.
@@ -79,21 +76,19 @@ fn _wait(py: Python<'_>, seconds: f64, progress: Option<&Bound<'_, PyAny>>) -> P
 fn _limit_loads(py: Python<'_>, path: std::path::PathBuf, count: u32) -> PyResult<f64> {
     use extrados::{Choice, CollapseOptions, Disk, Refusal, Unwatched};
     let sum = move || -> Result<f64, Vec<Refusal>> {
-        let one = |refusal: Refusal| vec![refusal];
-        let project = extrados::Project::read(path, &Disk).map_err(one)?;
+        let project = extrados::Project::read(path, &Disk)?;
         let choice = Choice { method: Some(bridge::Method::Limit), ..Choice::default() };
         let mut sum = 0.0;
         for k in 0..count {
             let angle = 25.0 + 15.0 * f64::from(k) / f64::from(count);
             let edited = project.with(&[format!("joint.friction_angle={angle} deg")])?;
             let options = CollapseOptions { choice, resume: None };
-            sum += extrados::collapse(&edited, &options, &mut Unwatched).map_err(one)?.last_stable_load.unwrap_or(0.0)
-                / 1e3;
+            sum += extrados::collapse(&edited, &options, &mut Unwatched)?.last_stable_load.unwrap_or(0.0) / 1e3;
         }
         Ok(sum)
     };
-    let done = run::run(py, None, move |_| sum())?;
-    done.result.unwrap_or(Ok(0.0)).map_err(|refusals| errors::refused(py, &refusals))
+    let found = run::run(py, None, move |_| sum())?.given(py)?;
+    found.map_err(|refusals| errors::refused(py, &refusals))
 }
 
 /// The extension module.

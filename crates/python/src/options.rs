@@ -14,13 +14,15 @@ pub(crate) struct Options<'py> {
 }
 
 impl<'py> Options<'py> {
-    /// A copy of the dictionary; entries of `None` are as if they were not there.
-    pub(crate) fn new(given: &Bound<'py, PyDict>) -> PyResult<Options<'py>> {
-        let own = PyDict::new(given.py());
+    /// What is taken of a dictionary; entries of `None` are as if they were not there, and what is left is refused.
+    pub(crate) fn read<T>(given: &Bound<'py, PyDict>, take: impl FnOnce(&Self) -> PyResult<T>) -> PyResult<T> {
+        let own = Options { given: PyDict::new(given.py()) };
         for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
-            own.set_item(key, value)?;
+            own.given.set_item(key, value)?;
         }
-        Ok(Options { given: own })
+        let taken = take(&own)?;
+        own.end()?;
+        Ok(taken)
     }
 
     fn take(&self, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
@@ -162,7 +164,7 @@ impl<'py> Options<'py> {
     }
 
     /// Refuses what is left.
-    pub(crate) fn end(&self) -> PyResult<()> {
+    fn end(&self) -> PyResult<()> {
         let left: Vec<String> = self.given.keys().iter().map(|key| key.to_string()).collect();
         if left.is_empty() {
             return Ok(());

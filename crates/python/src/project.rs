@@ -6,7 +6,6 @@ use crate::kept::{Kept, State};
 use crate::object;
 use crate::options::{self, Options};
 use crate::run::{self, Finished};
-use bridge::update::{Search, Start, Variant};
 use extrados::means::Clock;
 use extrados::results::published;
 use extrados::{
@@ -142,7 +141,8 @@ impl Project {
     /// The bridge as its file describes it, as SVG.
     fn drawing(&self, py: Python<'_>) -> PyResult<String> {
         self.usable(py)?;
-        let drawn = run::guarded(py, || self.file.as_built().map(|picture| figures::bridge_as_drawn(&picture)))?;
+        let drawn =
+            run::guarded(py, || extrados::as_built(&self.file).map(|picture| figures::bridge_as_drawn(&picture)))?;
         drawn.map_err(|refusal| errors::refused(py, &[refusal]))
     }
 
@@ -173,14 +173,10 @@ impl Project {
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
-        let given = Options::new(options)?;
-        let choice = given.choice(width)?;
-        given.end()?;
+        let choice = Options::read(options, |given| given.choice(width))?;
         let resume = bytes(py, resume)?;
         self.answered(py, progress, move |file, watch| {
-            extrados::collapse(file, &CollapseOptions { choice, resume }, watch)
-                .map(|found| Found::Collapse(Box::new(found)))
-                .map_err(|refusal| vec![refusal])
+            Ok(Found::Collapse(Box::new(extrados::collapse(file, &CollapseOptions { choice, resume }, watch)?)))
         })
     }
 
@@ -192,18 +188,14 @@ impl Project {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
-        let given = Options::new(options)?;
-        let (step, choice) = (given.length("step")?, given.choice(width)?);
-        given.end()?;
+        let (step, choice) = Options::read(options, |given| Ok((given.length("step")?, given.choice(width)?)))?;
         if let Some(method) = choice.method.filter(|method| !extrados::sweeps(*method)) {
             let message = format!("method = \"{}\" cannot be used: a sweep is limit analysis", method.word());
             let help = "leave method out, or write \"limit\", or \"path\" for deformable joints too";
             return Err(errors::argument(py, message, help));
         }
         self.answered(py, progress, move |file, watch| {
-            let found =
-                extrados::sweep(file, &SweepOptions { choice, step }, watch).map_err(|refusal| vec![refusal])?;
-            Ok(match found {
+            Ok(match extrados::sweep(file, &SweepOptions { choice, step }, watch)? {
                 Swept::Vehicles(found) => Found::Vehicles(found),
                 Swept::Loads(found) => {
                     let name = file.bridge().map_or("", |bridge| bridge.name.as_str()).to_owned();
@@ -221,13 +213,9 @@ impl Project {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
         self.usable(py)?;
-        let given = Options::new(options)?;
-        let options = passage_options(&given)?;
-        given.end()?;
+        let options = Options::read(options, passage_options)?;
         self.answered(py, progress, move |file, watch| {
-            extrados::respond(file, &options, watch)
-                .map(|found| Found::Passage(Box::new(found)))
-                .map_err(|refusal| vec![refusal])
+            Ok(Found::Passage(Box::new(extrados::respond(file, &options, watch)?)))
         })
     }
 
@@ -241,22 +229,18 @@ impl Project {
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         self.usable(py)?;
-        let given = Options::new(options)?;
-        let records_only = given.flag("records_only")?;
-        let options = UpdateOptions {
-            search: given.word::<Search>("search")?,
-            variant: given.word::<Variant>("variant")?,
-            start: given.word::<Start>("start")?,
-        };
-        given.end()?;
+        let (records_only, options) = Options::read(options, |given| {
+            let (search, variant, start) = (given.word("search")?, given.word("variant")?, given.word("start")?);
+            Ok((given.flag("records_only")?, UpdateOptions { search, variant, start }))
+        })?;
         let kept = kept(resume);
         let taken_up = if records_only { 0 } else { kept.lines() };
         self.keeping(py, progress, kept, program, move |file, means, watch| {
             let found = match records_only {
-                true => extrados::judge(file, means, watch),
-                false => extrados::update(file, &options, means, watch),
+                true => extrados::judge(file, means, watch)?,
+                false => extrados::update(file, &options, means, watch)?,
             };
-            found.map(|found| Some(Found::Update(Box::new(found), taken_up))).map_err(|refusal| vec![refusal])
+            Ok(Some(Found::Update(Box::new(found), taken_up)))
         })
     }
 
@@ -270,16 +254,17 @@ impl Project {
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
-        let given = Options::new(options)?;
-        let ranges = given.texts("ranges", "write a list such as [\"joint.friction_angle=30deg..40deg:5\"]")?;
-        let options = VaryOptions {
-            sweep: given.flag("sweep")?,
-            grid: given.flag("grid")?,
-            outcome: given.text("outcome", "write the name of a number, such as \"headline_kn_per_m\"")?,
-            most_runs: given.count("most_runs")?.map_or(1000, |count| count as usize),
-            choice: given.choice(width)?,
-        };
-        given.end()?;
+        let (ranges, options) = Options::read(options, |given| {
+            let ranges = given.texts("ranges", "write a list such as [\"joint.friction_angle=30deg..40deg:5\"]")?;
+            let options = VaryOptions {
+                sweep: given.flag("sweep")?,
+                grid: given.flag("grid")?,
+                outcome: given.text("outcome", "write the name of a number, such as \"headline_kn_per_m\"")?,
+                most_runs: given.count("most_runs")?.map_or(1000, |count| count as usize),
+                choice: given.choice(width)?,
+            };
+            Ok((ranges, options))
+        })?;
         let plan = extrados::planned(&self.file, &options.choice).map_err(|refusal| errors::refused(py, &[refusal]))?;
         let plan = plan.plan;
         let name = self.file.name().to_owned();
@@ -305,16 +290,12 @@ impl Project {
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         self.usable(py)?;
-        let given = Options::new(options)?;
-        let options = AssessOptions {
-            skip: given.stages("skip")?,
-            command: "extrados.Bridge.assess".to_owned(),
-            day: given.text("day", "write the day as \"2026-01-31\"")?.unwrap_or_default(),
-        };
-        given.end()?;
+        let (skip, day) = Options::read(options, |given| {
+            Ok((given.stages("skip")?, given.text("day", "write the day as \"2026-01-31\"")?.unwrap_or_default()))
+        })?;
+        let options = AssessOptions { skip, command: "extrados.Bridge.assess".to_owned(), day };
         self.keeping(py, progress, kept(resume), program, move |file, means, watch| {
-            let done = extrados::assess(file, &options, means, watch).map_err(|refusal| vec![refusal])?;
-            Ok(done.map(|done| Found::Assessed(Box::new(done))))
+            Ok(extrados::assess(file, &options, means, watch)?.map(|done| Found::Assessed(Box::new(done))))
         })
     }
 
@@ -326,12 +307,8 @@ impl Project {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
-        let given = Options::new(options)?;
-        let choice = given.choice(width)?;
-        given.end()?;
-        self.answered(py, progress, move |file, watch| {
-            extrados::cases(file, choice, watch).map(Found::Cases).map_err(|refusal| vec![refusal])
-        })
+        let choice = Options::read(options, |given| given.choice(width))?;
+        self.answered(py, progress, move |file, watch| Ok(Found::Cases(extrados::cases(file, choice, watch)?)))
     }
 
     #[pyo3(signature = (other, options, progress = None))]
@@ -344,15 +321,11 @@ impl Project {
     ) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
         other.usable(py)?;
-        let given = Options::new(options)?;
-        let choice = given.choice(width)?;
-        given.end()?;
-        let after = Arc::clone(&other.file);
-        let files = vec![Arc::clone(&self.file), Arc::clone(&after)];
-        self.worked(py, progress, None, files, move |file, watch| {
-            extrados::compare(file, &after, choice, watch)
-                .map(|found| Some(Found::Compared(Box::new(found))))
-                .map_err(|refusal| vec![refusal])
+        let choice = Options::read(options, |given| given.choice(width))?;
+        let (before, after) = (Arc::clone(&self.file), Arc::clone(&other.file));
+        let files = vec![Arc::clone(&before), Arc::clone(&after)];
+        worked(py, progress, None, files, move |watch| {
+            Ok(Some(Found::Compared(Box::new(extrados::compare(&before, &after, choice, watch)?))))
         })
     }
 
@@ -388,15 +361,9 @@ type Gave = Result<Option<Found>, Vec<Refusal>>;
 impl Project {
     fn open(py: Python<'_>, path: PathBuf, beside: Beside) -> PyResult<Project> {
         let own = beside.clone();
-        let done = run::run(py, None, move |_| File::read(&path, &own))?;
-        match (done.result, done.interrupted) {
-            (_, Some(cause)) => Err(run::interruption(py, cause, None, None, None)),
-            (Some(read), None) => {
-                let file = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
-                Ok(Project { file: Arc::new(file), beside })
-            }
-            (None, None) => Err(errors::argument(py, "the file was not read".to_owned(), "read it again")),
-        }
+        let read = run::run(py, None, move |_| File::read(&path, &own))?.given(py)?;
+        let file = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        Ok(Project { file: Arc::new(file), beside })
     }
 
     /// The file itself.
@@ -422,8 +389,8 @@ impl Project {
         progress: Option<&Bound<'_, PyAny>>,
         work: impl FnOnce(&File, &mut run::Looker) -> Result<Found, Vec<Refusal>> + Send + 'static,
     ) -> PyResult<Answer> {
-        let files = vec![Arc::clone(&self.file)];
-        self.worked(py, progress, None, files, move |file, watch| work(file, watch).map(Some))
+        let file = Arc::clone(&self.file);
+        worked(py, progress, None, vec![Arc::clone(&file)], move |watch| work(&file, watch).map(Some))
     }
 
     /// Work that keeps its finished pieces, and takes up those of an interrupted call.
@@ -435,37 +402,32 @@ impl Project {
         program: String,
         work: impl FnOnce(&File, &Means<'_>, &mut run::Looker) -> Gave + Send + 'static,
     ) -> PyResult<Answer> {
-        let (files, shelf) = (vec![Arc::clone(&self.file)], Arc::clone(&kept));
-        self.worked(py, progress, Some(kept), files, move |file, watch| {
+        let (file, shelf) = (Arc::clone(&self.file), Arc::clone(&kept));
+        worked(py, progress, Some(kept), vec![Arc::clone(&file)], move |watch| {
             let clock = Watch(Instant::now());
-            work(file, &Means { shelf: &*shelf, clock: &clock, program: &program }, watch)
+            work(&file, &Means { shelf: &*shelf, clock: &clock, program: &program }, watch)
         })
     }
+}
 
-    /// Runs the work on the file; an interruption becomes an exception that holds what there is.
-    fn worked(
-        &self,
-        py: Python<'_>,
-        progress: Option<&Bound<'_, PyAny>>,
-        kept: Option<Arc<Kept>>,
-        files: Vec<Arc<File>>,
-        work: impl FnOnce(&File, &mut run::Looker) -> Gave + Send + 'static,
-    ) -> PyResult<Answer> {
-        let (file, begun) = (Arc::clone(&self.file), Instant::now());
-        let Finished { result, interrupted, shared } = run::run(py, progress, move |watch| work(&file, watch))?;
-        let seconds = begun.elapsed().as_secs_f64();
-        if let Some(cause) = interrupted {
-            let found = result.and_then(Result::ok).flatten();
-            let answer = match found {
-                Some(found) => Some(Bound::new(py, Answer::new(found, files, seconds))?.into_any()),
-                None => None,
-            };
-            return Err(run::interruption(py, cause, answer, Some(shared), kept));
-        }
-        match result {
-            Some(Ok(Some(found))) => Ok(Answer::new(found, files, seconds)),
-            Some(Err(refusals)) => Err(errors::refused(py, &refusals)),
-            Some(Ok(None)) | None => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),
+/// Runs work on files; an interruption becomes an exception that holds what there is.
+fn worked(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    kept: Option<Arc<Kept>>,
+    files: Vec<Arc<File>>,
+    work: impl FnOnce(&mut run::Looker) -> Gave + Send + 'static,
+) -> PyResult<Answer> {
+    let begun = Instant::now();
+    let Finished { result, shared } = run::run(py, progress, work)?;
+    let answer = |found| Answer::new(found, files, begun.elapsed().as_secs_f64());
+    match result {
+        Ok(Ok(Some(found))) => Ok(answer(found)),
+        Ok(Ok(None)) => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),
+        Ok(Err(refusals)) => Err(errors::refused(py, &refusals)),
+        Err((cause, found)) => {
+            let found = found.and_then(Result::ok).flatten().map(|found| Bound::new(py, answer(found))).transpose()?;
+            Err(run::interruption(py, cause, found.map(Bound::into_any), Some(shared), kept))
         }
     }
 }
@@ -481,9 +443,8 @@ impl BlockModel {
     /// Reads a block model file and its drawing.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<BlockModel> {
-        let done = run::run(py, None, move |_| extrados::Blocks::read(&path, &Disk))?;
-        let read = done.result.ok_or_else(|| errors::argument(py, "the file was not read".to_owned(), "read it again"));
-        let blocks = read?.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        let read = run::run(py, None, move |_| extrados::Blocks::read(&path, &Disk))?.given(py)?;
+        let blocks = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
         if blocks.scene().is_none() {
             let own = blocks.findings().iter().map(|finding| {
                 let text = extrados::finding_in_words(blocks.name(), blocks.text(), finding);
@@ -509,24 +470,10 @@ impl BlockModel {
         progress: Option<&Bound<'_, PyAny>>,
         resume: Option<&State>,
     ) -> PyResult<Answer> {
-        let given = Options::new(options)?;
-        let choice = given.choice(1.0)?;
-        given.end()?;
-        let (blocks, begun) = (Arc::clone(&self.blocks), Instant::now());
-        let options = CollapseOptions { choice, resume: bytes(py, resume)? };
-        let done = run::run(py, progress, move |watch| extrados::collapse_of_blocks(&blocks, &options, watch))?;
-        let seconds = begun.elapsed().as_secs_f64();
-        let answer = |found| Answer::new(Found::Collapse(Box::new(found)), Vec::new(), seconds);
-        if let Some(cause) = done.interrupted {
-            let found = match done.result.and_then(Result::ok) {
-                Some(found) => Some(Bound::new(py, answer(found))?.into_any()),
-                None => None,
-            };
-            return Err(run::interruption(py, cause, found, Some(done.shared), None));
-        }
-        match done.result {
-            Some(found) => found.map(answer).map_err(|refusal| errors::refused(py, &[refusal])),
-            None => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),
-        }
+        let choice = Options::read(options, |given| given.choice(1.0))?;
+        let (blocks, options) = (Arc::clone(&self.blocks), CollapseOptions { choice, resume: bytes(py, resume)? });
+        worked(py, progress, None, Vec::new(), move |watch| {
+            Ok(Some(Found::Collapse(Box::new(extrados::collapse_of_blocks(&blocks, &options, watch)?))))
+        })
     }
 }

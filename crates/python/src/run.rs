@@ -84,12 +84,17 @@ impl Watch for Looker {
 
 /// Work that came to an end, or was made to.
 pub(crate) struct Finished<T> {
-    /// What it gave; nothing where it did not end in time.
-    pub result: Option<T>,
-    /// Why it was made to end.
-    pub interrupted: Option<PyErr>,
+    /// What it gave; or why it was made to end, and what it gave where it ended in time.
+    pub result: Result<T, (PyErr, Option<T>)>,
     /// What holds the state from which it can go on, at its end at the latest.
     pub shared: Arc<Shared>,
+}
+
+impl<T> Finished<T> {
+    /// What it gave; an interruption leaves nothing to go on from.
+    pub(crate) fn given(self, py: Python<'_>) -> PyResult<T> {
+        self.result.map_err(|(cause, _)| interruption(py, cause, None, None, None))
+    }
 }
 
 /// Runs `work` and waits for it.
@@ -133,12 +138,12 @@ fn finished<T>(
     interrupted: Option<PyErr>,
     shared: Arc<Shared>,
 ) -> PyResult<Finished<T>> {
-    match done {
-        Some(Ok(result)) => Ok(Finished { result: Some(result), interrupted, shared }),
-        Some(Err(words)) => Err(broken(py, &words)),
-        None if interrupted.is_some() => Ok(Finished { result: None, interrupted, shared }),
-        None => Err(broken(py, "the thread of the work ended without an answer")),
-    }
+    let result = match (done.transpose().map_err(|words| broken(py, &words))?, interrupted) {
+        (Some(result), None) => Ok(result),
+        (result, Some(cause)) => Err((cause, result)),
+        (None, None) => return Err(broken(py, "the thread of the work ended without an answer")),
+    };
+    Ok(Finished { result, shared })
 }
 
 /// Tells the callback what is new.

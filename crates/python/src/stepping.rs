@@ -8,7 +8,6 @@ use crate::project::{Project, passage_options};
 use crate::run;
 use extrados::results::passage::{Moment, PassageStatus};
 use extrados::{Passing, Stepping, Watch, Wish};
-use mechanics::dem;
 use ndarray::Array2;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -31,11 +30,7 @@ fn moved<S: Send + 'static, T: Send + 'static>(
     work: impl FnOnce(&mut S, &mut run::Looker) -> T + Send + 'static,
 ) -> PyResult<T> {
     let own = Arc::clone(held);
-    let done = run::run(py, progress, move |watch| work(&mut locked(&own), watch))?;
-    if let Some(cause) = done.interrupted {
-        return Err(run::interruption(py, cause, None, None, None));
-    }
-    done.result.ok_or_else(|| errors::argument(py, "the work was stopped".to_owned(), "call it again"))
+    run::run(py, progress, move |watch| work(&mut locked(&own), watch))?.given(py)
 }
 
 /// Last stable load and collapse load [kN/m], and all iterations.
@@ -53,22 +48,12 @@ impl CollapseRun {
     #[new]
     fn new(py: Python<'_>, project: &Project, options: &Bound<'_, PyDict>) -> PyResult<CollapseRun> {
         let width = project.usable(py)?.width;
-        let given = Options::new(options)?;
-        let choice = given.choice(width)?;
-        given.end()?;
+        let choice = Options::read(options, |given| given.choice(width))?;
         let file = Arc::clone(project.file());
-        let done = run::run(py, None, move |_| Stepping::new(&file, &choice))?;
-        if let Some(cause) = done.interrupted {
-            return Err(run::interruption(py, cause, None, None, None));
-        }
-        match done.result {
-            Some(Ok(run)) => {
-                let loads = [run.blocks().load(0.0), run.blocks().load(1.0)];
-                Ok(CollapseRun { held: Arc::new(Mutex::new(Some(run))), loads })
-            }
-            Some(Err(refusal)) => Err(errors::refused(py, &[refusal])),
-            None => Err(errors::argument(py, "the work was stopped".to_owned(), "call it again")),
-        }
+        let run = run::run(py, None, move |_| Stepping::new(&file, &choice))?.given(py)?;
+        let run = run.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        let loads = [run.blocks().load(0.0), run.blocks().load(1.0)];
+        Ok(CollapseRun { held: Arc::new(Mutex::new(Some(run))), loads })
     }
 
     /// Goes on for so many steps or to the end; gives the word for how it ended.
@@ -79,7 +64,7 @@ impl CollapseRun {
             while left > 0 {
                 let now = left.min(CHUNK);
                 if let Some(status) = run.advance(now) {
-                    return Some(word(status).to_owned());
+                    return Some(Stepping::ended(status).word().to_owned());
                 }
                 left -= now;
                 let told = extrados::Progress { stage: "stepping".to_owned(), fraction: None, steps: steps - left };
@@ -121,9 +106,8 @@ impl CollapseRun {
     /// Ends the run: the last stable load and the load that made it collapse [kN/m], and all iterations.
     fn finish(&self, py: Python<'_>) -> PyResult<Option<Loads>> {
         let Some(run) = locked(&self.held).take() else { return Ok(None) };
-        let loads = self.loads;
         let found = run::guarded(py, || run.finish())?;
-        let load = |factor: f64| (loads[0] + factor * (loads[1] - loads[0])) / 1e3;
+        let load = |factor: f64| self.load_of(factor) / 1e3;
         let steps = found.iterations_total;
         Ok(Some((found.last_stable_factor.map(load), found.collapse_factor.map(load), steps)))
     }
@@ -133,20 +117,6 @@ impl CollapseRun {
     fn load_of(&self, factor: f64) -> f64 {
         self.loads[0] + factor * (self.loads[1] - self.loads[0])
     }
-}
-
-fn word(status: &dem::Status) -> &'static str {
-    use extrados::results::collapse::Status;
-    match status {
-        dem::Status::Collapsed => Status::Collapsed,
-        dem::Status::StableToLastLoad => Status::StableToLastLoad,
-        dem::Status::Stalled => Status::Stalled,
-        dem::Status::UnstableUnderSelfWeight => Status::UnstableUnderSelfWeight,
-        dem::Status::StepLimit => Status::StepLimit,
-        dem::Status::Cancelled => Status::Cancelled,
-        _ => Status::NotConverged,
-    }
-    .word()
 }
 
 fn list<'py>(py: Python<'py>, all: impl Iterator<Item = f64>) -> Bound<'py, PyArray1<f64>> {
@@ -182,19 +152,11 @@ impl PassageRun {
     ) -> PyResult<PassageRun> {
         let py = project.py();
         project.get().usable(py)?;
-        let given = Options::new(options)?;
-        let options = passage_options(&given)?;
-        given.end()?;
+        let options = Options::read(options, passage_options)?;
         let (file, begun) = (Arc::clone(project.get().file()), Instant::now());
-        let done = run::run(py, progress, move |watch| Passing::new(&file, &options, watch))?;
-        if let Some(cause) = done.interrupted {
-            return Err(run::interruption(py, cause, None, None, None));
-        }
-        match done.result {
-            Some(Ok(run)) => Ok(PassageRun { held: Arc::new(Mutex::new(Some(run))), project: project.unbind(), begun }),
-            Some(Err(refusal)) => Err(errors::refused(py, &[refusal])),
-            None => Err(errors::argument(py, "the work was stopped".to_owned(), "call it again")),
-        }
+        let run = run::run(py, progress, move |watch| Passing::new(&file, &options, watch))?.given(py)?;
+        let run = run.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        Ok(PassageRun { held: Arc::new(Mutex::new(Some(run))), project: project.unbind(), begun })
     }
 
     /// Moves the train on by so many positions; gives the word for how the passage ended.

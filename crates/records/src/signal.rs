@@ -149,27 +149,28 @@ pub(crate) fn loaded(run: &Recording, smooth: &[Option<Vec<f64>>]) -> Loaded {
 
 /// Whether at least half of the channels have other levels at the start than at the end.
 fn apart(run: &Recording, smooth: &[Option<Vec<f64>>], start: usize, end: usize) -> bool {
-    let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
-    let (mut apart, mut all) = (0, 0);
-    for values in used.filter_map(|(_, values)| values.as_ref()) {
+    let [apart, all] = counted(run, smooth, |values| {
         let levels = [median(&mut values[..start].to_vec()), median(&mut values[end..].to_vec())];
-        all += 1;
-        apart += usize::from((levels[1] - levels[0]).abs() > ANSWERS * range(values));
-    }
+        (levels[1] - levels[0]).abs() > ANSWERS * range(values)
+    });
     all > 1 && 2 * apart >= all
 }
 
 /// Whether at least half of the channels hardly move over some samples: by noise, by rounding, or by three hundredths of their
 /// range. A record that begins under the train has a first level too, but moves.
 fn silent(run: &Recording, smooth: &[Option<Vec<f64>>], from: usize, to: usize) -> bool {
-    let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
-    let (mut still, mut all) = (0, 0);
-    for values in used.filter_map(|(_, values)| values.as_ref()) {
+    let [still, all] = counted(run, smooth, |values| {
         let allowed = (0.03 * range(values)).max(3.0 * least_count(values)).max(8.0 * noise(values));
-        all += 1;
-        still += usize::from(range(&values[from..to]) <= allowed);
-    }
+        range(&values[from..to]) <= allowed
+    });
     all > 0 && 2 * still >= all
+}
+
+/// Of how many used channels something holds, and how many there are.
+fn counted(run: &Recording, smooth: &[Option<Vec<f64>>], holds: impl Fn(&[f64]) -> bool) -> [usize; 2] {
+    let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
+    used.filter_map(|(_, values)| values.as_ref())
+        .fold([0, 0], |[of, all], values| [of + usize::from(holds(values)), all + 1])
 }
 
 impl Loaded {

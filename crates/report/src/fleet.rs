@@ -5,7 +5,7 @@ use askama::Template;
 use outcome::counted;
 
 /// A bridge of a fleet.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct FleetRow {
     /// Its file.
     pub file: String,
@@ -146,17 +146,10 @@ mod tests {
             name: "<b>".into(),
             status: status.into(),
             utilisation,
-            governing: String::new(),
-            load_model: String::new(),
             finished: true,
-            broken: 0,
             words: "a \"word\"\nmore".into(),
-            head: String::new(),
-            beside: Vec::new(),
-            skipped: Vec::new(),
-            left_out: Vec::new(),
-            doubtful: Vec::new(),
             report: format!("{file}/report.html"),
+            ..FleetRow::default()
         }
     }
 

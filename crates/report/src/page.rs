@@ -1,7 +1,7 @@
 //! The report of one bridge.
 
 use crate::figure::Figure;
-use crate::numbers::{digits, maybe};
+use crate::numbers::{digits, maybe, percent, with_unit};
 use crate::parts::{self, Part};
 use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
@@ -260,10 +260,10 @@ pub(crate) fn page<'a>(material: &Material<'a>) -> Page<'a> {
             "Utilisation of the governing check ({}) with {:.0} % less and {:.0} % more of each quantity, by {}. All rows are of the same \
              analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
              {}: compare the rows with the first of the two.",
-            facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, crate::numbers::percent(facts.utilisation),
+            facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, percent(facts.utilisation),
             governing(&a.checked)
                 .and_then(|(check, k)| a.checked[check].outcome.as_ref().ok()?.get(k))
-                .map_or_else(|| "nothing".to_owned(), |finding| crate::numbers::percent(finding.utilisation)),
+                .map_or_else(|| "nothing".to_owned(), |finding| percent(finding.utilisation)),
             match facts.code.as_str() {
                 "C204" => "counts discrete elements, which carry less than limit analysis",
                 _ => "saw what the shortened analysis leaves out (earlier axles, other positions)",
@@ -322,9 +322,7 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
         ["method".to_owned(), facts.method.clone()],
         ["ended".to_owned(), facts.status.to_string()],
     ];
-    let mut put = |what: &str, value: Option<f64>, unit: &str| {
-        rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, unit)]));
-    };
+    let mut put = |what: &str, value: Option<f64>, unit: &str| rows.extend(measured(what, value, unit));
     put("factor on the loads of the file", facts.load_factor, "");
     put("factor on the loads of the file, at most", facts.load_factor_at_most, "");
     if facts.positions_not_converged > 0 {
@@ -339,13 +337,15 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
 
 fn movement(a: &Assessment) -> Vec<[String; 2]> {
     let Some(facts) = a.facts.movement.made() else { return Vec::new() };
-    let mut rows = vec![["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.to_string()]];
-    let mut put = |what: &str, value: Option<f64>| {
-        rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, "mm")]));
-    };
-    put("last movement at which the bridge stood", facts.last_stable_mm);
-    put("movement at which it fell", facts.collapse_mm);
-    rows
+    let told = [["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.to_string()]];
+    let stood = measured("last movement at which the bridge stood", facts.last_stable_mm, "mm");
+    let fell = measured("movement at which it fell", facts.collapse_mm, "mm");
+    told.into_iter().chain(stood).chain(fell).collect()
+}
+
+/// A value by its name, where there is one.
+fn measured(what: &str, value: Option<f64>, unit: &str) -> Option<[String; 2]> {
+    value.map(|value| [what.to_owned(), with_unit(value, unit)])
 }
 
 /// Stages without facts, in words.

@@ -357,13 +357,12 @@ pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Op
             items.push((format!("{} {}", check.code, check.title), format!("{} of the limit", percent(worst))));
         }
     }
-    let warnings: Vec<&str> = a.facts.warnings().map(|(_, warning)| warning.code()).collect();
     let mut codes: Vec<&str> = Vec::new();
-    warnings.into_iter().for_each(|code| {
-        if !codes.contains(&code) {
-            codes.push(code)
+    for (_, warning) in a.facts.warnings() {
+        if !codes.contains(&warning.code()) {
+            codes.push(warning.code());
         }
-    });
+    }
     items.push((
         "each warning considered, and answered in writing".into(),
         if codes.is_empty() { "none".into() } else { codes.join(", ") },

@@ -130,7 +130,7 @@ pub(crate) struct ConditionRow {
     pub after: String,
     pub interval: String,
     pub expected: String,
-    pub standing: &'static str,
+    pub standing: String,
     pub class: &'static str,
     pub words: String,
     pub source: String,
@@ -152,13 +152,7 @@ pub(crate) fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs
             expected: one
                 .expected
                 .map_or("–".to_owned(), |[low, high]| format!("{} to {} {}", digits(low), digits(high), one.unit)),
-            standing: match one.standing {
-                Standing::AsExpected => "as expected",
-                Standing::Lower => "lower than expected",
-                Standing::Higher => "higher than expected",
-                Standing::Untold => "not told by the records",
-                Standing::NothingExpected => "nothing expected",
-            },
+            standing: one.standing.word().replace('-', " "),
             class: match one.standing {
                 Standing::AsExpected => "met",
                 Standing::Lower => "broken",

@@ -67,7 +67,7 @@ pub fn changed_for(own: &Rule, base: &Rule, models: &[&str]) -> Vec<ChangedFacto
     for ((name, factor), (_, of_base)) in own.listed().into_iter().zip(base.listed()) {
         put(&mut list, name, of_base.value, factor.value, &factor.source.text);
         let [library, file] = [of_base, factor].map(|factor| factor.source.confidence);
-        if factor.value == of_base.value && surer(file) < surer(library) {
+        if factor.value == of_base.value && file < library {
             let words = |confidence: Confidence| format!("{} ({})", factor.value, confidence.word());
             told(&mut list, name, &words(library), &words(file), &factor.source.text);
         }
@@ -134,16 +134,6 @@ pub fn changed_by_vehicles(rule: &Rule, model: &str, acting: &Acting) -> Vec<Cha
     let name = format!("impact on {model}");
     told(&mut list, &name, &motion(impact), &motion(Some(&acting.impact)), &from(&acting.impact));
     list
-}
-
-/// How sure a number is: 0 is surest.
-fn surer(confidence: Confidence) -> u8 {
-    match confidence {
-        Confidence::Read => 0,
-        Confidence::Calculated => 1,
-        Confidence::Recalled => 2,
-        Confidence::Assumed => 3,
-    }
 }
 
 /// The largest width of a strip; without limit where the rule has none.

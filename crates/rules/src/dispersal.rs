@@ -1,43 +1,34 @@
 //! How far a wheel's or sleeper's load has spread at a depth below the surface.
 
 use crate::Source;
-use serde::{Deserialize, Serialize};
+use crate::shape::{table, words};
 
-/// Length and width over which an axle's load has spread at a depth: a base, plus so much of the depth.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Dispersal {
-    /// Length along the bridge at the surface [m].
-    pub length_base_m: f64,
-    /// Growth of the length with depth, both sides together.
-    pub length_per_depth: f64,
-    /// Added to the distance between the wheels of an axle at the surface [m].
-    pub width_base_m: f64,
-    /// Growth of the width with depth, both sides together.
-    pub width_per_depth: f64,
-    /// Whether the widths above are those of one rail's or wheel line's strip, in place of the axle's: two strips then stand
-    /// beside one another, each at most so wide [m].
-    #[serde(default)]
-    pub strip_at_most_m: Option<f64>,
-    /// Depth of cover above the crown from which on loads spread through it; above a shallower one they keep their base [m].
-    #[serde(default)]
-    pub least_depth_m: f64,
-    /// How the pressure is shared out over the length.
-    pub pressure: Pressure,
-    /// Where it is from.
-    pub source: Source,
+table! {
+    /// Length and width over which an axle's load has spread at a depth: a base, plus so much of the depth.
+    pub struct Dispersal = "dispersal" {
+        must length_base_m: f64, "length along the bridge at the surface [m]";
+        must length_per_depth: f64, "its growth with depth, both sides together";
+        must width_base_m: f64, "added to the distance of the wheels at the surface [m]; with strip_at_most_m the strip of one rail";
+        must width_per_depth: f64, "its growth with depth, both sides together";
+        /// Two strips then stand beside one another.
+        may strip_at_most_m: Option<f64>, "widths are those of one rail's or wheel line's strip, each at most so wide [m]";
+        may[default] least_depth_m: f64,
+            "depth of cover at the crown from which on loads spread through it; above a shallower one they do not [m]";
+        must pressure: Pressure, "how it is shared out over the length";
+        must source: Source, "where it is from";
+    }
 }
 
-/// How pressure is shared out over a dispersed length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Pressure {
-    /// Alike everywhere.
-    Uniform,
-    /// At the ends inversely proportional to their depth, linear in between.
-    InverseDepth,
-    /// As Boussinesq's strip, cut off at the slope.
-    Boussinesq,
+words! {
+    /// How pressure is shared out over a dispersed length.
+    pub enum Pressure {
+        /// Alike everywhere.
+        Uniform = "uniform",
+        /// At the ends inversely proportional to their depth, linear in between.
+        InverseDepth = "inverse-depth",
+        /// As Boussinesq's strip, cut off at the slope.
+        Boussinesq = "boussinesq",
+    }
 }
 
 impl Dispersal {

@@ -1,16 +1,14 @@
 //! One factor with its source.
 
+use crate::shape::table;
 use crate::{Confidence, Source};
-use serde::{Deserialize, Serialize};
 
-/// A factor. A factor of 1 is written down like any other, with the reason why it is 1.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Factor {
-    /// Its value.
-    pub value: f64,
-    /// Where it is from.
-    pub source: Source,
+table! {
+    /// A factor. A factor of 1 is written down like any other, with the reason why it is 1.
+    pub struct Factor = "factor" {
+        must value: f64, "the factor; 1 is written down like any other";
+        must source: Source, "where it is from";
+    }
 }
 
 impl Factor {

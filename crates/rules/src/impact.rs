@@ -1,93 +1,67 @@
 //! Dynamic effects of moving loads.
 
+use crate::shape::{forms, table};
 use crate::{Factor, Source};
-use serde::{Deserialize, Serialize};
 
-/// By what a load at rest is increased because it moves.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Impact {
-    /// A coefficient of dynamic augment that falls with the loaded length: `base + numerator / (addend + L)`, at most `most`.
-    Augment {
-        /// The part that does not depend on the length.
-        base: f64,
-        /// See above [m].
-        numerator_m: f64,
-        /// See above [m].
-        addend_m: f64,
-        /// Largest coefficient.
-        most: f64,
-        /// How fill reduces it, where it does.
-        fill: Option<FillReduction>,
-        /// Where it is from.
-        source: Source,
-    },
-    /// One factor on all axles.
-    AllAxles {
-        /// The factor.
-        factor: Factor,
-        /// How fill reduces what it adds, where it does.
-        #[serde(default)]
-        fill: Option<FillReduction>,
-    },
-    /// A factor that falls with the root of the determinant length: `numerator / (sqrt(share L) - subtrahend) + constant`,
-    /// between `least` and `most`.
-    Root {
-        /// See above [m^0.5].
-        numerator: f64,
-        /// See above [m^0.5].
-        subtrahend: f64,
-        /// See above.
-        constant: f64,
-        /// Determinant length over the span.
-        share: f64,
-        /// Smallest factor.
-        least: f64,
-        /// Largest factor.
-        most: f64,
-        /// How cover reduces it, where it does.
-        #[serde(default)]
-        cover: Option<CoverReduction>,
-        /// Where it is from.
-        source: Source,
-    },
-    /// The loads of the model contain what motion adds: nothing comes on top.
-    Included {
-        /// Where that is said.
-        source: Source,
-    },
-    /// A factor on the one axle where it does most harm; 1 on the others.
-    CriticalAxle {
-        /// The factor.
-        factor: Factor,
-    },
+forms! {
+    /// By what a load at rest is increased because it moves.
+    pub enum Impact {
+        /// The loads of the model contain what motion adds: nothing comes on top.
+        Included = "included" {
+            must source: Source, "where it is said that the loads contain what motion adds";
+        }
+        /// One factor on all axles.
+        AllAxles = "all-axles" {
+            must factor: Factor, "factor on every axle";
+            may fill: Option<FillReduction>, "how fill lessens what it adds";
+        }
+        /// A factor on the one axle where it does most harm; 1 on the others.
+        CriticalAxle = "critical-axle" {
+            must factor: Factor, "factor on the one axle where it harms most; 1 on the others";
+        }
+        /// A coefficient of dynamic augment that falls with the loaded length: `base + numerator / (addend + L)`, at most `most`.
+        Augment = "augment" {
+            must base: f64, "coefficient base + numerator_m / (addend_m + L) over the loaded span L";
+            must numerator_m: f64, "see base [m]";
+            must addend_m: f64, "see base [m]";
+            must most: f64, "largest coefficient";
+            may fill: Option<FillReduction>, "how fill lessens it";
+            must source: Source, "where it is from";
+        }
+        /// A factor that falls with the root of the determinant length: `numerator / (sqrt(share L) - subtrahend) + constant`,
+        /// between `least` and `most`.
+        Root = "root" {
+            /// It is in m^0.5, and so is the subtrahend.
+            must numerator: f64, "factor numerator / (sqrt(share L) - subtrahend) + constant over the loaded span L";
+            must subtrahend: f64, "see numerator";
+            must constant: f64, "see numerator";
+            must share: f64, "determinant length over the span";
+            must least: f64, "smallest factor";
+            must most: f64, "largest factor";
+            may cover: Option<CoverReduction>, "how cover lessens it";
+            must source: Source, "where it is from";
+        }
+    }
 }
 
-/// How fill above the crown reduces dynamic effects: `(1 - (1 - share) d / d1)` down to the depth `d1`, then linear to zero
-/// over `vanishing` more.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct FillReduction {
-    /// Depth `d1` [m].
-    pub depth_m: f64,
-    /// What is left at that depth.
-    pub share: f64,
-    /// Depth below `d1` at which nothing is left [m].
-    pub vanishing_m: f64,
-    /// Where it is from.
-    pub source: Source,
+table! {
+    /// How fill above the crown reduces dynamic effects: `(1 - (1 - share) d / d1)` down to the depth `d1`, then linear to zero
+    /// over `vanishing` more.
+    pub struct FillReduction = "fill" {
+        must depth_m: f64, "depth of fill down to which the share falls linearly from 1 [m]";
+        must share: f64, "what is left of the dynamic effect there";
+        must vanishing_m: f64, "further depth at which nothing is left [m]";
+        must source: Source, "where it is from";
+    }
 }
 
-/// How deep cover reduces a dynamic factor: by so much a metre below a depth, never under 1.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct CoverReduction {
-    /// Depth from which on it reduces [m].
-    pub from_m: f64,
-    /// What it takes off for every metre below [1/m].
-    pub per_m: f64,
-    /// Where it is from.
-    pub source: Source,
+table! {
+    /// How deep cover reduces a dynamic factor: by so much a metre below a depth, never under 1.
+    pub struct CoverReduction = "cover" {
+        must from_m: f64, "depth from which on cover lessens the factor [m]";
+        must per_m: f64, "what it takes off for every metre below; the factor stays 1 at least";
+        must source: Source, "where it is from";
+    }
 }
 
 impl FillReduction {
@@ -149,19 +123,14 @@ impl Impact {
 
     /// Where it is from: every source of it.
     pub fn sources(&self) -> Vec<&Source> {
-        match self {
-            Impact::Augment { source, fill, .. } => {
-                std::iter::once(source).chain(fill.as_ref().map(|fill| &fill.source)).collect()
-            }
-            Impact::AllAxles { factor, fill } => {
-                std::iter::once(&factor.source).chain(fill.as_ref().map(|fill| &fill.source)).collect()
-            }
-            Impact::CriticalAxle { factor } => vec![&factor.source],
-            Impact::Root { source, cover, .. } => {
-                std::iter::once(source).chain(cover.as_ref().map(|cover| &cover.source)).collect()
-            }
-            Impact::Included { source } => vec![source],
-        }
+        let (first, more) = match self {
+            Impact::Augment { source, fill, .. } => (source, fill.as_ref().map(|fill| &fill.source)),
+            Impact::AllAxles { factor, fill } => (&factor.source, fill.as_ref().map(|fill| &fill.source)),
+            Impact::Root { source, cover, .. } => (source, cover.as_ref().map(|cover| &cover.source)),
+            Impact::CriticalAxle { factor } => (&factor.source, None),
+            Impact::Included { source } => (source, None),
+        };
+        std::iter::once(first).chain(more).collect()
     }
 
     /// In a few words: "coefficient of dynamic augment", "1.8 on the critical axle".

@@ -3,7 +3,7 @@
 use crate::plausible::{self, Range};
 use crate::shape::Shape;
 use crate::walk::{differences, line_of};
-use crate::{Confidence, Extent, Factor, Impact, LoadModel, Published, Rule, Source, Spacing, Vehicle};
+use crate::{Confidence, EffectiveWidth, Extent, Factor, Impact, LoadModel, Published, Rule, Source, Spacing, Vehicle};
 use serde::de::DeserializeOwned;
 use std::fmt;
 
@@ -42,7 +42,7 @@ const MOST_PATTERNS: usize = 1000;
 /// # Errors
 /// All that is wrong with the file.
 pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>> {
-    let model: LoadModel = parse(file, text, &crate::shape::LOAD_MODEL)?;
+    let model: LoadModel = parse(file, text, LoadModel::SHAPE)?;
     let mut found = Complaints { file, text, problems: Vec::new() };
     found.source("source", &model.source);
     found.need(!model.code.is_empty(), "code", "give the load model a name, as \"my-vehicle\"");
@@ -96,7 +96,7 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
 /// # Errors
 /// All that is wrong with the file.
 pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
-    let rule: Rule = parse(file, text, &crate::shape::RULE)?;
+    let rule: Rule = parse(file, text, Rule::SHAPE)?;
     let mut found = Complaints { file, text, problems: Vec::new() };
     found.source("source", &rule.source);
     found.need(!rule.code.is_empty(), "code", "give the rule a name, as \"my-rule\"");
@@ -155,14 +155,12 @@ pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
         "loads",
         "say what the rule is made for: [[loads]] with models and impact, or a general [impact]",
     );
-    match &rule.effective_width {
-        crate::EffectiveWidth::Fixed { width_m, source } => {
-            found.source("effective_width.source", source);
-            found.need(*width_m > 0.0 && width_m.is_finite(), "effective_width.width_m", "the width is positive");
-        }
-        crate::EffectiveWidth::Dispersed { source } | crate::EffectiveWidth::Barrel { source } => {
-            found.source("effective_width.source", source);
-        }
+    let (EffectiveWidth::Dispersed { source }
+    | EffectiveWidth::Barrel { source }
+    | EffectiveWidth::Fixed { source, .. }) = &rule.effective_width;
+    found.source("effective_width.source", source);
+    if let EffectiveWidth::Fixed { width_m, .. } = &rule.effective_width {
+        found.need(*width_m > 0.0 && width_m.is_finite(), "effective_width.width_m", "the width is positive");
     }
     found.done(rule)
 }
@@ -247,12 +245,7 @@ impl Complaints<'_> {
                 "base, numerator_m, addend_m and most are numbers of 0 or more, and addend_m is positive",
                 fill.as_ref(),
             ),
-            Impact::AllAxles { factor, fill } => {
-                (factor.value > 0.0 && factor.value.is_finite(), "a factor is a positive number", fill.as_ref())
-            }
-            Impact::CriticalAxle { factor } => {
-                (factor.value > 0.0 && factor.value.is_finite(), "a factor is a positive number", None)
-            }
+            Impact::AllAxles { fill, .. } => (true, "", fill.as_ref()),
             Impact::Root { numerator, subtrahend, constant, share, least, most, cover, .. } => (
                 numbers(&[*numerator, *subtrahend, *constant, *share, *least, *most])
                     && *share > 0.0
@@ -261,7 +254,7 @@ impl Complaints<'_> {
                 "numbers are 0 or more, share is positive, and least is not above most",
                 None,
             ),
-            Impact::Included { .. } => (true, "", None),
+            Impact::CriticalAxle { .. } | Impact::Included { .. } => (true, "", None),
         };
         self.need(possible, at, said);
         self.need(
@@ -321,8 +314,8 @@ impl Complaints<'_> {
             &format!("{n} axles have {} distances, this vehicle has {}", n.max(1) - 1, vehicle.spacings_m.len()),
         );
         let possible = |s: &Spacing| match *s {
-            Spacing::Fixed(d) => d > 0.0 && d.is_finite(),
-            Spacing::Range { from, to, step } => from > 0.0 && to >= from && to.is_finite() && step > 0.0,
+            Spacing::Fixed(_) => true,
+            Spacing::Range { from, to, step } => to >= from && step > 0.0,
         };
         let all = vehicle.spacings_m.iter().all(possible);
         self.need(all, &key("spacings_m"), "a distance is a positive number, or { from = 6.0, to = 26.0, step = 5.0 }");
@@ -367,16 +360,6 @@ impl Complaints<'_> {
                 "give a positive length_m with place = \"part\", and with no other place",
             );
         }
-        self.need(
-            vehicle.wheel_track_m >= 0.0 && vehicle.wheel_track_m.is_finite(),
-            &key("wheel_track_m"),
-            "the distance between the wheels of an axle is 0 or more",
-        );
-        self.need(
-            vehicle.contact_length_m > 0.0 && vehicle.contact_length_m.is_finite(),
-            &key("contact_length_m"),
-            "the length of a footprint is positive, as 0.30",
-        );
         self.need((1..=10).contains(&vehicle.lanes), &key("lanes"), "a vehicle occupies 1 lane or a few");
         if let Some(source) = &vehicle.source {
             self.source(&key("source"), source);

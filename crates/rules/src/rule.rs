@@ -1,126 +1,82 @@
 //! A rule of assessment: every factor between a vehicle's axle and the number that is compared with a limit.
 
+use crate::shape::{forms, table, words};
 use crate::{Dispersal, Factor, Impact, LoadModel, Source, Ways};
 use serde::{Deserialize, Serialize};
 
-/// A rule of assessment.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rule {
-    /// Its name in bridge files: `cs-454`.
-    pub code: String,
-    /// Its name in reports.
-    pub title: String,
-    /// For what it is made.
-    pub ways: Vec<Ways>,
-    /// Where it is from.
-    pub source: Source,
-    /// How loads spread.
-    pub dispersal: Dispersal,
-    /// Which width of the barrel carries an axle.
-    pub effective_width: EffectiveWidth,
-    /// What motion adds to the loads of every model that `loads` does not name. A rule without it refuses those models.
-    #[serde(default)]
-    pub impact: Option<Impact>,
-    /// The load models that the rule is made for, with the factors of each.
-    #[serde(default)]
-    pub loads: Vec<Loads>,
-    /// Partial factors.
-    pub factors: Factors,
-    /// The rule of the library that an engineer's own rule builds on, by its code; empty where its file names none.
-    #[serde(default)]
-    pub based_on: String,
-    /// What must be given before something is adequate by the rule.
-    #[serde(default)]
-    pub requires: Vec<Requirement>,
-}
-
-/// Something that must be given before a bridge is adequate by a rule.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Requirement {
-    /// What.
-    pub what: Required,
-    /// Where the rule asks for it.
-    pub source: Source,
-}
-
-/// What a rule may ask for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Required {
-    /// Braking and traction, be it 0 with a reason.
-    Braking,
-    /// The compressive strength of the masonry.
-    Strength,
-    /// Loads that spread as the rule says.
-    Dispersal,
-    /// The angle of skew.
-    Skew,
-}
-
-impl Required {
-    /// The word in files and results.
-    pub fn word(self) -> &'static str {
-        match self {
-            Required::Braking => "braking",
-            Required::Strength => "strength",
-            Required::Dispersal => "dispersal",
-            Required::Skew => "skew",
-        }
+table! {
+    /// A rule of assessment.
+    pub struct Rule = "a file of a rule" {
+        must code: String, "name of the rule";
+        must title: String, "its name in reports";
+        must ways: Vec<Ways>, "for what it is made";
+        must source: Source, "where it is from";
+        must dispersal: Dispersal, "how loads spread";
+        must effective_width: EffectiveWidth, "which width of the barrel carries an axle";
+        may impact: Option<Impact>, "what motion adds to loads of models that [[loads]] does not name; without it they are refused";
+        may[default] loads: Vec<Loads>, "load models that the rule is made for, with the factors of each";
+        must factors: Factors, "partial factors";
+        may[default] based_on: String,
+            "code of the rule of the library that it builds on: factors that differ from it stand beside a verdict; the nearest rule where not written";
+        may[default] requires: Vec<Requirement>, "what must be given before a bridge is adequate by the rule";
     }
 }
 
-/// Load models that a rule is made for, and what it does with their loads.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Loads {
-    /// Codes of load models.
-    pub models: Vec<String>,
-    /// Factor on their loads; the rule's own where none is given.
-    #[serde(default)]
-    pub live_load: Option<Factor>,
-    /// What motion adds to them.
-    pub impact: Impact,
-    /// Whether motion adds to uniform loads as well.
-    #[serde(default = "yes")]
-    pub impact_on_uniform: bool,
-    /// Factors of multiple presence: with one lane loaded, two, three; 1 for those that are not listed.
-    #[serde(default)]
-    pub presence: Vec<f64>,
-    /// How much heavier than their nominal loads axles may be.
-    #[serde(default)]
-    pub overload: Option<Overload>,
-    /// What stands in the lanes beside a vehicle of these models.
-    #[serde(default)]
-    pub beside: Option<Beside>,
-    /// What the rule asks of these loads and the program leaves out, in words.
-    #[serde(default)]
-    pub left_out: Vec<String>,
+table! {
+    /// Something that must be given before a bridge is adequate by a rule.
+    #[derive(Eq)]
+    pub struct Requirement = "requires" {
+        must what: Required, "what must be given before a bridge is adequate by the rule";
+        must source: Source, "where the rule asks for it";
+    }
 }
 
-/// How much heavier than their nominal loads axles may be: one factor on the axle where it harms most, one on the others.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Overload {
-    /// On the critical axle.
-    pub critical: f64,
-    /// On every other axle.
-    pub others: f64,
-    /// Where both are from.
-    pub source: Source,
+words! {
+    /// What a rule may ask for.
+    #[derive(PartialOrd, Ord)]
+    pub enum Required {
+        /// Braking and traction, be it 0 with a reason.
+        Braking = "braking",
+        /// The compressive strength of the masonry.
+        Strength = "strength",
+        /// Loads that spread as the rule says.
+        Dispersal = "dispersal",
+        /// The angle of skew.
+        Skew = "skew",
+    }
 }
 
-/// Normal traffic in the lanes beside an abnormal vehicle.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Beside {
-    /// Codes of load models or vehicles, the worst of which stands there with the rule's factors on it.
-    pub vehicles: Vec<String>,
-    /// Share of their factored loads.
-    pub share: f64,
-    /// Where that is from.
-    pub source: Source,
+table! {
+    /// Load models that a rule is made for, and what it does with their loads.
+    pub struct Loads = "loads" {
+        must models: Vec<String>, "codes of load models that the rule is made for";
+        may live_load: Option<Factor>, "factor on their loads; that of [factors] where it is not written";
+        must impact: Impact, "what motion adds to them";
+        may[default = "yes"] impact_on_uniform: bool, "whether motion adds to uniform loads as well; true where it is not written";
+        may[default] presence: Vec<f64>, "factors of multiple presence with one lane loaded, two, three; 1 where they are not written";
+        may overload: Option<Overload>, "how much heavier than their nominal loads axles may be";
+        may beside: Option<Beside>, "what stands in the lanes beside a vehicle of these models";
+        may[default] left_out: Vec<String>, "what the rule asks of these loads and the program leaves out: a verdict names it";
+    }
+}
+
+table! {
+    /// How much heavier than their nominal loads axles may be: one factor on the axle where it harms most, one on the others.
+    pub struct Overload = "overload" {
+        must critical: f64, "factor on the axle where it harms most";
+        must others: f64, "factor on every other axle";
+        must source: Source, "where both are from";
+    }
+}
+
+table! {
+    /// Normal traffic in the lanes beside an abnormal vehicle.
+    pub struct Beside = "beside" {
+        must vehicles: Vec<String>,
+            "codes of load models or vehicles, the worst of which stands there with the rule's factors on it";
+        must share: f64, "share of their factored loads";
+        must source: Source, "where that is from";
+    }
 }
 
 /// The default of flags that are usually set.
@@ -188,57 +144,40 @@ impl Acting {
     }
 }
 
-/// Partial factors. All must be given.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Factors {
-    /// On the weight of masonry where it is adverse.
-    pub masonry_weight: Factor,
-    /// On the weight of fill, backing and sub-base where it is adverse.
-    pub fill_weight: Factor,
-    /// On the weight of surfacing and ballast where it is adverse.
-    pub surfacing_weight: Factor,
-    /// On any weight where it helps.
-    pub weight_favourable: Factor,
-    /// On live loads.
-    pub live_load: Factor,
-    /// On the strength of masonry: it divides.
-    pub masonry_strength: Factor,
-    /// On the friction of joints: it divides the coefficient.
-    pub friction: Factor,
-    /// On the cohesion and the tensile strength of joints: it divides. The factor on the strength of masonry where none is
-    /// given.
-    #[serde(default)]
-    pub cohesion: Option<Factor>,
-    /// On the fill's horizontal pressure where it helps: it divides.
-    pub fill_pressure: Factor,
-    /// For the method of analysis: it divides the capacity.
-    pub model: Factor,
-    /// For the condition of the bridge: it multiplies the capacity. Inspection sets it.
-    pub condition: Factor,
+table! {
+    /// Partial factors.
+    pub struct Factors = "factors" {
+        must masonry_weight: Factor, "on the weight of masonry where it is adverse";
+        must fill_weight: Factor, "on the weight of fill, backing and sub-base where it is adverse";
+        must surfacing_weight: Factor, "on the weight of surfacing and ballast where it is adverse";
+        must weight_favourable: Factor, "on any weight where it helps";
+        must live_load: Factor, "on live loads";
+        must masonry_strength: Factor, "on the strength of masonry: it divides";
+        must friction: Factor, "on the friction of joints: it divides";
+        may cohesion: Option<Factor>, "on cohesion and tensile strength of joints: it divides; as masonry_strength where not written";
+        must fill_pressure: Factor, "on the fill's horizontal pressure: it divides";
+        must model: Factor, "for the method of analysis: it divides the capacity";
+        must condition: Factor, "for the condition of the bridge: it multiplies the capacity";
+    }
 }
 
-/// Which width of the barrel carries an axle.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum EffectiveWidth {
-    /// As wide as the load has spread at the crown's extrados, at most as the barrel.
-    Dispersed {
-        /// Where it is from.
-        source: Source,
-    },
-    /// The whole barrel.
-    Barrel {
-        /// Where it is from.
-        source: Source,
-    },
-    /// This width, at most the barrel.
-    Fixed {
-        /// Width [m].
-        width_m: f64,
-        /// Where it is from.
-        source: Source,
-    },
+forms! {
+    /// Which width of the barrel carries an axle.
+    pub enum EffectiveWidth {
+        /// As wide as the load has spread at the crown's extrados, at most as the barrel.
+        Dispersed = "dispersed" {
+            must source: Source, "as wide as the load has spread at the crown: where that is from";
+        }
+        /// The whole barrel.
+        Barrel = "barrel" {
+            must source: Source, "the whole barrel: where that is from";
+        }
+        /// This width, at most the barrel.
+        Fixed = "fixed" {
+            must width_m: f64, "width that carries an axle, at most the barrel [m]";
+            must source: Source, "where it is from";
+        }
+    }
 }
 
 impl Rule {
@@ -254,41 +193,36 @@ impl Rule {
     /// What the rule does with the loads of a model: as `loads` says, as the model's own file says, or by the rule's general
     /// impact. None where the rule is not made for the model.
     pub fn acting(&self, model: &LoadModel) -> Option<Acting> {
-        if let Some(loads) = self.loads.iter().find(|loads| loads.models.contains(&model.code)) {
-            return Some(Acting {
-                live_load: loads.live_load.clone().unwrap_or_else(|| self.factors.live_load.clone()),
-                impact: loads.impact.clone(),
-                impact_on_uniform: loads.impact_on_uniform,
-                presence: loads.presence.clone(),
-                overload: loads.overload.clone(),
-                beside: loads.beside.clone(),
-                left_out: loads.left_out.iter().chain(&model.left_out).cloned().collect(),
-                of_vehicle_file: false,
-            });
-        }
-        if let Some(under) = model.under.iter().find(|under| under.rule.eq_ignore_ascii_case(&self.code)) {
-            return Some(Acting {
-                live_load: under.live_load.clone(),
-                impact: under.impact.clone(),
-                impact_on_uniform: under.impact_on_uniform,
-                presence: under.presence.clone(),
-                overload: None,
-                beside: None,
-                left_out: model.left_out.clone(),
-                of_vehicle_file: true,
-            });
-        }
-        let general = self.impact.as_ref().filter(|_| self.ways.contains(&model.ways))?;
-        Some(Acting {
-            live_load: self.factors.live_load.clone(),
-            impact: general.clone(),
+        let plain = |live_load: &Factor, impact: &Impact| Acting {
+            live_load: live_load.clone(),
+            impact: impact.clone(),
             impact_on_uniform: true,
             presence: Vec::new(),
             overload: None,
             beside: None,
             left_out: model.left_out.clone(),
             of_vehicle_file: false,
-        })
+        };
+        let own = &self.factors.live_load;
+        if let Some(loads) = self.loads.iter().find(|loads| loads.models.contains(&model.code)) {
+            return Some(Acting {
+                impact_on_uniform: loads.impact_on_uniform,
+                presence: loads.presence.clone(),
+                overload: loads.overload.clone(),
+                beside: loads.beside.clone(),
+                left_out: loads.left_out.iter().chain(&model.left_out).cloned().collect(),
+                ..plain(loads.live_load.as_ref().unwrap_or(own), &loads.impact)
+            });
+        }
+        if let Some(under) = model.under.iter().find(|under| under.rule.eq_ignore_ascii_case(&self.code)) {
+            return Some(Acting {
+                impact_on_uniform: under.impact_on_uniform,
+                presence: under.presence.clone(),
+                of_vehicle_file: true,
+                ..plain(&under.live_load, &under.impact)
+            });
+        }
+        self.impact.as_ref().filter(|_| self.ways.contains(&model.ways)).map(|general| plain(own, general))
     }
 
     /// Codes of the load models that the rule is made for.

@@ -1,45 +1,30 @@
 //! Where a number is from, and how sure it is.
 
-use serde::{Deserialize, Serialize};
+use crate::shape::{table, words};
 
-/// Where numbers are from.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Source {
-    /// Document and clause or table.
-    pub text: String,
-    /// Its year or edition.
-    pub date: String,
-    /// How sure the number is.
-    pub confidence: Confidence,
-    /// What else a reader should know.
-    #[serde(default)]
-    pub note: String,
+table! {
+    /// Where numbers are from.
+    #[derive(Eq)]
+    pub struct Source = "source" {
+        must text: String, "document and clause or table";
+        must date: String, "its year or edition";
+        must confidence: Confidence, "how sure the number is";
+        may[default] note: String, "what else a reader should know";
+    }
 }
 
-/// How sure a number is, the surest first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Deserialize, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Confidence {
-    /// Read in the source.
-    Read,
-    /// Calculated from what was read.
-    Calculated,
-    /// From memory: confirm it in the source before a verdict rests on it.
-    Recalled,
-    /// Chosen, because no source gives it; the note says why.
-    #[default]
-    Assumed,
-}
-
-impl Confidence {
-    /// The word in files and reports.
-    pub fn word(self) -> &'static str {
-        match self {
-            Confidence::Read => "read",
-            Confidence::Calculated => "calculated",
-            Confidence::Recalled => "recalled",
-            Confidence::Assumed => "assumed",
-        }
+words! {
+    /// How sure a number is, the surest first.
+    #[derive(PartialOrd, Ord, Default)]
+    pub enum Confidence {
+        /// Read in the source.
+        Read = "read",
+        /// Calculated from what was read.
+        Calculated = "calculated",
+        /// From memory: confirm it in the source before a verdict rests on it.
+        Recalled = "recalled",
+        /// Chosen, because no source gives it; the note says why.
+        #[default]
+        Assumed = "assumed",
     }
 }

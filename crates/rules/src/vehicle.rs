@@ -2,47 +2,34 @@
 
 use crate::Source;
 use crate::pattern::{Axle, Pattern, Stretch};
+use crate::shape::{Kind, Listed, table, words};
 use serde::{Deserialize, Serialize};
 
-/// A vehicle as its standard describes it.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Vehicle {
-    /// The name in bridge files: `hb-45`.
-    pub code: String,
-    /// The name in reports.
-    pub title: String,
-    /// The grade that a bridge has which carries it, where its model has grades: `RA8`.
-    #[serde(default)]
-    pub grade: String,
-    /// Load of each axle [kN], from the first one back; none where the vehicle is uniform loads alone.
-    pub axle_loads_kn: Vec<f64>,
-    /// Distances between neighbouring axles [m]: one fewer than axles.
-    pub spacings_m: Vec<Spacing>,
-    /// Factors on the axles where some lift off, one list a case; the vehicle without lift-off is always tried as well.
-    #[serde(default)]
-    pub lift_off: Vec<Vec<f64>>,
-    /// Uniform loads that belong to the vehicle.
-    #[serde(default)]
-    pub uniform: Vec<Uniform>,
-    /// Whether an assessment may leave out axles whose weight helps: every run of neighbouring axles is then tried.
-    pub axles_may_be_dropped: bool,
-    /// Distance between the wheels, or rails, of an axle across the bridge [m].
-    pub wheel_track_m: f64,
-    /// Length of a wheel's or sleeper's footprint along the bridge [m].
-    pub contact_length_m: f64,
-    /// How many lanes it occupies.
-    #[serde(default = "one")]
-    pub lanes: usize,
-    /// Codes of vehicles that belong to the same level of loading: who carries this vehicle carries all of them.
-    #[serde(default)]
-    pub with: Vec<String>,
-    /// Those vehicles, as [`crate::Library::join_levels`] found them; their arrangements are among [`Vehicle::patterns`].
-    #[serde(skip)]
-    pub level: Vec<Vehicle>,
-    /// Where this vehicle is from, if not from where its file is.
-    #[serde(default)]
-    pub source: Option<Source>,
+table! {
+    /// A vehicle as its standard describes it.
+    pub struct Vehicle = "vehicle" {
+        must code: String, "its name in bridge files";
+        must title: String, "its name in reports";
+        may[default] grade: String, "the grade of a bridge that carries it, where the file has `grades`";
+        must axle_loads_kn: Vec<f64>, "load of each axle, from the first one back [kN]; [] where the vehicle is uniform loads alone";
+        must spacings_m: Vec<Spacing>,
+            "distances between neighbouring axles, one fewer than axles [m]; a range is { from, to, step }";
+        /// The vehicle without lift-off is always tried as well.
+        may[default] lift_off: Vec<Vec<f64>>, "factors on the axles where some lift off, one list a case";
+        may[default] uniform: Vec<Uniform>, "uniform loads that belong to it";
+        /// Every run of neighbouring axles is then tried.
+        must axles_may_be_dropped: bool, "whether axles that help may be left out";
+        must wheel_track_m: f64, "distance between the wheels of an axle across the bridge [m]";
+        must contact_length_m: f64, "length of a wheel's or sleeper's footprint along the bridge [m]";
+        may[default = "one"] lanes: usize, "how many lanes it occupies; 1 where not written";
+        may[default] with: Vec<String>,
+            "codes of vehicles that belong to the same level of loading: a bridge that carries this one carries all of them";
+        may source: Option<Source>, "where it is from, if not from where the file is";
+    } and {
+        /// The vehicles of `with`, as [`crate::Library::join_levels`] found them; their arrangements are among [`Vehicle::patterns`].
+        #[serde(skip)]
+        pub level: Vec<Vehicle>,
+    }
 }
 
 /// The default of numbers of lanes.
@@ -67,40 +54,36 @@ pub enum Spacing {
     },
 }
 
-/// A uniform load that moves with the vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Uniform {
-    /// Load along the bridge [kN/m].
-    pub load_kn_per_m: f64,
-    /// Where it stands.
-    pub place: Extent,
-    /// From the outermost axle to where it begins [m]; for `part` from the first axle, or the front where there is no axle, back;
-    /// not for `everywhere`.
-    #[serde(default)]
-    pub gap_m: f64,
-    /// Its length, for `part` alone [m].
-    #[serde(default)]
-    pub length_m: Option<f64>,
-    /// Whether it may be left out where it helps.
-    pub may_be_dropped: bool,
-    /// Width over which it stands across the bridge [m]; as an axle where none is given.
-    #[serde(default)]
-    pub width_m: Option<f64>,
+impl Listed for Spacing {
+    const LIST: Kind = Kind::Spacings;
 }
 
-/// Where a uniform load stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Extent {
-    /// Before the first axle.
-    Ahead,
-    /// Behind the last axle.
-    Behind,
-    /// Along the whole bridge, under the axles too.
-    Everywhere,
-    /// A part of the vehicle, of a length of its own.
-    Part,
+table! {
+    /// A uniform load that moves with the vehicle.
+    #[derive(Copy)]
+    pub struct Uniform = "uniform" {
+        must load_kn_per_m: f64, "load along the bridge [kN/m]";
+        must place: Extent, "where it stands";
+        may[default] gap_m: f64,
+            "from the outermost axle to where it begins [m]; for a part from the first axle, or the front where there is no axle, back";
+        may length_m: Option<f64>, "length of a part [m]; for `place = \"part\"` alone, and needed there";
+        must may_be_dropped: bool, "whether it may be left out where it helps";
+        may width_m: Option<f64>, "width over which it stands across the bridge [m]; as an axle where it is not written";
+    }
+}
+
+words! {
+    /// Where a uniform load stands.
+    pub enum Extent {
+        /// Before the first axle.
+        Ahead = "ahead",
+        /// Behind the last axle.
+        Behind = "behind",
+        /// Along the whole bridge, under the axles too.
+        Everywhere = "everywhere",
+        /// A part of the vehicle, of a length of its own.
+        Part = "part",
+    }
 }
 
 impl Spacing {

@@ -70,12 +70,10 @@ fn wagons_and_trucks_weigh_what_they_are_called() {
 fn published_numbers_that_no_vehicle_gives_are_still_read() {
     let library = library().unwrap();
     let model = library.model("25t-2008").unwrap();
-    assert_eq!(model.published(rules::PublishedQuantity::EudlBending, 12.0), Some(1377.32));
-    let between = model.published(rules::PublishedQuantity::EudlBending, 11.0).unwrap();
-    assert_eq!(between, 1282.66);
-    let between = model.published(rules::PublishedQuantity::EudlBending, 11.5).unwrap();
-    assert!((between - 0.5 * (1282.66 + 1377.32)).abs() < 1e-9);
-    assert_eq!(model.published(rules::PublishedQuantity::EudlBending, 20.0), None);
+    let of_bending = model.published.iter().filter(|table| table.quantity == rules::PublishedQuantity::EudlBending);
+    let rows: Vec<_> = of_bending.flat_map(|table| table.spans_m.iter().zip(&table.values)).collect();
+    let at = |span: f64| rows.iter().find(|row| *row.0 == span).map(|row| *row.1);
+    assert_eq!([at(12.0), at(11.0), at(20.0)], [Some(1377.32), Some(1282.66), None]);
 }
 
 #[test]
@@ -346,6 +344,6 @@ fn the_list_of_keys_is_what_the_reader_takes() {
     let example = page.split("```toml\n").nth(2).unwrap().split("```").next().unwrap();
     let lorry = read_load_model("our-lorry.toml", example).unwrap();
     assert_eq!(library().unwrap().rule("cs-454").unwrap().acting(&lorry).unwrap().axle_factors(5.0, 0.5), [1.9, 1.8]);
-    look(&rules::shape::LOAD_MODEL, page);
-    look(&rules::shape::RULE, page);
+    look(rules::LoadModel::SHAPE, page);
+    look(rules::Rule::SHAPE, page);
 }

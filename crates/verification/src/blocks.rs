@@ -103,36 +103,23 @@ struct Force {
 }
 
 #[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields)]
 struct Analysis {
     method: String,
-    #[serde(default = "associated")]
-    friction: String,
-    #[serde(default, rename = "full_face")]
+    /// "associated" unless given.
+    friction: Option<String>,
+    #[serde(default)]
     full_face: bool,
     increment: Option<f64>,
     limit: Option<f64>,
     resolution: Option<f64>,
-    #[serde(default = "damping", rename = "local_damping")]
-    local_damping: f64,
-    #[serde(default = "tolerance")]
-    tolerance: f64,
-    #[serde(default = "steps", rename = "step_limit")]
-    step_limit: u64,
+    /// 0.7 unless given.
+    local_damping: Option<f64>,
+    /// 1e-5 unless given.
+    tolerance: Option<f64>,
+    /// Two million unless given.
+    step_limit: Option<u64>,
     watched: Option<usize>,
-}
-
-fn associated() -> String {
-    "associated".into()
-}
-fn damping() -> f64 {
-    0.7
-}
-fn tolerance() -> f64 {
-    1e-5
-}
-fn steps() -> u64 {
-    2_000_000
 }
 
 impl Blocks {
@@ -240,7 +227,7 @@ impl Blocks {
 
     fn limit(&self, model: &BlockModel, loading: &Loading) -> Result<serde_json::Value, String> {
         let settings = limit::Settings {
-            friction: match self.analysis.friction.as_str() {
+            friction: match self.analysis.friction.as_deref().unwrap_or("associated") {
                 "associated" => limit::Friction::Associated,
                 "non-associated" => limit::Friction::NonAssociated,
                 "automatic" => limit::Friction::Automatic,
@@ -290,10 +277,10 @@ impl Blocks {
             watched: (block, model.blocks[block].outline.centroid()),
         };
         let settings = dem::Settings {
-            damping: dem::Damping::Local(a.local_damping),
+            damping: dem::Damping::Local(a.local_damping.unwrap_or(0.7)),
             contact_length: dem::ContactLength::Fixed,
-            tolerance: a.tolerance,
-            step_limit: a.step_limit,
+            tolerance: a.tolerance.unwrap_or(1e-5),
+            step_limit: a.step_limit.unwrap_or(2_000_000),
             time_step_factor: 0.8,
             scaled_inertia: false,
         };

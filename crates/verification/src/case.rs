@@ -89,31 +89,12 @@ pub struct Expect {
 /// Changes to an input: dotted keys with their new value.
 pub(crate) type Changes = BTreeMap<String, toml::Value>;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    title: String,
-    kind: Kind,
-    source: String,
-    class: Class,
-    status: Standing,
-    reason: Option<String>,
-    input: Option<String>,
-    run: Option<Analysis>,
-    #[serde(default)]
-    set: Changes,
-    twin: Option<Changes>,
-    expect: Vec<Expect>,
-    #[serde(default)]
-    errata: Vec<String>,
-    bite: Option<Changes>,
-    against: Option<Changes>,
-}
-
 /// A case, ready to run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Case {
     /// Family and case: the last two folder names.
+    #[serde(skip)]
     pub name: String,
     /// What it shows.
     pub title: String,
@@ -123,23 +104,36 @@ pub struct Case {
     pub source: String,
     /// How long it takes.
     pub class: Class,
+    status: Standing,
     /// Why it does not hold yet; `None` where it holds.
+    #[serde(rename = "reason")]
     pub open: Option<String>,
+    /// Path of the input.
+    #[serde(default)]
+    pub input: PathBuf,
+    /// What the input is put through, where it is not what its sections say.
+    pub run: Option<Analysis>,
+    #[serde(default)]
+    set: Changes,
+    #[serde(rename = "twin")]
+    set_twin: Option<Changes>,
+    /// The bridge whose passage is the record of an update.
+    #[serde(skip)]
+    pub twin: Option<toml::Table>,
     /// What is expected.
     pub expect: Vec<Expect>,
     /// What the source says that cannot be right, and what is used.
+    #[serde(default)]
     pub errata: Vec<String>,
     /// A change that must break at least one expectation.
     pub bite: Option<Changes>,
+    #[serde(rename = "against")]
+    set_against: Option<Changes>,
     /// The input of another run with which the result is compared.
+    #[serde(skip)]
     pub against: Option<toml::Table>,
-    /// What the input is put through, where it is not what its sections say.
-    pub run: Option<Analysis>,
-    /// The bridge whose passage is the record of an update.
-    pub twin: Option<toml::Table>,
-    /// Path of the input.
-    pub input: PathBuf,
     /// The input after the case's own changes.
+    #[serde(skip)]
     pub document: toml::Table,
 }
 
@@ -162,31 +156,31 @@ impl Case {
         let path = folder.join("case.toml");
         let wrong = |path: &Path, reason: String| CaseError { path: path.display().to_string(), reason };
         let load = |path: &Path| crate::read_text(path).map_err(|e| wrong(path, e.to_string()));
-        let file: File = toml::from_str(&load(&path)?).map_err(|e| wrong(&path, e.to_string()))?;
-        if let Some(bad) = file.expect.iter().find(|e| !e.is_complete()) {
+        let mut case: Case = toml::from_str(&load(&path)?).map_err(|e| wrong(&path, e.to_string()))?;
+        if let Some(bad) = case.expect.iter().find(|e| !e.is_complete()) {
             let reason = format!("{}: give a number with a tolerance, a word, or a bound", bad.quantity);
             return Err(wrong(&path, reason));
         }
-        let open = match (file.status, file.reason) {
-            (Standing::Open, None) => return Err(wrong(&path, "an open case gives its reason".into())),
-            (Standing::Open, reason) => reason,
-            (Standing::Holds, _) => None,
-        };
-        if file.class == Class::Quick && file.bite.is_none() {
+        match case.status {
+            Standing::Open if case.open.is_none() => return Err(wrong(&path, "an open case gives its reason".into())),
+            Standing::Open => {}
+            Standing::Holds => case.open = None,
+        }
+        if case.class == Class::Quick && case.bite.is_none() {
             return Err(wrong(&path, "a quick case has a [bite]: a change that must make it fail".into()));
         }
-        let input = match &file.input {
-            Some(name) => folder.join(name),
-            None => ["bridge.toml", "blocks.toml"]
+        case.input = match case.input.as_os_str().is_empty() {
+            false => folder.join(&case.input),
+            true => ["bridge.toml", "blocks.toml"]
                 .map(|n| folder.join(n))
                 .into_iter()
                 .find(|p| p.is_file())
                 .ok_or_else(|| wrong(&path, "there is neither bridge.toml nor blocks.toml beside it".into()))?,
         };
         let mut document: toml::Table =
-            load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
-        change(&mut document, &file.set).map_err(|reason| wrong(&path, reason))?;
-        locate(&mut document, &input);
+            load(&case.input)?.parse().map_err(|e: toml::de::Error| wrong(&case.input, e.to_string()))?;
+        change(&mut document, &case.set).map_err(|reason| wrong(&path, reason))?;
+        locate(&mut document, &case.input);
         let changed = |changes: &Option<Changes>, what: &str| {
             let apply = |changes: &Changes| {
                 let mut other = document.clone();
@@ -194,28 +188,14 @@ impl Case {
             };
             changes.as_ref().map(apply).transpose()
         };
-        let (against, twin) = (changed(&file.against, "against")?, changed(&file.twin, "twin")?);
-        if twin.is_some() && file.run != Some(Analysis::Update) {
+        (case.against, case.twin) = (changed(&case.set_against, "against")?, changed(&case.set_twin, "twin")?);
+        if case.twin.is_some() && case.run != Some(Analysis::Update) {
             return Err(wrong(&path, "a [twin] is the record of a case with run = \"update\"".into()));
         }
         let part = |p: Option<&Path>| p.and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
-        let name = [part(folder.parent()), part(Some(folder))].into_iter().flatten().collect::<Vec<_>>().join("/");
-        Ok(Case {
-            name,
-            title: file.title,
-            kind: file.kind,
-            source: file.source,
-            class: file.class,
-            open,
-            expect: file.expect,
-            errata: file.errata,
-            bite: file.bite,
-            against,
-            run: file.run,
-            twin,
-            input,
-            document,
-        })
+        case.name = [part(folder.parent()), part(Some(folder))].into_iter().flatten().collect::<Vec<_>>().join("/");
+        case.document = document;
+        Ok(case)
     }
 }
 

@@ -11,6 +11,7 @@ mod case;
 pub mod disks;
 pub mod footing;
 mod judge;
+pub mod kernels;
 mod manual;
 mod measure;
 mod service;

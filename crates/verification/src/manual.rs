@@ -2,7 +2,6 @@
 
 use super::case::{Expect, Kind, Value};
 use super::judge::{Judged, Judgement, Verdict};
-use std::fmt::Write;
 
 fn heading(kind: Kind) -> &'static str {
     match kind {
@@ -53,15 +52,13 @@ pub fn table(judged: &[Judged]) -> String {
     let mut text = String::new();
     for j in judged {
         let word = j.verdict.word();
-        writeln!(text, "{:width$}  {word:18} {:7.2} s  {}", j.case.name, j.seconds, j.case.title)
-            .expect("a string takes it");
+        text += &format!("{:width$}  {word:18} {:7.2} s  {}\n", j.case.name, j.seconds, j.case.title);
         let unwell = !matches!(j.verdict, Verdict::Holds);
         for f in j.findings.iter().filter(|f| unwell && !f.met) {
-            writeln!(text, "{:width$}    {}: {} for {}", "", f.expect.quantity, shown(f), wanted(&f.expect))
-                .expect("a string takes it");
+            text += &format!("{:width$}    {}: {} for {}\n", "", f.expect.quantity, shown(f), wanted(&f.expect));
         }
         if let Verdict::Broken(reason) | Verdict::Open(reason) = &j.verdict {
-            writeln!(text, "{:width$}    {reason}", "").expect("a string takes it");
+            text += &format!("{:width$}    {reason}\n", "");
         }
     }
     text
@@ -79,7 +76,7 @@ pub fn manual(judged: &[Judged]) -> String {
     kinds.sort_unstable();
     kinds.dedup();
     for kind in kinds {
-        write!(text, "\n## {}\n", heading(kind)).expect("a string takes it");
+        text += &format!("\n## {}\n", heading(kind));
         for j in judged.iter().filter(|j| j.case.kind == kind) {
             case(&mut text, j);
         }
@@ -89,22 +86,21 @@ pub fn manual(judged: &[Judged]) -> String {
 
 fn case(text: &mut String, j: &Judged) {
     let c = &j.case;
-    write!(text, "\n### {}\n\n`{}`: **{}**. {}\n", c.title, c.name, j.verdict.word(), c.source)
-        .expect("a string takes it");
+    *text += &format!("\n### {}\n\n`{}`: **{}**. {}\n", c.title, c.name, j.verdict.word(), c.source);
     if let Verdict::Open(reason) | Verdict::Broken(reason) = &j.verdict {
-        write!(text, "\n{reason}\n").expect("a string takes it");
+        *text += &format!("\n{reason}\n");
     }
     text.push_str("\n| quantity | expected | found | | why this tolerance |\n|---|---|---|---|---|\n");
     for f in &j.findings {
         let mark = if f.met { "✓" } else { "✗" };
-        writeln!(text, "| {} | {} | {} | {mark} | {} |", f.expect.quantity, wanted(&f.expect), shown(f), f.expect.why)
-            .expect("a string takes it");
+        *text +=
+            &format!("| {} | {} | {} | {mark} | {} |\n", f.expect.quantity, wanted(&f.expect), shown(f), f.expect.why);
     }
     for erratum in &c.errata {
-        write!(text, "\nErratum: {erratum}\n").expect("a string takes it");
+        *text += &format!("\nErratum: {erratum}\n");
     }
     if let Some(bite) = &c.bite {
         let changes: Vec<String> = bite.iter().map(|(k, v)| format!("`{k}` = `{v}`")).collect();
-        write!(text, "\nBite: {}\n", changes.join(", ")).expect("a string takes it");
+        *text += &format!("\nBite: {}\n", changes.join(", "));
     }
 }

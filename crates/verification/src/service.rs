@@ -127,20 +127,19 @@ fn assessed(file: &File) -> Result<Json, String> {
             Err(error) => Stage::Failed(error.to_string()),
         },
     };
-    let not_asked = |what: &str| what.to_owned();
     let assessment = Evidence {
         doubts: Vec::new(),
         bridge,
         asked,
         statics: None,
         facts: Facts {
-            update: Stage::NotAsked(not_asked("a case of its own updates")),
+            update: Stage::NotAsked("a case of its own updates".to_owned()),
             service,
             ultimate,
             vehicles,
             cases: Stage::NotAsked(String::new()),
-            movement: Stage::NotAsked(not_asked("a case of its own moves supports")),
-            sensitivity: Stage::NotAsked(not_asked("cases look at values")),
+            movement: Stage::NotAsked("a case of its own moves supports".to_owned()),
+            sensitivity: Stage::NotAsked("cases look at values".to_owned()),
         },
     };
     let checked = checks::run(&assessment);

@@ -49,7 +49,7 @@ fn at_half(mut b: Bridge) -> Bridge {
 }
 
 fn by_fe(b: &Bridge) -> Collapse {
-    collapse_by(Method::Fe, b, None, &mut Unwatched).expect("it can be set up")
+    collapse_by(Method::Fe, b, &mut Unwatched).expect("it can be set up")
 }
 
 /// Intrados and extrados of every joint as built, from the left springing to the right, and a stone beside it.
@@ -129,7 +129,7 @@ fn all_three_meet_at_the_hinges() {
     let limit = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).expect("it can be set up");
     assert_eq!(hinged(&d, &limit), HINGES);
     // The file's own joints: a run of discrete elements to collapse.
-    let dem = collapse_by(Method::Dem, &ring(1.0, 2), None, &mut Unwatched).expect("it can be set up");
+    let dem = collapse_by(Method::Dem, &ring(1.0, 2), &mut Unwatched).expect("it can be set up");
     assert_eq!(hinged(&d, &dem), HINGES);
     let depth = b.spans[0].rings[0].crown_thickness;
     let (fe, rigid) = (heights(&d, &by_fe(&b)), heights(&d, &limit));
@@ -152,7 +152,7 @@ fn thrust_lines_agree_at_half_the_limit_load() {
     let b = at_half(ring(1.0, 2));
     let d = discretise(&b).expect("it can be cut");
     let fe = by_fe(&b);
-    let dem = collapse_by(Method::Dem, &b, None, &mut Unwatched).expect("it can be set up");
+    let dem = collapse_by(Method::Dem, &b, &mut Unwatched).expect("it can be set up");
     assert_eq!([fe.status, dem.status], [Status::StableToLastLoad; 2]);
     let (fe, dem) = (heights(&d, &fe), heights(&d, &dem));
     let settings = limit::Settings { contact_points: limit::ContactPoints::FullRing, ..limit::Settings::default() };
@@ -202,11 +202,9 @@ fn discrete_elements_of_stiff_joints_carry_the_same_along_the_path() {
         b.plan.contact = Some(JointContact::Distributed);
         (b.plan.tolerance, b.plan.step_limit) = (1e-4, 20_000_000);
         (b.plan.load_step, b.plan.resolution) = (Some(10e3), Some(200.0));
-        let path = collapse_by(Method::Path, &b, None, &mut Unwatched)
-            .expect("it can be set up")
-            .collapse_load
-            .expect("a load");
-        let found = collapse_by(Method::Dem, &b, None, &mut Unwatched).expect("it can be set up");
+        let path =
+            collapse_by(Method::Path, &b, &mut Unwatched).expect("it can be set up").collapse_load.expect("a load");
+        let found = collapse_by(Method::Dem, &b, &mut Unwatched).expect("it can be set up");
         let blocks = found.last_stable_load.expect("it stood");
         assert!(
             (blocks / path - 1.0).abs() < 0.01,
@@ -225,10 +223,8 @@ fn joints_that_bear_over_their_length_carry_the_same_along_the_path() {
         b.plan.contact = Some(JointContact::Distributed);
         b.plan.load_step = Some(10e3);
         b.plan.resolution = Some(100.0);
-        let path = collapse_by(Method::Path, &b, None, &mut Unwatched)
-            .expect("it can be set up")
-            .collapse_load
-            .expect("a load");
+        let path =
+            collapse_by(Method::Path, &b, &mut Unwatched).expect("it can be set up").collapse_load.expect("a load");
         let found = by_fe(&b);
         assert_eq!(found.status, Status::Collapsed, "{stiffer} times as stiff");
         let elements = found.last_stable_load.expect("it stood");

@@ -77,10 +77,32 @@ pub fn fail(words: &str) {
     panic!("{words}");
 }
 
-/// The examples.
-#[wasm_bindgen]
-pub fn examples() -> String {
-    cards::list_of_examples().to_string()
+/// What the engine knows and reads, as JSON texts.
+macro_rules! texts { ($($(#[$about:meta])* $name:ident($($with:ident: &$Text:ident),*) = $value:expr;)*) => { $(
+    $(#[$about])*
+    #[wasm_bindgen]
+    pub fn $name($($with: &$Text),*) -> String {
+        $value.to_string()
+    }
+)* } }
+
+texts! {
+    /// The examples.
+    examples() = cards::list_of_examples();
+    /// The JSON Schema of bridge files.
+    schema() = schemas::schema();
+    /// The cards of all keys.
+    keys() = cards::keys();
+    /// The card of a code.
+    explain(code: &str) = cards::explained(code);
+    /// Every card.
+    codes() = cards::codes();
+    /// Materials with their values, ends and sources.
+    materials() = cards::materials();
+    /// Where a text says what a path names, or "null".
+    place(text: &str, path: &str) = reading::place(text, path);
+    /// The ten numbers of a survey.
+    survey_questions() = cards::survey_questions();
 }
 
 /// A file of an example.
@@ -92,30 +114,6 @@ pub fn example_file(example: &str, file: &str) -> Thrown<Vec<u8>> {
     cards::example_file(example, file).map_err(thrown)
 }
 
-/// The JSON Schema of bridge files.
-#[wasm_bindgen]
-pub fn schema() -> String {
-    schemas::schema().to_string()
-}
-
-/// The cards of all keys.
-#[wasm_bindgen]
-pub fn keys() -> String {
-    cards::keys().to_string()
-}
-
-/// The card of a code.
-#[wasm_bindgen]
-pub fn explain(code: &str) -> String {
-    cards::explained(code).to_string()
-}
-
-/// Every card.
-#[wasm_bindgen]
-pub fn codes() -> String {
-    cards::codes().to_string()
-}
-
 /// Vehicles and rules.
 ///
 /// # Errors
@@ -123,12 +121,6 @@ pub fn codes() -> String {
 #[wasm_bindgen]
 pub fn library() -> Thrown<String> {
     cards::library().map(|library| library.to_string()).map_err(thrown)
-}
-
-/// Materials with their values, ends and sources.
-#[wasm_bindgen]
-pub fn materials() -> String {
-    cards::materials().to_string()
 }
 
 /// The text of a bridge file with a table filled from a material of the library.
@@ -139,18 +131,6 @@ pub fn materials() -> String {
 pub fn with_material(text: &str, table: &str, material: &str, keys: Vec<String>) -> Thrown<String> {
     let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
     extrados::with_material(text, table, material, &keys).map_err(thrown)
-}
-
-/// Where a text says what a path names, or "null".
-#[wasm_bindgen]
-pub fn place(text: &str, path: &str) -> String {
-    reading::place(text, path).to_string()
-}
-
-/// The ten numbers of a survey.
-#[wasm_bindgen]
-pub fn survey_questions() -> String {
-    cards::survey_questions().to_string()
 }
 
 /// A bridge file from answers.
@@ -306,86 +286,49 @@ impl Outcome {
     }
 }
 
-/// The load that makes a mechanism.
-///
-/// # Errors
-/// Those of [`analyses::collapse`], as an exception.
-#[wasm_bindgen]
-pub fn collapse(document: &Document, choice: &str, tell: &Function) -> Thrown<Outcome> {
-    analyses::collapse(&document.0, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+/// Whole analyses: what each takes beside the document and who is told how far it is.
+macro_rules! analysed { ($($(#[$about:meta])* $name:ident($($with:ident: $(&$Text:ident)? $($Number:ident)?),*);)*) => { $(
+    $(#[$about])*
+    ///
+    /// # Errors
+    /// Those of the function of this name in [`analyses`], as an exception.
+    #[wasm_bindgen]
+    pub fn $name(document: &Document, $($with: $(&$Text)? $($Number)?,)* tell: &Function) -> Thrown<Outcome> {
+        analyses::$name(&document.0, $($with,)* &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+    }
+)* } }
+
+analysed! {
+    /// The load that makes a mechanism.
+    collapse(choice: &str);
+    /// Loads or vehicles at every position.
+    sweep(choice: &str, step: f64);
+    /// Every named case.
+    cases(choice: &str);
+    /// The passage of a train.
+    respond();
+    /// Parameters from records.
+    update();
+    /// The records alone.
+    judge();
+    /// The collapse over ranges.
+    vary(settings: &str, choice: &str);
+    /// Each quantity a tenth down and up.
+    tornado(paths: &str, choice: &str);
+    /// The whole chain; the day as year-month-day stands in the report.
+    assess(day: &str);
 }
 
-/// Loads or vehicles at every position.
-///
-/// # Errors
-/// Those of [`analyses::sweep`], as an exception.
-#[wasm_bindgen]
-pub fn sweep(document: &Document, choice: &str, step: f64, tell: &Function) -> Thrown<Outcome> {
-    analyses::sweep(&document.0, choice, step, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// Every named case.
-///
-/// # Errors
-/// Those of [`analyses::cases`], as an exception.
-#[wasm_bindgen]
-pub fn cases(document: &Document, choice: &str, tell: &Function) -> Thrown<Outcome> {
-    analyses::cases(&document.0, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// The passage of a train.
-///
-/// # Errors
-/// Those of [`analyses::respond`], as an exception.
-#[wasm_bindgen]
-pub fn respond(document: &Document, tell: &Function) -> Thrown<Outcome> {
-    analyses::respond(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// Parameters from records.
-///
-/// # Errors
-/// Those of [`analyses::update`], as an exception.
-#[wasm_bindgen]
-pub fn update(document: &Document, tell: &Function) -> Thrown<Outcome> {
-    analyses::update(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// The records alone.
-///
-/// # Errors
-/// Those of [`analyses::judge`], as an exception.
-#[wasm_bindgen]
-pub fn judge(document: &Document, tell: &Function) -> Thrown<Outcome> {
-    analyses::judge(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// The collapse over ranges.
-///
-/// # Errors
-/// Those of [`analyses::vary`], as an exception.
-#[wasm_bindgen]
-pub fn vary(document: &Document, settings: &str, choice: &str, tell: &Function) -> Thrown<Outcome> {
-    analyses::vary(&document.0, settings, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// Each quantity a tenth down and up.
-///
-/// # Errors
-/// Those of [`analyses::tornado`], as an exception.
-#[wasm_bindgen]
-pub fn tornado(document: &Document, paths: &str, choice: &str, tell: &Function) -> Thrown<Outcome> {
-    analyses::tornado(&document.0, paths, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
-
-/// The whole chain; the day as year-month-day stands in the report.
-///
-/// # Errors
-/// Those of [`analyses::assess`], as an exception.
-#[wasm_bindgen]
-pub fn assess(document: &Document, day: &str, tell: &Function) -> Thrown<Outcome> {
-    analyses::assess(&document.0, day, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
-}
+/// What a page reads of a thing as it is: functions of its own, or properties.
+macro_rules! read { ($Thing:ident: $($(#[$about:meta])* $name:ident -> $Type:ty;)*) => {
+    #[wasm_bindgen]
+    impl $Thing { $(
+        $(#[$about])*
+        pub fn $name(&self) -> $Type {
+            self.0.$name()
+        }
+    )* }
+} }
 
 /// A load under the pointer.
 #[wasm_bindgen]
@@ -442,42 +385,27 @@ impl Answer {
     pub fn json(&self) -> String {
         self.0.json().to_string()
     }
+}
 
+read! { Answer:
     /// Points of the lines of thrust.
     #[wasm_bindgen(getter)]
-    pub fn thrust(&self) -> Vec<f64> {
-        self.0.thrust()
-    }
-
+    thrust -> Vec<f64>;
     /// Where each line begins.
     #[wasm_bindgen(getter)]
-    pub fn thrust_starts(&self) -> Vec<u32> {
-        self.0.thrust_starts()
-    }
-
+    thrust_starts -> Vec<u32>;
     /// Motion of each shape.
     #[wasm_bindgen(getter)]
-    pub fn mechanism(&self) -> Vec<f64> {
-        self.0.mechanism()
-    }
-
+    mechanism -> Vec<f64>;
     /// Centroid of each shape.
     #[wasm_bindgen(getter)]
-    pub fn centroids(&self) -> Vec<f64> {
-        self.0.centroids()
-    }
-
+    centroids -> Vec<f64>;
     /// Forces on the blocks.
     #[wasm_bindgen(getter)]
-    pub fn loads(&self) -> Vec<f64> {
-        self.0.loads()
-    }
-
+    loads -> Vec<f64>;
     /// What stands on the road.
     #[wasm_bindgen(getter)]
-    pub fn axles(&self) -> Vec<f64> {
-        self.0.axles()
-    }
+    axles -> Vec<f64>;
 }
 
 /// The block engine, a few steps at a time.
@@ -500,23 +428,12 @@ impl Stepping {
         self.0.advance(steps).to_owned()
     }
 
-    /// The state as bytes.
-    pub fn state(&self) -> Vec<u8> {
-        self.0.state()
-    }
-
     /// Goes back, or on, to a state.
     ///
     /// # Errors
     /// Those of [`stepped::Stepping::restore`], as an exception.
     pub fn restore(&mut self, state: &[u8]) -> Thrown<()> {
         self.0.restore(state).map_err(thrown)
-    }
-
-    /// The load that acts.
-    #[wasm_bindgen(getter)]
-    pub fn load(&self) -> f64 {
-        self.0.load()
     }
 
     /// Steps so far.
@@ -535,41 +452,28 @@ impl Stepping {
     pub fn picture(&self) -> String {
         serde_json::to_string(self.0.picture()).unwrap_or_else(|_| "null".to_owned())
     }
+}
 
+read! { Stepping:
+    /// The state as bytes.
+    state -> Vec<u8>;
+    /// The load that acts.
+    #[wasm_bindgen(getter)]
+    load -> f64;
     /// Poses of the shapes.
-    pub fn poses(&self) -> Vec<f64> {
-        self.0.poses()
-    }
-
+    poses -> Vec<f64>;
     /// Centroids as built.
-    pub fn centroids(&self) -> Vec<f64> {
-        self.0.centroids()
-    }
-
+    centroids -> Vec<f64>;
     /// The particles.
-    pub fn particles(&self) -> Vec<f32> {
-        self.0.particles()
-    }
-
+    particles -> Vec<f32>;
     /// Contacts of blocks.
-    pub fn contacts(&self) -> Vec<f32> {
-        self.0.contacts()
-    }
-
+    contacts -> Vec<f32>;
     /// Contacts of particles.
-    pub fn chains(&self) -> Vec<f32> {
-        self.0.chains()
-    }
-
+    chains -> Vec<f32>;
     /// Stresses of the shapes.
-    pub fn stresses(&self) -> Vec<f32> {
-        self.0.stresses()
-    }
-
+    stresses -> Vec<f32>;
     /// Load and displacement.
-    pub fn path(&self) -> Vec<f64> {
-        self.0.path()
-    }
+    path -> Vec<f64>;
 }
 
 /// A train, a few positions at a time.
@@ -607,44 +511,14 @@ impl Passing {
         self.0.counts()[1] as u32
     }
 
-    /// Times and places.
-    pub fn places(&self) -> Vec<f64> {
-        self.0.places()
-    }
-
     /// What is recorded.
     pub fn sensors(&self) -> String {
         self.0.sensors().to_string()
     }
 
-    /// Values of the sensors.
-    pub fn values(&self) -> Vec<f64> {
-        self.0.values()
-    }
-
     /// The mesh.
     pub fn mesh(&self) -> String {
         self.0.mesh().to_string()
-    }
-
-    /// Displacements of the nodes.
-    pub fn displacements(&self) -> Vec<f32> {
-        self.0.displacements()
-    }
-
-    /// Pairs of facing points.
-    pub fn joints(&self) -> Vec<f32> {
-        self.0.joints()
-    }
-
-    /// Stresses of the quadrilaterals.
-    pub fn stresses(&self) -> Vec<f32> {
-        self.0.stresses()
-    }
-
-    /// Axles above the mesh.
-    pub fn axles(&self) -> Vec<f64> {
-        self.0.axles()
     }
 
     /// The passage as a whole.
@@ -654,4 +528,19 @@ impl Passing {
     pub fn finish(self, tell: &Function) -> Thrown<Outcome> {
         self.0.finish(&mut Telling::to(tell)).map(Outcome).map_err(thrown)
     }
+}
+
+read! { Passing:
+    /// Times and places.
+    places -> Vec<f64>;
+    /// Values of the sensors.
+    values -> Vec<f64>;
+    /// Displacements of the nodes.
+    displacements -> Vec<f32>;
+    /// Pairs of facing points.
+    joints -> Vec<f32>;
+    /// Stresses of the quadrilaterals.
+    stresses -> Vec<f32>;
+    /// Axles above the mesh.
+    axles -> Vec<f64>;
 }

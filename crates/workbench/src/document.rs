@@ -137,9 +137,7 @@ impl Document {
             Refusal::new("F114", message, "mend the text first, or write the line by hand")
         };
         let mut document = edit::Document::parse(&self.text).ok_or_else(unfit)?;
-        let slip = |slip: extrados::bridge::vary::Slip| Refusal::new(slip.code, slip.message, slip.help);
-        let quantity = find(&document, path).map_err(slip)?;
-        let settled = settle(&quantity, &Spread::List(vec![reading::literal(literal)])).map_err(slip)?;
+        let settled = settle(&find(&document, path)?, &Spread::List(vec![reading::literal(literal)]))?;
         for value in &settled.values {
             document.set(&settled.path, &value.literal).map_err(|_| unfit())?;
         }

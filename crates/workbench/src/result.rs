@@ -6,7 +6,6 @@ use extrados::results::collapse::Collapse;
 use extrados::results::passage::{Passage, PassageStatus};
 use extrados::results::published::{self, Object};
 use extrados::results::study::Study;
-use extrados::results::sweep::Ended;
 use extrados::results::update::Update;
 use extrados::results::warning::Warning;
 use extrados::written::{self, Written};
@@ -63,14 +62,12 @@ impl Answer {
         let of_analysis = written::warnings_of(found);
         let of_analysis = of_analysis.iter().map(|one| json!({ "code": one.code(), "message": one.message() }));
         let warnings: Vec<Value> = doubts.into_iter().map(value).chain(of_file).chain(of_analysis).collect();
-        let mut object = Object::new();
-        object.insert("schema".to_owned(), json!("extrados.collapse/1"));
-        object.insert("status".to_owned(), json!(found.status));
+        let mut fields = Object::new();
         if !notes.is_empty() {
-            object.insert("notes".to_owned(), notes.into_iter().map(value).collect());
+            fields.insert("notes".to_owned(), notes.into_iter().map(value).collect());
         }
-        object.extend(found.object().into_iter().filter(|(key, _)| !object_keys(key)));
-        object.insert("warnings".to_owned(), json!(warnings));
+        fields.extend(found.object());
+        let object = written::headed("extrados.collapse/1", found.status.word(), fields, warnings);
         Answer {
             status: found.status.word().to_owned(),
             object,
@@ -89,12 +86,12 @@ impl Answer {
         Ok(match found {
             Swept::Loads(found) => {
                 let bridge = project.bridge()?;
-                let head = ("extrados.sweep/1", ended(found.ended()));
+                let head = ("extrados.sweep/1", found.ended().word());
                 let fields = found.object(&bridge.name, bridge.width);
                 Answer::new(project, head, fields, &found.warnings, written::loads_moved(&bridge.name, found))
             }
             Swept::Vehicles(found) => {
-                let head = ("extrados.vehicle-sweep/1", ended(found.status()));
+                let head = ("extrados.vehicle-sweep/1", found.status().word());
                 let picture = found.collapse.as_ref().map_or(Value::Null, |collapse| json!(collapse.picture));
                 let (fields, written) = (found.object(), written::vehicles_moved(found));
                 Answer { picture, ..Answer::new(project, head, fields, &found.warnings, written) }
@@ -216,18 +213,5 @@ impl Answer {
             archive.write_all(&file.bytes).map_err(|error| failed(&error))?;
         }
         archive.finish().map(Cursor::into_inner).map_err(|error| failed(&error))
-    }
-}
-
-/// Keys that stand before and after the others.
-fn object_keys(key: &str) -> bool {
-    ["schema", "status", "warnings"].contains(&key)
-}
-
-fn ended(ended: Ended) -> &'static str {
-    match ended {
-        Ended::Completed => "completed",
-        Ended::Undetermined => "undetermined",
-        Ended::Cancelled => "cancelled",
     }
 }

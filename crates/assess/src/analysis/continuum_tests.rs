@@ -189,7 +189,7 @@ fn methods_that_know_no_continuum_say_so() {
     b.joint.normal_stiffness = Some(bridge::JointStiffness::Contact(1e10));
     b.joint.shear_stiffness = Some(bridge::JointStiffness::Contact(5e9));
     let says = |c: &Collapse| c.assumptions.contains(&Soil::AsWeight.into());
-    assert!(says(&collapse_by(Method::Path, &b, None, &mut Unwatched).unwrap()));
+    assert!(says(&collapse_by(Method::Path, &b, &mut Unwatched).unwrap()));
     assert!(says(&thickness(&b, &mut Unwatched).unwrap()));
     assert!(!says(&collapse(&b, None, &mut Unwatched).unwrap()));
     // Asked for by the file, they are refused: a plate that sinks into the soil would not be seen.

@@ -26,9 +26,9 @@ pub enum AnalysisError {
     /// The fill cannot be packed.
     #[error(transparent)]
     Packing(#[from] PackingError),
-    /// The continuum has no bounds.
+    /// The continuum has no mesh.
     #[error(transparent)]
-    Continuum(#[from] mechanics::limit::continuum::ContinuumError),
+    Continuum(#[from] mechanics::limit::continuum::MeshError),
     #[error("no layer of the file is modelled as a continuum: write as = \"continuum\" in a [[cover]]")]
     NoContinuum,
     #[error("no layer of the file is modelled as particles: write as = \"particles\" in a [[cover]]")]

@@ -11,7 +11,6 @@ pub mod engine;
 mod error;
 mod geometry;
 mod ground;
-mod loads_acting;
 mod movement;
 mod moving;
 mod notes;
@@ -119,14 +118,9 @@ pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::de
 /// The collapse load by a method, whatever the plan's is; what may help and may come and go is not counted.
 ///
 /// # Errors
-/// An analysis that cannot be set up, or a `resume` of something else.
-pub fn collapse_by(
-    method: Method,
-    bridge: &Bridge,
-    resume: Option<&[u8]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, resume, watch, &|state, resume, watch| {
+/// An analysis that cannot be set up.
+pub fn collapse_by(method: Method, bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    policy::collapse(bridge, None, watch, &|state, resume, watch| {
         engine::raising(method, state).load(state, resume, watch)
     })
 }
@@ -136,7 +130,7 @@ pub fn collapse_by(
 /// # Errors
 /// No load, or a bridge that cannot be cut into blocks.
 pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    collapse_by(Method::Limit, bridge, None, watch)
+    collapse_by(Method::Limit, bridge, watch)
 }
 
 /// A discretised bridge with its picture as built, particles where they were packed.

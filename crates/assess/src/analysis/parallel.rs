@@ -1,5 +1,6 @@
 //! Pieces of work on all cores under one onlooker: progress out, a wish to stop in, and what is done is kept.
 
+use mechanics::kept;
 pub(crate) use mechanics::watch::CancelToken;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::mpsc::{RecvTimeoutError, Sender, TryRecvError, channel};
@@ -128,6 +129,27 @@ pub(crate) fn told<J: Sync, M: Send>(
             }
         }
     });
+}
+
+/// An onlooker who is told of the work in other words.
+pub(crate) struct Retold<'w, F> {
+    /// Who looks on.
+    pub watch: &'w mut dyn Watch,
+    /// Which of several pieces it is: kept states begin with its number. None where no state is kept.
+    pub number: Option<usize>,
+    /// How far the whole is, by what is told of the work.
+    pub told: F,
+}
+
+impl<F: Fn(&Progress) -> Progress> Watch for Retold<'_, F> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        self.watch.look(&(self.told)(progress))
+    }
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
+        if let Some(number) = self.number {
+            self.watch.keep(&|| kept::join(&number, &state()));
+        }
+    }
 }
 
 /// An onlooker of one part of the work, whose share of the whole begins and ends where it is told.

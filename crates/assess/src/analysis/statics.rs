@@ -70,40 +70,15 @@ fn fixed(d: &Discretised) -> Table<BlockId, bool> {
 }
 
 /// Springings of every span, all rings together, and feet of piers.
-fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<Reaction> {
-    struct Sum {
-        reaction: Reaction,
-        joints: usize,
-        compression: f64,
-    }
-    let mut found: Vec<Sum> = Vec::new();
+fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Reaction> {
+    // Each with the number of its joints.
+    let mut found: Vec<(Reaction, usize)> = Vec::new();
     for (joint, i) in ground.interfaces().iter().enumerate() {
-        let (below, above) = (d.origins[i.first], d.origins[i.second]);
-        let rests = |origin: Origin| {
-            matches!(
-                origin,
-                Origin::Abutment { .. }
-                    | Origin::Foundation { .. }
-                    | Origin::Pier { .. }
-                    | Origin::AbutmentCourse { .. }
-            )
-        };
-        let (place, seat, side, flip) = match (below, above) {
-            (carrier, Origin::Voussoir { span, voussoir, .. }) if rests(carrier) => {
-                (springing(bridge, span, voussoir), under(carrier), voussoir, false)
-            }
-            (Origin::Voussoir { span, voussoir, .. }, carrier) if rests(carrier) => {
-                (springing(bridge, span, voussoir), under(carrier), voussoir, true)
-            }
-            (Origin::Foundation { support }, Origin::Pier { .. }) => (pier_foot(support), Seat::Foot, 1, false),
-            (Origin::Pier { .. }, Origin::Foundation { support }) => (pier_foot(support), Seat::Foot, 1, true),
-            (Origin::AbutmentGround { support }, Origin::AbutmentCourse { .. }) => {
-                (abutment_foot(support), Seat::Foot, support, false)
-            }
-            (Origin::AbutmentCourse { .. }, Origin::AbutmentGround { support }) => {
-                (abutment_foot(support), Seat::Foot, support, true)
-            }
-            _ => continue,
+        let (first, second) = (d.origins[i.first], d.origins[i.second]);
+        let ((place, seat, side), flip) = match (seat(bridge, first, second), seat(bridge, second, first)) {
+            (Some(found), _) => (found, false),
+            (None, Some(found)) => (found, true),
+            (None, None) => continue,
         };
         let Some(Section { compression, shear, eccentricity }) = ground.resting_section(joint) else { continue };
         let on_second = i.normal * compression + i.normal.left() * shear;
@@ -116,7 +91,7 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             _ => 0.0,
         };
         let wanted = depth - 2.0 * eccentricity.abs();
-        let spread = wide(bridge, [below, above]);
+        let spread = wide(bridge, [first, second]);
         let reaction = Reaction {
             place,
             seat,
@@ -127,32 +102,39 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             pressure: (wanted > 0.0).then(|| compression / (wanted * spread)),
             spread,
         };
-        match found.iter_mut().find(|sum| sum.reaction.place == reaction.place) {
-            Some(sum) => {
-                sum.reaction.vertical += reaction.vertical;
-                sum.reaction.horizontal += reaction.horizontal;
-                (sum.joints, sum.compression) = (sum.joints + 1, sum.compression + compression);
+        match found.iter_mut().find(|(sum, _)| sum.place == reaction.place) {
+            Some((sum, joints)) => {
+                sum.vertical += reaction.vertical;
+                sum.horizontal += reaction.horizontal;
+                *joints += 1;
             }
-            None => found.push(Sum { reaction, joints: 1, compression }),
+            None => found.push((reaction, 1)),
         }
     }
-    let told = found.into_iter().map(|sum| match sum.joints {
-        1 => sum.reaction,
-        _ => Reaction { eccentricity: None, depth: None, pressure: None, ..sum.reaction },
+    let told = found.into_iter().map(|(sum, joints)| match joints {
+        1 => sum,
+        _ => Reaction { eccentricity: None, depth: None, pressure: None, ..sum },
     });
     told.collect()
 }
 
-fn under(carrier: Origin) -> Seat {
-    if matches!(carrier, Origin::Abutment { .. }) { Seat::Springing } else { Seat::Carried }
-}
-
-fn pier_foot(support: usize) -> String {
-    format!("foot of pier {support}")
-}
-
-fn abutment_foot(support: usize) -> String {
-    format!("foot of the {} abutment", if support == 0 { "left" } else { "right" })
+/// Where a joint is in which one block bears another that hands the bridge on to the ground, what it is, and at which side of its span: 0 for
+/// the left one. None of other joints.
+fn seat(bridge: &Bridge, carrier: Origin, carried: Origin) -> Option<(String, Seat, usize)> {
+    Some(match (carrier, carried) {
+        (Origin::Abutment { .. }, Origin::Voussoir { span, voussoir, .. }) => {
+            (springing(bridge, span, voussoir), Seat::Springing, voussoir)
+        }
+        (
+            Origin::Foundation { .. } | Origin::Pier { .. } | Origin::AbutmentCourse { .. },
+            Origin::Voussoir { span, voussoir, .. },
+        ) => (springing(bridge, span, voussoir), Seat::Carried, voussoir),
+        (Origin::Foundation { support }, Origin::Pier { .. }) => (format!("foot of pier {support}"), Seat::Foot, 1),
+        (Origin::AbutmentGround { support }, Origin::AbutmentCourse { .. }) => {
+            (format!("foot of the {} abutment", if support == 0 { "left" } else { "right" }), Seat::Foot, support)
+        }
+        _ => return None,
+    })
 }
 
 /// Width of a pier's bottom across the bridge over that of the barrel; of other joints one.

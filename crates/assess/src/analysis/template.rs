@@ -1,8 +1,7 @@
 //! Results with nothing found yet, for analyses to fill.
 
-use super::loads_acting::asked;
-use bridge::{Bridge, Plan};
-use outcome::collapse::{By, Collapse, Sought, Status};
+use bridge::{Bridge, LoadKind, Plan};
+use outcome::collapse::{AskedAxles, By, Collapse, Sought, Status};
 use outcome::picture::Picture;
 use structure::discretise::Discretised;
 
@@ -49,4 +48,18 @@ pub(super) fn of_blocks(plan: &Plan, d: &Discretised, by: By, picture: Picture) 
         assumptions: Vec::new(),
         picture,
     }
+}
+
+/// Loads of axles as an engineer asked for them, in the order of the file: an axle has a width of its own, so that its load times the width
+/// of the bridge is no load that anybody asked for.
+fn asked(bridge: &Bridge) -> Vec<AskedAxles> {
+    let axles = bridge.loads.iter().filter_map(|load| match &load.kind {
+        LoadKind::Axles { axles, effective_width, .. } => Some(AskedAxles {
+            name: load.name.clone(),
+            axles: axles.iter().map(|axle| axle.0).collect(),
+            effective_width: *effective_width,
+        }),
+        _ => None,
+    });
+    axles.collect()
 }

@@ -97,7 +97,7 @@ fn a_bridge_without_loads_is_told_so() {
 fn a_joint_without_stiffness_is_named() {
     let mut b = bridgemill();
     b.joint.shear_stiffness = None;
-    let got = collapse_by(Method::Dem, &b, None, &mut mechanics::watch::Unwatched);
+    let got = collapse_by(Method::Dem, &b, &mut mechanics::watch::Unwatched);
     assert_eq!(got, Err(AnalysisError::NoStiffness { joint: "joints" }));
 }
 
@@ -106,7 +106,7 @@ fn bridgemill_by_discrete_elements_carries_the_published_loads() {
     // Printed to two decimals; loads are whole steps of 100 kN over 8.3 m, so the step decides and half a unit of the
     // last digit is room enough.
     for (b, stable, collapse) in [(bridgemill(), 204.82, 216.87), (case_two(), 325.30, 337.35)] {
-        let c = collapse_by(Method::Dem, &b, None, &mut mechanics::watch::Unwatched).unwrap();
+        let c = collapse_by(Method::Dem, &b, &mut mechanics::watch::Unwatched).unwrap();
         assert_eq!(c.status, Status::Collapsed);
         assert!((c.last_stable_load.unwrap() / 1e3 - stable).abs() < 0.005);
         assert!((c.collapse_load.unwrap() / 1e3 - collapse).abs() < 0.005);
@@ -217,7 +217,7 @@ fn discrete_elements_lie_just_below_the_limit_load() {
     for (name, span) in profiles().into_iter().filter(|(name, _)| matches!(*name, "segmental" | "pointed")) {
         let mut b = crate::samples::spans(vec![span], 1.6, 1.6, 4.0, 6);
         filled(&mut b);
-        let c = collapse_by(Method::Dem, &b, None, &mut mechanics::watch::Unwatched).unwrap();
+        let c = collapse_by(Method::Dem, &b, &mut mechanics::watch::Unwatched).unwrap();
         let share = c.last_stable_load.unwrap() / c.limit_load.unwrap();
         // Joint deformability and displacements take up to 15 %; the step, a twentieth at most, comes on top.
         assert!(share > 0.80 && share <= 1.0, "{name}: {share}");

@@ -1,11 +1,12 @@
 //! The two strips of a bridge with spandrel walls, and their loads by their widths.
 
+use super::parallel::Retold;
 use super::state::{self, Change};
 use super::{AnalysisError, collapse};
 use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::kept;
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Progress, Watch};
 use outcome::collapse::{Collapse, Combination, Component, Status};
 use outcome::note::{self, Note};
 use outcome::warning;
@@ -16,7 +17,7 @@ use outcome::warning;
 /// the strip that was at work; on resuming the first strip is run again, to the same bits.
 pub(super) fn both(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let wall = bridge.spandrel_wall.as_ref().ok_or(structure::discretise::DiscretiseError::NoWall)?;
-    let kept = match resume.map(kept::split::<u64>).transpose()? {
+    let kept = match resume.map(kept::split::<usize>).transpose()? {
         None => [None, None],
         Some((0, state)) => [Some(state), None],
         Some((1, state)) => [None, Some(state)],
@@ -51,26 +52,13 @@ pub(super) fn strip(
 ) -> Result<Collapse, AnalysisError> {
     let changes = [Change::Strip(strip), Change::LoadsThroughCover];
     let alone = state::with(bridge, if strip == Strip::Wall { &changes } else { &changes[..1] });
-    let number = u64::from(strip == Strip::Wall);
-    collapse(&alone, resume, &mut Part { watch, number })
-}
-
-/// An onlooker who is told which strip is at work.
-struct Part<'a> {
-    watch: &'a mut dyn Watch,
-    number: u64,
-}
-
-impl Watch for Part<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let name = if self.number == 0 { "between the walls" } else { "below the walls" };
-        let fraction = progress.fraction.map(|share| 0.5 * (share + self.number as f64));
-        self.watch.look(&Progress { stage: format!("{name}: {}", progress.stage), fraction, ..progress.clone() })
-    }
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
-        let number = self.number;
-        self.watch.keep(&|| kept::join(&number, &state()));
-    }
+    let (number, name) = if strip == Strip::Wall { (1, "below the walls") } else { (0, "between the walls") };
+    let told = |progress: &Progress| Progress {
+        stage: format!("{name}: {}", progress.stage),
+        fraction: progress.fraction.map(|share| 0.5 * (share + number as f64)),
+        ..progress.clone()
+    };
+    collapse(&alone, resume, &mut Retold { watch, number: Some(number), told })
 }
 
 /// Both strips' loads times their widths [m].

@@ -7,8 +7,9 @@ mod ultimate;
 mod updated;
 mod vehicles;
 
+pub use crate::analysis::passage::Scope;
 pub use sensitivity::{SensitivityError, sensitivity};
-pub use service::{NoRule, Scope, ServiceError, augment, probes, service, window};
+pub use service::{NoRule, ServiceError, augment, probes, service, window};
 pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
 pub use updated::{facts as update_facts, with_parameters};
 

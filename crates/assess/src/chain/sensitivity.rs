@@ -1,8 +1,7 @@
 //! What would change the verdict: the governing utilisation with a tenth less and a tenth more of every quantity that may
 //! matter, by the cheapest analysis that shows it.
 
-use super::service::Scope;
-use super::{at_position, service, window};
+use super::{Scope, at_position, service, window};
 use crate::analysis::parallel;
 use crate::analysis::state::{self, Change};
 use crate::analysis::vehicles::vehicle_sweep;
@@ -80,17 +79,17 @@ pub fn sensitivity(
     watch: &mut dyn Watch,
 ) -> Result<Option<SensitivityFacts>, SensitivityError> {
     let (check, finding) = governing(checked).ok_or(SensitivityError::NothingGoverns)?;
-    let (card, by) = (CHECKS[check].card(), CHECKS[check].probe());
-    let governing = &checked[check].outcome.as_ref().map_err(|_| SensitivityError::NothingGoverns)?[finding];
-    let how = match by {
-        Probe::Whole => return Err(SensitivityError::TooDear(card.title)),
-        Probe::Vehicle if is_slow(own, &governing.load_model) => return Err(SensitivityError::TooDear(card.title)),
+    let (check, checked) = (&CHECKS[check], &checked[check]);
+    let governing = &checked.outcome.as_ref().map_err(|_| SensitivityError::NothingGoverns)?[finding];
+    let how = match check.probe {
+        Probe::Whole => return Err(SensitivityError::TooDear(check.title)),
+        Probe::Vehicle if is_slow(own, &governing.load_model) => return Err(SensitivityError::TooDear(check.title)),
         Probe::Itself => "the method itself",
         Probe::Vehicle => "limit analysis of the governing vehicle alone",
         Probe::Collapse => "limit analysis with the loads where they govern",
         Probe::Sensors | Probe::Joints => "finite elements, a few positions of the train about the one that governs",
     };
-    let probe = Changed { own, check: CHECKS[check], governing };
+    let probe = Changed { own, check, governing };
     // What is sought stands between bounds that a tenth more may pass.
     let mut plain = document.clone();
     bridge::UPDATE_SECTIONS.iter().chain(&["vary", "expected"]).for_each(|section| plain.remove(section));
@@ -100,10 +99,10 @@ pub fn sensitivity(
     if !done {
         return Ok(None);
     }
-    let base = base.into_iter().flatten().flatten().next().ok_or(SensitivityError::NoBaseline(card.title))?;
+    let base = base.into_iter().flatten().flatten().next().ok_or(SensitivityError::NoBaseline(check.title))?;
     let list: Vec<Varied> = known(document)
         .into_iter()
-        .filter(|quantity| matters(by, &quantity.path))
+        .filter(|quantity| matters(check.probe, &quantity.path))
         .filter_map(|quantity| {
             let found = find(document, &quantity.path).ok()?;
             let values = [1.0 - SHARE, 1.0 + SHARE].map(|share| format!("x{share}"));
@@ -126,7 +125,7 @@ pub fn sensitivity(
     };
     quantities.sort_by(|a, b| told(b).total_cmp(&told(a)).then(a.path.cmp(&b.path)));
     Ok(Some(SensitivityFacts {
-        code: card.code.to_owned(),
+        code: check.code.to_owned(),
         utilisation: base,
         how: how.to_owned(),
         share: SHARE,
@@ -143,7 +142,7 @@ fn is_slow(own: &Evidence, code: &str) -> bool {
 /// The governing check on other bridges.
 struct Changed<'a> {
     own: &'a Evidence,
-    check: &'a dyn Check,
+    check: &'a Check,
     governing: &'a Comparison,
 }
 
@@ -167,10 +166,9 @@ impl Changed<'_> {
     /// Largest utilisation of the check by the shortened analysis; none where that gives nothing.
     fn utilisation(&self, bridge: &Bridge, token: &CancelToken) -> Option<f64> {
         let watch = &mut token.clone();
-        let by = self.check.probe();
         let mut a = self.own.clone();
         a.bridge = bridge.clone();
-        match by {
+        match self.check.probe {
             Probe::Itself => {}
             Probe::Vehicle => {
                 let mut alone = state::with(bridge, &[Change::FillAsWeight]);
@@ -192,7 +190,7 @@ impl Changed<'_> {
                 window(&mut short, self.governing.position?);
                 let mut asked = self.own.asked.clone();
                 asked.service_loads.retain(|load| self.governing.load_model.starts_with(&load.name));
-                let wanted = if by == Probe::Joints { Scope::Everything } else { Scope::Sensors };
+                let wanted = if self.check.probe == Probe::Joints { Scope::Everything } else { Scope::Sensors };
                 let (facts, _) = service(&short, &asked, wanted, watch).ok()?;
                 if facts.loads.iter().any(|load| load.status != PassageStatus::Completed) {
                     return None;
@@ -200,7 +198,7 @@ impl Changed<'_> {
                 a.facts.service = Stage::Made(facts);
             }
         }
-        let found = self.check.run(&a).ok()?;
+        let found = (self.check.run)(&a).ok()?;
         // Compression and tension of one load have limits of opposite signs.
         let same = found.iter().filter(|finding| {
             finding.load_model == self.governing.load_model

@@ -1,7 +1,7 @@
 //! Loads in service: the file's train crosses with the axles of each load, and the places that are checked are watched.
 
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::{self, PassageError};
+use crate::analysis::passage::{self, PassageError, Scope};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
 use bridge::passage::{Direction, Face, GAUGE_LENGTH, Sensor, SensorKind, SensorPosition, default_sensors};
@@ -12,6 +12,7 @@ use outcome::facts::{
     SpanAugmentFacts, Watched,
 };
 use outcome::passage::{Moment, Pair, Passage, PassageStatus, RowKind, SensorRecord};
+use structure::discretise::springings::springings;
 use thiserror::Error;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
@@ -69,13 +70,7 @@ fn loaded(ranges: &[[f64; 2]], augment: &AugmentFacts, own: usize, axles: &[f64]
 
 /// From springing to springing of every span [m].
 fn ranges(bridge: &Bridge) -> Vec<[f64; 2]> {
-    let mut x = 0.0;
-    let mut list = Vec::with_capacity(bridge.spans.len());
-    for (k, span) in bridge.spans.iter().enumerate() {
-        list.push([x, x + span.span]);
-        x += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
-    }
-    list
+    springings(bridge).into_iter().map(|ends| ends.map(|springing| springing.x)).collect()
 }
 
 /// The file names a rule that the library does not have.
@@ -97,15 +92,6 @@ pub enum ServiceError {
     /// The passage.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
-}
-
-/// How much of a passage is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scope {
-    /// Sensors, joints at their peaks, influence lines.
-    Everything,
-    /// Sensors alone.
-    Sensors,
 }
 
 /// A sensor of the assessment's own: where it sits, and what is made of its values.
@@ -213,10 +199,7 @@ pub fn service(
     for load in loads {
         let (own, sensors) = prepared(bridge, load, &probes)?;
         let setup = passage::setup(&own)?;
-        let solution = match wanted {
-            Scope::Everything => passage::solve(&own, &setup, watch)?,
-            Scope::Sensors => passage::records(&own, &setup, &[], watch)?,
-        };
+        let solution = passage::solve(&own, &setup, wanted, &[], watch)?;
         let mut found = passage::report(&own, &setup, solution);
         let gravity = own.gravity;
         let axles = own.passage.as_ref().map(|passage| passage.train.axles(gravity)).unwrap_or_default();

@@ -31,10 +31,9 @@ const BOUNDS_IN_A_SPAN: f64 = 12.0;
 /// The bridge for limit analysis, and on deformable joints where its plan asks for them: between its walls, fill as weight, loads
 /// through the cover.
 fn of_blocks(bridge: &Bridge) -> Bridge {
-    let method = if gives(bridge) { Method::Path } else { Method::Limit };
     let changes = [
         Change::Analysis(Analysis::Load),
-        Change::Method(method),
+        Change::Method(method(bridge)),
         Change::Strip(Strip::Fill),
         Change::OpenSteps,
         Change::LoadsThroughCover,
@@ -43,15 +42,9 @@ fn of_blocks(bridge: &Bridge) -> Bridge {
     state::with(bridge, &changes)
 }
 
-/// Whether deformable joints are followed beside rigid blocks.
-fn gives(bridge: &Bridge) -> bool {
-    bridge.plan.method == Method::Path
-}
-
-/// The loads where they stand, by the method that gives less.
-fn alone(own: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let method = if gives(own) { Method::Path } else { Method::Limit };
-    analysis::collapse_by(method, own, None, watch)
+/// Deformable joints are followed beside rigid blocks where the plan says so.
+fn method(bridge: &Bridge) -> Method {
+    if bridge.plan.method == Method::Path { Method::Path } else { Method::Limit }
 }
 
 /// The factor on the run of axles that governs, at one position [m] of the first load, with the parts of uniform loads that govern: what is
@@ -106,11 +99,12 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
         return Ok(None);
     }
     let worst = sweep.worst().cloned();
-    let file = alone(&own, watch)?;
+    // The loads where they stand, by the method that gives less.
+    let file = analysis::collapse_by(method(&own), &own, watch)?;
     let (at_file, at_status) = (factor(&file), file.status);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
-        method: if gives(bridge) {
+        method: if method(bridge) == Method::Path {
             "the smaller load of limit analysis (rigid blocks as built) and of the equilibrium path (deformable joints)"
         } else if own.continuum.is_some() {
             "limit analysis, lower bound of rigid blocks as built beside soil that yields as a continuum"
@@ -126,7 +120,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     // The file's own place may lie between two positions of the sweep.
     let moved = worst.filter(|worst| worst.bound() < at_file.or(Some(f64::INFINITY)));
     let collapse = match &moved {
-        Some(worst) => alone(&with_axles(&own, worst.offset, worst.axles), watch)?,
+        Some(worst) => analysis::collapse_by(method(&own), &with_axles(&own, worst.offset, worst.axles), watch)?,
         None => file,
     };
     if [at_status, collapse.status].contains(&Status::Cancelled) {
@@ -138,10 +132,8 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     let answered = facts.positions_not_converged == 0 && (alone || moved.is_none());
     facts.status = if answered { collapse.status } else { Status::NotConverged };
     (facts.load_factor, facts.load_factor_at_most) = if answered { (least, None) } else { (None, least) };
-    facts.position_m = match &moved {
-        Some(worst) => Some(worst.position),
-        None => own.loads.first().map(|load| load.position),
-    };
+    let stands = || own.loads.first().map(|load| load.position);
+    facts.position_m = moved.as_ref().map(|worst| worst.position).or_else(stands);
     facts.permissible = collapse.along().map_or_else(Vec::new, |along| along.permissible.clone());
     facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
@@ -157,10 +149,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
         !of_help || sweep.warnings.iter().all(|told| told.code() != warning.code())
     };
     facts.warnings = sweep.warnings.iter().chain(collapse.warnings.iter().filter(again)).cloned().collect();
-    facts.not_counted = match &moved {
-        Some(_) => sweep.not_counted.clone(),
-        None => collapse.not_counted.clone(),
-    };
+    facts.not_counted = if moved.is_some() { &sweep.not_counted } else { &collapse.not_counted }.clone();
     facts.load_factor_with_fill_pressure = facts.not_counted.with(Help::FillPressure).and_then(|with| with.factor);
     facts.collapse = Some(Box::new(collapse));
     Ok(Some(Ultimate { facts, sweep }))

@@ -2,7 +2,7 @@
 
 use crate::analysis::AnalysisError;
 use crate::analysis::vehicles::{by_acting, vehicle_sweep};
-use crate::plan_facts::{PlanFacts, of_plan};
+use crate::plan_facts::of_plan;
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
@@ -26,7 +26,7 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
 /// The facts of a sweep of vehicles.
 pub fn vehicle_facts(bridge: &Bridge, found: &VehicleSweep) -> VehicleFacts {
     let plan = bridge.sweep.as_ref();
-    let own = plan.map_or_else(PlanFacts::default, |plan| of_plan(bridge, plan, &found.vehicles));
+    let own = plan.map_or_else(VehicleFacts::default, |plan| of_plan(bridge, plan, &found.vehicles));
     let source = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
     VehicleFacts {
         grades: found.grades().iter().map(|one| [one.of.clone(), one.told(), one.all_told()]).collect(),
@@ -49,7 +49,7 @@ pub fn vehicle_facts(bridge: &Bridge, found: &VehicleSweep) -> VehicleFacts {
                 ]
             }))
             .collect(),
-        safety: safety(&found.rule, &own),
+        safety: safety(&found.rule, own.safety),
         vehicles: found.vehicles.iter().map(swept).collect(),
         step_m: found.step,
         governing: found.governing.and_then(|k| found.vehicles.get(k)).map(|one| one.code.clone()),
@@ -57,14 +57,11 @@ pub fn vehicle_facts(bridge: &Bridge, found: &VehicleSweep) -> VehicleFacts {
         adequacy_by_discrete_elements: found.discrete_elements.as_ref().and_then(|second| second.adequacy),
         headline: found.headline().map(|headline| headline.0),
         positions_not_converged: found.positions_not_converged(),
-        requires: own.requires,
         braking: plan.filter(|plan| plan.braking_given).map(|plan| plan.braking),
         braking_reason: plan.and_then(|plan| plan.braking_reason.clone()).unwrap_or_default(),
-        left_out: own.left_out,
-        load_cases_missing: own.missing,
-        doubtful: own.doubtful,
         assumptions: found.assumptions.clone(),
         warnings: warnings(found),
+        ..own
     }
 }
 
@@ -93,8 +90,8 @@ fn rule_line(rule: &Rule) -> String {
     format!("{}: {} ({}); of its {total} factors {}", rule.title, source.text, source.date, counted.join(", "))
 }
 
-/// What safety a rule holds: its factor on live loads, and how sure each factor is.
-fn safety(rule: &Rule, own: &PlanFacts) -> SafetyFacts {
+/// What safety a rule holds, beside what is known of it by its plan: its factor on live loads, and how sure each factor is.
+fn safety(rule: &Rule, own: SafetyFacts) -> SafetyFacts {
     let live = &rule.factors.live_load;
     let named = rule.listed().into_iter();
     SafetyFacts {
@@ -104,10 +101,7 @@ fn safety(rule: &Rule, own: &PlanFacts) -> SafetyFacts {
         model: rule.factors.model.value,
         model_confidence: rule.factors.model.source.confidence,
         factors: named.map(|(name, factor)| (format!("{name} {}", factor.value), factor.source.confidence)).collect(),
-        rule_file: own.rule_file.clone(),
-        based_on: own.based_on.0.clone(),
-        based_on_named: own.based_on.1,
-        changed_factors: own.changed.clone(),
+        ..own
     }
 }
 

@@ -47,12 +47,8 @@ pub(super) fn open(a: &Evidence, checked: &[Checked]) -> Vec<Open> {
 /// Vehicles whose loads or distances nobody read, carried or not.
 fn assumed_loads(a: &Evidence) -> Option<Open> {
     let facts = a.facts.vehicles.made()?;
-    let assumed: Vec<&str> = facts
-        .vehicles
-        .iter()
-        .filter(|one| one.loads_confidence == Confidence::Assumed)
-        .map(|one| one.code.as_str())
-        .collect();
+    let assumed = facts.vehicles.iter().filter(|one| one.loads_confidence == Confidence::Assumed);
+    let assumed: Vec<&str> = assumed.map(|one| one.code.as_str()).collect();
     (!assumed.is_empty()).then(|| {
         Open::new(
             format!("axle loads or distances of {} assumed", assumed.join(", ")),

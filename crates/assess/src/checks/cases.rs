@@ -1,64 +1,51 @@
 //! Named cases at ultimate.
 
 use super::by_file;
-use super::check::{Check, CheckCard, Probe, limit, of};
+use super::check::{Check, Probe, limit, of, unless_empty};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
 
 /// The check.
-pub(super) struct NamedCases;
+pub(super) const CHECK: Check = Check {
+    code: "C206",
+    keys: ["case", "assess.adequacy_factor"],
+    title: "named cases",
+    clause: "factor on the loads of each [[case]] at collapse",
+    text: "Each [[case]] of the file is analysed as the file plans, with its loads where they stand, its factors on loads and weights and \
+           its changed values. What all its loads may be multiplied by is compared with adequacy_factor of [assess]. Factors of a case \
+           are the file's own: the check assesses strength as C201 does, with the source of the factor and the model factor, never by \
+           the factors that a case names for itself. Loads are not moved: a case that is worse elsewhere is another case.",
+    source: "combinations of actions: EN 1990, 6.4; the factor: plastic theory of masonry arches, Heyman (1969)",
+    probe: Probe::Whole,
+    run,
+};
 
-impl Check for NamedCases {
-    fn card(&self) -> CheckCard {
-        CheckCard {
-            code: "C206",
-            keys: ["case", "assess.adequacy_factor"],
-            title: "named cases",
-            clause: "factor on the loads of each [[case]] at collapse",
-            text: "Each [[case]] of the file is analysed as the file plans, with its loads where they stand, its factors on loads and weights and \
-                   its changed values. What all its loads may be multiplied by is compared with adequacy_factor of [assess]. Factors of a case \
-                   are the file's own: the check assesses strength as C201 does, with the source of the factor and the model factor, never by \
-                   the factors that a case names for itself. Loads are not moved: a case that is worse elsewhere is another case.",
-            source: "combinations of actions: EN 1990, 6.4; the factor: plastic theory of masonry arches, Heyman (1969)",
-        }
+fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
+    let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
+    let facts = of(&a.facts.cases)?;
+    let needed = limit * by_file::model(a);
+    let mut list = Vec::new();
+    for case in &facts.cases {
+        let value = match (case.load_factor, case.status) {
+            (Some(factor), _) => factor,
+            (None, Status::Locks) => continue,
+            (None, Status::UnstableUnderSelfWeight) => 0.0,
+            (None, status) => {
+                return Err(NotMade::failed(format!("case {} ended with {status}", case.name)));
+            }
+        };
+        list.push(Comparison {
+            load_model: case.name.clone(),
+            value,
+            limit,
+            unit: Unit::Ratio,
+            utilisation: if value > 0.0 { limit / value } else { f64::MAX },
+            basis: format!("{}; {}", case.method, case.acts),
+            strength: by_file::factor(a).is_none() && (value < limit || value >= needed),
+            needed: (needed > limit).then_some(needed),
+            ..Comparison::default()
+        });
     }
-
-    fn probe(&self) -> Probe {
-        Probe::Whole
-    }
-
-    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
-        let facts = of(&a.facts.cases)?;
-        let needed = limit * by_file::model(a);
-        let mut list = Vec::new();
-        for case in &facts.cases {
-            let value = match (case.load_factor, case.status) {
-                (Some(factor), _) => factor,
-                (None, Status::Locks) => continue,
-                (None, Status::UnstableUnderSelfWeight) => 0.0,
-                (None, status) => {
-                    return Err(NotMade::failed(format!("case {} ended with {status}", case.name)));
-                }
-            };
-            list.push(Comparison {
-                load_model: case.name.clone(),
-                value,
-                limit,
-                unit: Unit::Ratio,
-                utilisation: if value > 0.0 { limit / value } else { f64::MAX },
-                basis: format!("{}; {}", case.method, case.acts),
-                position: None,
-                columns: None,
-                strength: by_file::factor(a).is_none() && (value < limit || value >= needed),
-                needed: (needed > limit).then_some(needed),
-            });
-        }
-        if list.is_empty() {
-            Err(NotMade::because("no case becomes a mechanism: every factor is unbounded"))
-        } else {
-            Ok(list)
-        }
-    }
+    unless_empty(list, "no case becomes a mechanism: every factor is unbounded")
 }

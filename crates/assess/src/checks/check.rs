@@ -5,23 +5,6 @@ use outcome::assessment::Stage;
 use outcome::checked::{Comparison, NotMade};
 use outcome::facts::{JointFacts, ServiceLoadFacts};
 
-/// What a check is: `extrados explain CODE` prints it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CheckCard {
-    /// Code, `C…`.
-    pub code: &'static str,
-    /// Where a bridge file says for what the value is computed, and where its limit is.
-    pub keys: [&'static str; 2],
-    /// In a few words.
-    pub title: &'static str,
-    /// The clause that it follows, in short.
-    pub clause: &'static str,
-    /// What is computed and compared, and what to do where it is not met.
-    pub text: &'static str,
-    /// Where it is from.
-    pub source: &'static str,
-}
-
 /// The cheapest analysis that shows how the utilisation of a check changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Probe {
@@ -39,19 +22,26 @@ pub enum Probe {
     Whole,
 }
 
-/// A check.
-pub trait Check: Sync {
-    /// What it is.
-    fn card(&self) -> CheckCard;
+/// A check: `extrados explain CODE` prints its words.
+#[derive(Debug, Clone, Copy)]
+pub struct Check {
+    /// Code, `C…`.
+    pub code: &'static str,
+    /// Where a bridge file says for what the value is computed, and where its limit is.
+    pub keys: [&'static str; 2],
+    /// In a few words.
+    pub title: &'static str,
+    /// The clause that it follows, in short.
+    pub clause: &'static str,
+    /// What is computed and compared, and what to do where it is not met.
+    pub text: &'static str,
+    /// Where it is from.
+    pub source: &'static str,
     /// How its sensitivities are found.
-    fn probe(&self) -> Probe {
-        Probe::Sensors
-    }
-    /// Makes it: a finding for every load, place and reading, at least one.
-    ///
-    /// # Errors
-    /// Why it cannot be made: facts, limits or properties that there are none of, or an analysis that failed.
-    fn run(&self, assessment: &Evidence) -> Result<Vec<Comparison>, NotMade>;
+    pub probe: Probe,
+    /// Makes it: a finding for every load, place and reading, at least one; or why it cannot be made, for there are no facts, limits or
+    /// properties, or an analysis failed.
+    pub run: fn(&Evidence) -> Result<Vec<Comparison>, NotMade>,
 }
 
 /// The facts of a stage, or why there are none.
@@ -82,7 +72,12 @@ pub(super) fn of_joints(
     };
     let list: Vec<Comparison> =
         facts.loads.iter().flat_map(|load| load.joints.iter().map(move |joint| told(load, joint))).collect();
-    if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
+    unless_empty(list, "no joint was watched while the train crossed")
+}
+
+/// What was compared, or why nothing was.
+pub(super) fn unless_empty(list: Vec<Comparison>, why: impl Into<String>) -> Result<Vec<Comparison>, NotMade> {
+    if list.is_empty() { Err(NotMade::because(why)) } else { Ok(list) }
 }
 
 /// Use of a limit: the value over it. A limit of zero is met by nothing above zero.

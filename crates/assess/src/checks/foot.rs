@@ -1,61 +1,53 @@
 //! Where the resultant at rest meets the ground below piers and abutments.
 
 use super::bearing::feet;
-use super::check::{Check, CheckCard, Probe, limit, used};
+use super::check::{Check, Probe, limit, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
-pub(super) struct FootEccentricity;
+pub(super) const CHECK: Check = Check {
+    code: "C403",
+    keys: ["pier", "assess.foot_eccentricity_limit"],
+    title: "resultant on the foot",
+    clause: "resultant at rest within the core of the feet of piers and of abutments that stand on the ground",
+    text: "The distance of the resultant from the middle of a foot over the foot's depth, at rest under nominal weights. Within the middle \
+           third (0.167) the whole foot bears; within the middle two thirds (0.333) half of it does or more. A load that is always there \
+           and stands off the middle tilts a pier or an abutment slowly, whatever the arches carry. The resultant is that of elastic \
+           blocks on rigid ground whose joints open nowhere; beyond half of the depth it lies outside the foot. Vehicles are left out: \
+           the pressure under them is C402, and whether the bridge turns over with them is for the checks at ultimate. Where the limit \
+           is not met, measure how far the pier or the abutment leans and its levels over some years, and find its foundation by a trial \
+           pit: a footing that is not in the file widens the foot. An abutment that is fixed has no foot: describe it as \
+           blocks.",
+    source: "DIN 1054 (2010), A 6.6.5: no gap below the foot under permanent actions, a sixth of its depth [recalled]; EN 1997-1, 6.5.4: \
+             special precautions beyond a third [recalled]; the limit is the file's",
+    probe: Probe::Whole,
+    run,
+};
 
-impl Check for FootEccentricity {
-    fn card(&self) -> CheckCard {
-        CheckCard {
-            code: "C403",
-            keys: ["pier", "assess.foot_eccentricity_limit"],
-            title: "resultant on the foot",
-            clause: "resultant at rest within the core of the feet of piers and of abutments that stand on the ground",
-            text: "The distance of the resultant from the middle of a foot over the foot's depth, at rest under nominal weights. Within the middle \
-                   third (0.167) the whole foot bears; within the middle two thirds (0.333) half of it does or more. A load that is always there \
-                   and stands off the middle tilts a pier or an abutment slowly, whatever the arches carry. The resultant is that of elastic \
-                   blocks on rigid ground whose joints open nowhere; beyond half of the depth it lies outside the foot. Vehicles are left out: \
-                   the pressure under them is C402, and whether the bridge turns over with them is for the checks at ultimate. Where the limit \
-                   is not met, measure how far the pier or the abutment leans and its levels over some years, and find its foundation by a trial \
-                   pit: a footing that is not in the file widens the foot. An abutment that is fixed has no foot: describe it as \
-                   blocks.",
-            source: "DIN 1054 (2010), A 6.6.5: no gap below the foot under permanent actions, a sixth of its depth [recalled]; EN 1997-1, 6.5.4: \
-                     special precautions beyond a third [recalled]; the limit is the file's",
-        }
-    }
-
-    fn probe(&self) -> Probe {
-        Probe::Whole
-    }
-
-    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        // A bridge without feet is not asked for a limit that it has no use for.
-        let feet = feet(a)?;
-        let form = "foot_eccentricity_limit = …";
-        let limit = limit(a.asked.limits.foot_eccentricity, form, "from the rule that you assess by")?;
-        let found = feet.into_iter().filter_map(|foot| {
-            let (depth, eccentricity) = (foot.depth?, foot.eccentricity?.abs());
-            let value = eccentricity / depth;
-            let outside = if value > 0.5 { ", outside the foot" } else { "" };
-            Some(Comparison {
-                load_model: "at rest".to_owned(),
-                value,
-                limit,
-                unit: Unit::OfTheDepth,
-                utilisation: used(value, limit),
-                basis: format!("{}, {eccentricity:.3} m from the middle of {depth:.3} m{outside}", foot.place),
-                position: None,
-                columns: None,
-                strength: false,
-                needed: None,
-            })
-        });
-        Ok(found.collect())
-    }
+fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
+    // A bridge without feet is not asked for a limit that it has no use for.
+    let feet = feet(a)?;
+    let form = "foot_eccentricity_limit = …";
+    let limit = limit(a.asked.limits.foot_eccentricity, form, "from the rule that you assess by")?;
+    let found = feet.into_iter().filter_map(|foot| {
+        let (depth, eccentricity) = (foot.depth?, foot.eccentricity?.abs());
+        let value = eccentricity / depth;
+        let outside = if value > 0.5 { ", outside the foot" } else { "" };
+        Some(Comparison {
+            load_model: "at rest".to_owned(),
+            value,
+            limit,
+            unit: Unit::OfTheDepth,
+            utilisation: used(value, limit),
+            basis: format!("{}, {eccentricity:.3} m from the middle of {depth:.3} m{outside}", foot.place),
+            position: None,
+            columns: None,
+            strength: false,
+            needed: None,
+        })
+    });
+    Ok(found.collect())
 }
 
 #[cfg(test)]
@@ -86,7 +78,7 @@ mod tests {
     }
 
     fn compared(bridge: Bridge) -> Comparison {
-        let found = FootEccentricity.run(&evidence(bridge)).unwrap();
+        let found = run(&evidence(bridge)).unwrap();
         assert_eq!(found.len(), 1, "{found:?}");
         found[0].clone()
     }
@@ -99,7 +91,7 @@ mod tests {
             let feet = a.statics.as_mut().unwrap().reactions.iter_mut();
             let foot = feet.filter(|one| one.place == "foot of pier 1").last().unwrap();
             (foot.eccentricity, foot.depth) = (Some(eccentricity), Some(3.0));
-            FootEccentricity.run(&a).unwrap().remove(0)
+            run(&a).unwrap().remove(0)
         };
         for one in [at(0.25), at(-0.25)] {
             assert!((one.value - 1.0 / 12.0).abs() < 1e-12 && (one.utilisation - 0.5).abs() < 1e-12 && one.met());
@@ -156,17 +148,17 @@ mod tests {
         ];
         let found = files.map(|file| {
             let bridge = bridge::read(file.as_bytes()).bridge.expect("the example is sound");
-            FootEccentricity.run(&evidence(bridge)).unwrap()
+            run(&evidence(bridge)).unwrap()
         });
         assert!(found.iter().all(|list| !list.is_empty() && list.iter().all(Comparison::met)), "{found:#?}");
     }
 
     #[test]
     fn a_bridge_without_feet_is_not_asked_for_a_limit() {
-        let why = FootEccentricity.run(&evidence(samples::bridgemill())).unwrap_err().why;
+        let why = run(&evidence(samples::bridgemill())).unwrap_err().why;
         assert!(why.contains("abutment as blocks") && !why.contains("foot_eccentricity_limit"), "{why}");
         let mut a = evidence(twin(0.0));
         a.asked.limits.foot_eccentricity = None;
-        assert!(FootEccentricity.run(&a).unwrap_err().why.contains("write foot_eccentricity_limit = …"));
+        assert!(run(&a).unwrap_err().why.contains("write foot_eccentricity_limit = …"));
     }
 }

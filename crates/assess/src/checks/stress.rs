@@ -1,26 +1,48 @@
 //! Stresses along the ring in service: crown, abutments, piers.
 
-use super::check::{Check, CheckCard, limit, of, used};
+use super::check::{Check, Probe, limit, of, unless_empty, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Columns, Comparison, NotMade, Unit};
 use outcome::facts::{Reading, RingSection, SectionFacts, ServiceFacts, Watched};
 
 /// At crowns.
-pub(super) struct Crown;
+pub(super) const CROWN: Check = Check {
+    code: "C102",
+    keys: ["service_load", "assess"],
+    title: "crown stress",
+    clause: "longitudinal stress at the crown",
+    text: "The stress along the ring on the faces of the voussoirs at this position, tension positive: the \
+           strain of a voussoir times E / (1 - nu^2), under self-weight and under the train, whose effect is increased by \
+           the design and by the total coefficient of dynamic augment. The largest compression and the largest tension over \
+           all spans and both faces are compared with compression_limit and tension_limit of [assess]. A voussoir between \
+           joints without tensile strength has little tension whatever the load; if this check shows more tension than the \
+           mortar can carry, the voussoir bends between its joints. If the compression limit is not met, look at the thrust \
+           line: it is close to a face.",
+    source: "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 2.64 in tension",
+    probe: Probe::Sensors,
+    run: |a| run(a, RingSection::Crown),
+};
+
 /// At springings on abutments.
-pub(super) struct Abutment;
+pub(super) const ABUTMENT: Check = Check {
+    code: "C103",
+    title: "abutment stress",
+    clause: "longitudinal stress at the abutments",
+    run: |a| run(a, RingSection::Abutment),
+    ..CROWN
+};
+
 /// At springings on piers.
-pub(super) struct Pier;
-
-const TEXT: &str = "The stress along the ring on the faces of the voussoirs at this position, tension positive: the \
-     strain of a voussoir times E / (1 - nu^2), under self-weight and under the train, whose effect is increased by \
-     the design and by the total coefficient of dynamic augment. The largest compression and the largest tension over \
-     all spans and both faces are compared with compression_limit and tension_limit of [assess]. A voussoir between \
-     joints without tensile strength has little tension whatever the load; if this check shows more tension than the \
-     mortar can carry, the voussoir bends between its joints. If the compression limit is not met, look at the thrust \
-     line: it is close to a face.";
-
-const SOURCE: &str = "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 2.64 in tension";
+pub(super) const PIER: Check = Check {
+    code: "C104",
+    title: "pier stress",
+    clause: "longitudinal stress at the piers",
+    run: |a| match a.bridge.spans.len() {
+        0 | 1 => Err(NotMade::because("the bridge has no pier")),
+        _ => run(a, RingSection::Pier),
+    },
+    ..CROWN
+};
 
 /// Both readings of the augment: the word, and which of [`outcome::published::AugmentFacts::on`] it is.
 pub(super) const READINGS: [(Reading, usize); 2] = [(Reading::Design, 0), (Reading::Total, 1)];
@@ -76,71 +98,10 @@ fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
                     basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
                     position: Some(position),
                     columns: Some(columns(facts, (&load.name, reading), span, at.self_weight, live)),
-                    strength: false,
-                    needed: None,
+                    ..Comparison::default()
                 });
             }
         }
     }
-    match list.is_empty() {
-        true => Err(NotMade::because(format!("no {place} of the bridge was watched"))),
-        false => Ok(list),
-    }
-}
-
-impl Check for Crown {
-    fn card(&self) -> CheckCard {
-        let clause = "longitudinal stress at the crown";
-        CheckCard {
-            code: "C102",
-            keys: ["service_load", "assess"],
-            title: "crown stress",
-            clause,
-            text: TEXT,
-            source: SOURCE,
-        }
-    }
-
-    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        run(a, RingSection::Crown)
-    }
-}
-
-impl Check for Abutment {
-    fn card(&self) -> CheckCard {
-        let clause = "longitudinal stress at the abutments";
-        CheckCard {
-            code: "C103",
-            keys: ["service_load", "assess"],
-            title: "abutment stress",
-            clause,
-            text: TEXT,
-            source: SOURCE,
-        }
-    }
-
-    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        run(a, RingSection::Abutment)
-    }
-}
-
-impl Check for Pier {
-    fn card(&self) -> CheckCard {
-        let clause = "longitudinal stress at the piers";
-        CheckCard {
-            code: "C104",
-            keys: ["service_load", "assess"],
-            title: "pier stress",
-            clause,
-            text: TEXT,
-            source: SOURCE,
-        }
-    }
-
-    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        if a.bridge.spans.len() < 2 {
-            return Err(NotMade::because("the bridge has no pier"));
-        }
-        run(a, RingSection::Pier)
-    }
+    unless_empty(list, format!("no {place} of the bridge was watched"))
 }

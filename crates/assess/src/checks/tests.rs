@@ -123,7 +123,7 @@ fn moved(vehicles: Vec<SweptFacts>, safety: SafetyFacts) -> Stage<VehicleFacts> 
 
 #[test]
 fn the_crown_has_the_columns_of_table_7() {
-    let found = crown_deflection::CrownDeflection.run(&assessment()).unwrap();
+    let found = (crown_deflection::CHECK.run)(&assessment()).unwrap();
     let [own, design, sum, total, whole] = found[1].columns.as_ref().unwrap().values;
     // Printed to hundredths: -0.59, -0.50, -0.67, -0.58 mm.
     for (ours, printed) in [(own, 0.09), (design, -0.59), (sum, -0.50), (total, -0.67), (whole, -0.58)] {
@@ -139,7 +139,7 @@ fn a_check_that_lacks_its_limit_offers_no_value() {
     a.asked = Assess::default();
     let asked: Vec<String> = CHECKS
         .iter()
-        .filter_map(|check| check.run(&a).err())
+        .filter_map(|check| (check.run)(&a).err())
         .filter(|not_made| not_made.why.contains("the file gives no limit: write "))
         .map(|not_made| not_made.why)
         .collect();
@@ -155,9 +155,8 @@ fn a_check_that_lacks_its_limit_offers_no_value() {
 
 #[test]
 fn codes_are_unique_and_in_order_and_say_something() {
-    let cards: Vec<CheckCard> = cards().collect();
-    assert!(cards.windows(2).all(|pair| pair[0].code < pair[1].code));
-    assert!(cards.iter().all(|card| card.text.len() > 100 && !card.source.is_empty() && !card.clause.is_empty()));
+    assert!(CHECKS.windows(2).all(|pair| pair[0].code < pair[1].code));
+    assert!(CHECKS.iter().all(|card| card.text.len() > 100 && !card.source.is_empty() && !card.clause.is_empty()));
 }
 
 #[test]
@@ -362,7 +361,7 @@ fn what_fails_at_some_position_fails_whatever_the_others_say() {
         };
         let safety = SafetyFacts { live_load: 1.9, live_load_confidence: Confidence::Read, ..SafetyFacts::default() };
         a.facts.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
-        let basis = vehicles::Vehicles.run(&a).map(|found| found[0].basis.clone()).unwrap_or_default();
+        let basis = (vehicles::CHECK.run)(&a).map(|found| found[0].basis.clone()).unwrap_or_default();
         (verdict(&a, &run(&a)).status, basis.contains("at most: 1 of 271 positions have no answer"))
     };
     assert_eq!(with(0.4), (Judgement::Inadequate, true));
@@ -430,10 +429,10 @@ fn values_of_a_slow_sweep_are_not_tried() {
 fn the_stress_range_follows_its_bound() {
     let mut a = assessment();
     a.asked.limits.load_cycles = Some(1e6);
-    let why = fatigue::StressRange.run(&a).unwrap_err();
+    let why = (fatigue::CHECK.run)(&a).unwrap_err();
     assert!(why.why.contains("compressive_strength"), "{}", why.why);
     a.bridge.masonry.compressive_strength = Some(10e6);
-    let found = fatigue::StressRange.run(&a).unwrap();
+    let found = (fatigue::CHECK.run)(&a).unwrap();
     // Abutment: most 0.83 + 1.6 x 0.37 = 1.422, least 0.83 - 0.16 = 0.67; root of 0.752 x 1.422 over 10.
     assert!((found[0].value - (0.752_f64 * 1.422).sqrt() / 10.0).abs() < 1e-12);
     assert!((found[0].limit - 0.4).abs() < 1e-12);
@@ -448,17 +447,17 @@ fn a_limit_of_nothing_is_met_by_nothing_else() {
 fn a_thrust_without_a_zone_is_told_and_not_judged() {
     let mut a = assessment();
     a.asked.limits.thrust_zone = None;
-    let why = thrust::ThrustZone.run(&a).unwrap_err();
+    let why = (thrust::CHECK.run)(&a).unwrap_err();
     assert!(!why.failed && why.why.contains("thrust_zone =") && why.why.contains("0.200 of the depth"), "{}", why.why);
     a.facts.service = Stage::NotAsked("no train".into());
-    assert!(!thrust::ThrustZone.run(&a).unwrap_err().why.contains("in service"));
+    assert!(!(thrust::CHECK.run)(&a).unwrap_err().why.contains("in service"));
 }
 
 /// Compression is negative and has its own limit; what stays compressed uses nothing of the limit on tension. By hand from the
 /// facts: -0.83 - 1.6 x 0.37, and -0.83 + 1.6 x 0.1.
 #[test]
 fn stresses_have_their_sign_their_side_and_their_unit() {
-    let found = stress::Abutment.run(&assessment()).unwrap();
+    let found = (stress::ABUTMENT.run)(&assessment()).unwrap();
     let [pressed, pulled, ..] = &found[..] else { panic!("{found:?}") };
     assert!((pressed.value + 1.422).abs() < 1e-12 && (pressed.limit + 2.589).abs() < 1e-12, "{pressed:?}");
     assert!((pressed.utilisation - 1.422 / 2.589).abs() < 1e-12 && pressed.unit == Unit::Megapascal);
@@ -468,9 +467,9 @@ fn stresses_have_their_sign_their_side_and_their_unit() {
     let mut a = assessment();
     let Stage::Made(facts) = &mut a.facts.service else { panic!() };
     facts.loads[0].places[2].maximum = 1.0;
-    let found = stress::Abutment.run(&a).unwrap();
+    let found = (stress::ABUTMENT.run)(&a).unwrap();
     assert!((found[1].value - 0.77).abs() < 1e-12 && !found[1].met(), "{:?}", found[1]);
-    let shear = joint_shear::JointShear.run(&a).unwrap();
+    let shear = (joint_shear::CHECK.run)(&a).unwrap();
     assert_eq!((shear[0].value, shear[0].limit, shear[0].utilisation), (0.4, 1.0, 0.4));
 }
 
@@ -479,7 +478,7 @@ fn stresses_have_their_sign_their_side_and_their_unit() {
 fn a_stronger_bridge_uses_less() {
     let mut a = assessment();
     let used = |a: &Evidence| {
-        [adequacy::Adequacy.run(a).unwrap()[0].clone(), permissible::PermissibleShare.run(a).unwrap()[0].clone()]
+        [(adequacy::CHECK.run)(a).unwrap()[0].clone(), (permissible::CHECK.run)(a).unwrap()[0].clone()]
             .map(|finding| finding.utilisation)
     };
     // 2 asked of 4; 1/4 of the ultimate load, half is permitted.
@@ -499,7 +498,7 @@ fn a_bridge_that_does_not_stand_settles_nothing_of_its_share() {
         [(Status::UnstableUnderSelfWeight, true), (Status::NotConverged, true), (Status::Locks, false)]
     {
         a.facts.ultimate = Stage::Made(with(status));
-        assert_eq!(permissible::PermissibleShare.run(&a).unwrap_err().failed, failed, "{status}");
+        assert_eq!((permissible::CHECK.run)(&a).unwrap_err().failed, failed, "{status}");
     }
     a.asked.limits.adequacy_factor = Some(1.0);
     a.facts.ultimate = Stage::Made(with(Status::UnstableUnderSelfWeight));
@@ -522,7 +521,7 @@ fn discrete_elements_count_where_they_carry_less() {
             safety: safety((1.9, Confidence::Read), (0.0, Confidence::Assumed)),
             ..VehicleFacts::default()
         });
-        let found = vehicles::Vehicles.run(&a).unwrap();
+        let found = (vehicles::CHECK.run)(&a).unwrap();
         assert_eq!(found[1].value, 2.0);
         found[0].clone()
     };
@@ -541,7 +540,7 @@ fn a_movement_is_compared_with_what_stood_over_its_factor() {
     let mut a = assessment();
     (a.asked.limits.expected_movement, a.asked.limits.movement_factor) = (Some(0.02), 2.0);
     a.facts.movement = Stage::Made(MovementFacts { last_stable_mm: Some(50.0), ..MovementFacts::default() });
-    let found = movement::SupportMovement.run(&a).unwrap();
+    let found = (movement::CHECK.run)(&a).unwrap();
     assert_eq!((found[0].value, found[0].limit, found[0].utilisation), (20.0, 25.0, 0.8));
 }
 
@@ -561,11 +560,11 @@ fn states_in_service_are_compared_for_nominal_loads() {
     let mut a = assessment();
     a.asked.limits.onset_factor = Some(1.0);
     a.facts.vehicles = moved(vec![one], SafetyFacts { live_load: 1.5, ..SafetyFacts::default() });
-    let found = onset::Onset.run(&a).unwrap();
+    let found = (onset::CHECK.run)(&a).unwrap();
     assert!((found[0].value - 0.9).abs() < 1e-12 && !found[0].met(), "{found:?}");
     assert!(!found[0].strength && found[0].basis.contains("half open"), "{found:?}");
     a.facts.vehicles = moved(Vec::new(), SafetyFacts::default());
-    assert!(onset::Onset.run(&a).unwrap_err().why.contains("method = \"path\""));
+    assert!((onset::CHECK.run)(&a).unwrap_err().why.contains("method = \"path\""));
     a.asked.limits.onset_factor = None;
-    assert!(onset::Onset.run(&a).unwrap_err().why.contains("onset_factor"));
+    assert!((onset::CHECK.run)(&a).unwrap_err().why.contains("onset_factor"));
 }

@@ -1,7 +1,7 @@
 //! Vehicles under the factors of a rule.
 
 use super::by_rule;
-use super::check::{Check, CheckCard, Probe, of};
+use super::check::{Check, Probe, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -9,60 +9,52 @@ use outcome::facts::{SafetyFacts, SweptFacts, VehicleFacts};
 use rules::Confidence;
 
 /// The check.
-pub(super) struct Vehicles;
+pub(super) const CHECK: Check = Check {
+    code: "C204",
+    keys: ["sweep.vehicles", "sweep.rule"],
+    title: "adequacy of vehicles",
+    clause: "adequacy factor of every vehicle under the factors of its rule",
+    text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit \
+           analysis over every position, both directions and every group of neighbouring axles. Partial \
+           factors, impact, dispersal, effective width and condition are those of the rule of [sweep], each \
+           with its source in the report; the limit is therefore 1. A rule without a factor above 1 on live \
+           loads, or without a source of it (\"characteristic\", rules of working stresses), is compared only \
+           to find vehicles that fail even so: a bridge that carries nominal loads has no verdict of adequacy. \
+           The factors of a standard cover its own method. Under a rule_file whose model factor was not read in \
+           its source, a verdict needs the model factor of tests (A191), and so does every rule with \
+           model_factor = \"tests\" in [assess]. If the check is not met, study the governing case: its \
+           position, its axles, and which factors are recalled and not read. With discrete_elements = true in \
+           [sweep] the governing case is also analysed by discrete elements, and the smaller number counts.",
+    source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
+    probe: Probe::Vehicle,
+    run,
+};
 
-impl Check for Vehicles {
-    fn card(&self) -> CheckCard {
-        CheckCard {
-            code: "C204",
-            keys: ["sweep.vehicles", "sweep.rule"],
-            title: "adequacy of vehicles",
-            clause: "adequacy factor of every vehicle under the factors of its rule",
-            text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit \
-                   analysis over every position, both directions and every group of neighbouring axles. Partial \
-                   factors, impact, dispersal, effective width and condition are those of the rule of [sweep], each \
-                   with its source in the report; the limit is therefore 1. A rule without a factor above 1 on live \
-                   loads, or without a source of it (\"characteristic\", rules of working stresses), is compared only \
-                   to find vehicles that fail even so: a bridge that carries nominal loads has no verdict of adequacy. \
-                   The factors of a standard cover its own method. Under a rule_file whose model factor was not read in \
-                   its source, a verdict needs the model factor of tests (A191), and so does every rule with \
-                   model_factor = \"tests\" in [assess]. If the check is not met, study the governing case: its \
-                   position, its axles, and which factors are recalled and not read. With discrete_elements = true in \
-                   [sweep] the governing case is also analysed by discrete elements, and the smaller number counts.",
-            source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
-        }
+fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
+    let facts = of(&a.facts.vehicles)?;
+    let strength = has_safety(&facts.safety);
+    let needed = Needed { least: by_rule::needed(a), as_limit: a.asked.limits.model_factor_of_tests };
+    let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != Status::Locks);
+    let all: Vec<Comparison> = bounded
+        .clone()
+        .filter(|one| one.adequacy.is_some() || one.status != OPEN || fails_all_the_same(one))
+        .map(|one| finding(facts, one, strength, needed))
+        .collect();
+    let (met, broken): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|finding| finding.met());
+    // What fails at some position fails; what passes at the others passes only where no position is left open.
+    let open: Vec<&str> = bounded.filter(|one| one.status == OPEN).map(|one| one.code.as_str()).collect();
+    if !open.is_empty() && broken.is_empty() {
+        let why = format!("limit analysis of {} has no result at some positions", open.join(", "));
+        return Err(NotMade::failed(why));
     }
-
-    fn probe(&self) -> Probe {
-        Probe::Vehicle
-    }
-
-    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        let facts = of(&a.facts.vehicles)?;
-        let strength = has_safety(&facts.safety);
-        let needed = Needed { least: by_rule::needed(a), as_limit: a.asked.limits.model_factor_of_tests };
-        let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != Status::Locks);
-        let all: Vec<Comparison> = bounded
-            .clone()
-            .filter(|one| one.adequacy.is_some() || one.status != OPEN || fails_all_the_same(one))
-            .map(|one| finding(facts, one, strength, needed))
-            .collect();
-        let (met, broken): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|finding| finding.met());
-        // What fails at some position fails; what passes at the others passes only where no position is left open.
-        let open: Vec<&str> = bounded.filter(|one| one.status == OPEN).map(|one| one.code.as_str()).collect();
-        if !open.is_empty() && broken.is_empty() {
-            let why = format!("limit analysis of {} has no result at some positions", open.join(", "));
-            return Err(NotMade::failed(why));
+    match (strength, met.first(), broken.is_empty()) {
+        (_, None, true) => {
+            Err(NotMade::because("no vehicle turns the bridge into a mechanism: the factors are unbounded"))
         }
-        match (strength, met.first(), broken.is_empty()) {
-            (_, None, true) => {
-                Err(NotMade::because("no vehicle turns the bridge into a mechanism: the factors are unbounded"))
-            }
-            (false, Some(_), true) => Err(NotMade::because(without_safety(&facts.safety, &met))),
-            // Without safety only what fails even so is a comparison.
-            (false, _, false) => Ok(broken.into_iter().cloned().collect()),
-            (true, ..) => Ok(all),
-        }
+        (false, Some(_), true) => Err(NotMade::because(without_safety(&facts.safety, &met))),
+        // Without safety only what fails even so is a comparison.
+        (false, _, false) => Ok(broken.into_iter().cloned().collect()),
+        (true, ..) => Ok(all),
     }
 }
 

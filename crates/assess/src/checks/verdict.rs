@@ -43,40 +43,33 @@ pub fn verdict(a: &Evidence, checked: &[Checked]) -> Verdict {
     let assessed = asked && open.is_empty();
     let comparisons = counted(made.len(), "comparison");
     let most = most(checked);
-    let (status, headline, words) = match (broken.len(), failed.is_empty(), made.is_empty()) {
-        (n @ 1.., _, _) => (
-            Judgement::Inadequate,
-            Rung::NotAdequate,
-            format!("{n} of {comparisons} {} not met. {most}.", if n == 1 { "is" } else { "are" }),
-        ),
-        (0, false, _) => {
-            (Judgement::Undetermined, Rung::Undetermined, format!("An analysis did not finish: {}.", failed.join(", ")))
+    let (headline, words) = match (broken.len(), failed.is_empty(), made.is_empty()) {
+        (n @ 1.., _, _) => {
+            let are = if n == 1 { "is" } else { "are" };
+            (Rung::NotAdequate, format!("{n} of {comparisons} {are} not met. {most}."))
         }
-        (0, true, _) if asked && !assessed => (
-            Judgement::Undetermined,
+        (0, false, _) => (Rung::Undetermined, format!("An analysis did not finish: {}.", failed.join(", "))),
+        (0, true, true) if asked && !assessed => (Rung::Undetermined, "Nothing could be compared.".to_owned()),
+        (0, true, false) if asked && !assessed => (
             Rung::Undetermined,
-            match made.is_empty() {
-                true => "Nothing could be compared.".to_owned(),
-                false => {
-                    format!("Every limit that was compared is met ({comparisons}), and strength is not shown. {most}.")
-                }
-            },
+            format!("Every limit that was compared is met ({comparisons}), and strength is not shown. {most}."),
         ),
         (0, true, true) => (
-            Judgement::Undetermined,
             Rung::NothingCompared,
             "No check could be made: the file names no rule and no limits to compare with.".to_owned(),
         ),
         (0, true, false) if !asked => (
-            Judgement::Undetermined,
             Rung::LimitsMet,
             format!(
                 "Every limit that the file gives is met ({comparisons}); it names no rule for strength, and no verdict of adequacy is given. {most}."
             ),
         ),
-        (0, true, false) => {
-            (Judgement::Adequate, Rung::Adequate, format!("Every limit is met, {comparisons} in all. {most}."))
-        }
+        (0, true, false) => (Rung::Adequate, format!("Every limit is met, {comparisons} in all. {most}.")),
+    };
+    let status = match headline {
+        Rung::NotAdequate => Judgement::Inadequate,
+        Rung::Adequate => Judgement::Adequate,
+        Rung::Undetermined | Rung::NothingCompared | Rung::LimitsMet => Judgement::Undetermined,
     };
     let undetermined = status == Judgement::Undetermined;
     let missing = match (undetermined, asked) {

@@ -38,7 +38,7 @@ pub(crate) fn cases(
         return Vec::new();
     }
     let document = Document::parse(text);
-    let read = |table: &Table<'_>, findings: &mut Findings| {
+    let mut read = |table: &Table<'_>, findings: &mut Findings| {
         let name: Option<At<String>> = table.read("name", findings);
         if let Some(At { value, range }) = &name {
             if value.trim().is_empty() || names.contains(value) {
@@ -55,7 +55,6 @@ pub(crate) fn cases(
         }
         case(table, name, loads, document.as_ref().map(|document| (document, errors)), findings)
     };
-    let mut read = read;
     tables.iter().filter_map(|table| read(table, findings)).collect()
 }
 
@@ -66,14 +65,14 @@ fn case(
     whole: Option<(&Document, Errors<'_>)>,
     findings: &mut Findings,
 ) -> Option<Case> {
-    let weights = ["masonry_weight", "fill_weight", "surfacing_weight"].map(|key| table.read::<f64>(key, findings));
+    let [masonry_weight, fill_weight, surfacing_weight] =
+        ["masonry_weight", "fill_weight", "surfacing_weight"].map(|key| table.read::<f64>(key, findings));
     let acting = acting(table, loads, findings);
     let changes = table.all("change", findings, change);
     if let (Some((document, errors)), Some(changes)) = (whole, &changes) {
         super::vary::check(document, changes, findings);
         reads(document, changes, errors, findings);
     }
-    let [masonry_weight, fill_weight, surfacing_weight] = weights;
     Some(Case {
         name: name?.value,
         loads: acting?,
@@ -122,22 +121,18 @@ fn acting(table: &Table<'_>, loads: Option<&[Load]>, findings: &mut Findings) ->
                 known.push(load);
                 Some((load, factor))
             }
-            [_] => {
-                findings.error(
-                    "B227",
-                    range,
-                    format!("the load `{value}` acts twice"),
-                    "named above",
-                    "give its factor once",
-                );
-                None
-            }
+            [_] => findings.refuse(
+                "B227",
+                range,
+                format!("the load `{value}` acts twice"),
+                "named above",
+                "give its factor once",
+            ),
             _ => {
                 let names: Vec<String> = loads.iter().map(|load| format!("\"{}\"", load.name)).collect();
                 let message = format!("{} loads are called \"{value}\"", of_the_name.len());
                 let help = format!("give each [[load]] a `name` of its own; the file has {}", names.join(", "));
-                findings.error("B227", range, message, "one [[load]] of this name", help);
-                None
+                findings.refuse("B227", range, message, "one [[load]] of this name", help)
             }
         }
     })

@@ -70,12 +70,10 @@ fn records(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) 
 }
 
 fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) -> Option<Vec<Channel>> {
-    let tables = file.tables("channel", findings);
     let mut seen: Vec<String> = Vec::new();
-    let mut list = Vec::new();
-    for table in &tables {
-        let channel = channel(table, findings);
-        if let (Some(channel), Some(names)) = (&channel, names) {
+    file.all("channel", findings, |table, findings| {
+        let channel = channel(table, findings)?;
+        if let Some(names) = names {
             let known = names.contains(&channel.sensor);
             if !known || seen.contains(&channel.sensor) {
                 let message = if known { "two tables name the same channel" } else { "there is no such sensor" };
@@ -84,9 +82,8 @@ fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings)
             }
             seen.push(channel.sensor.clone());
         }
-        list.push(channel);
-    }
-    list.into_iter().collect()
+        Some(channel)
+    })
 }
 
 fn channel(table: &Table<'_>, findings: &mut Findings) -> Option<Channel> {
@@ -97,8 +94,13 @@ fn parameters(file: &Table<'_>, document: Option<&Document>, findings: &mut Find
     let tables = file.tables("parameter", findings);
     if let Some(beyond) = tables.get(MOST_PARAMETERS) {
         let message = format!("there are {} parameters", tables.len());
-        findings.error("B672", beyond.range, message, "there are twenty at most", "search for fewer at a time");
-        return None;
+        return findings.refuse(
+            "B672",
+            beyond.range,
+            message,
+            "there are twenty at most",
+            "search for fewer at a time",
+        );
     }
     let list = file.all("parameter", findings, |table, findings| parameter(table, document, findings))?;
     for (k, one) in list.iter().enumerate() {
@@ -126,8 +128,7 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
         Ok(pair) => pair,
         Err(slip) => {
             let place = table.place(if slip.of_values { "lower" } else { "quantity" });
-            findings.error(slip.code, place, slip.message, slip.label, slip.help);
-            return None;
+            return findings.refuse(slip.code, place, slip.message, slip.label, slip.help);
         }
     };
     let numbers = (varied.own.as_ref().and_then(|own| own.number), varied.values[0].number, varied.values[1].number);
@@ -135,15 +136,19 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
         matches!(found.field.kind, Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::Number | Kind::Quantities(_));
     let (true, (Some(start), Some(lower), Some(upper))) = (continuous, numbers) else {
         let help = "name a quantity that has a number in this file, between two bounds of the same dimension";
-        findings.error("B670", table.place("quantity"), "this is not a range of numbers", "not continuous", help);
-        return None;
+        return findings.refuse(
+            "B670",
+            table.place("quantity"),
+            "this is not a range of numbers",
+            "not continuous",
+            help,
+        );
     };
     if !(lower < upper && lower <= start && start <= upper && (lower > 0.0 || !logarithmic)) {
         let message = format!("{lower} to {upper} is not a range that contains {start} {}", varied.unit);
         let help =
             "write a lower bound below the upper one, with the file's own value between; above zero where logarithmic";
-        findings.error("B670", table.place("lower"), message, "lower end of the acceptable range", help);
-        return None;
+        return findings.refuse("B670", table.place("lower"), message, "lower end of the acceptable range", help);
     }
     let name = name.unwrap_or(quantity);
     Some(Parameter { name, path: varied.path, unit: varied.unit, start, lower, upper, logarithmic })

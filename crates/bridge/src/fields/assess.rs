@@ -2,10 +2,10 @@
 
 use crate::assess::{Assess, Expected, Limits, Mexe, MexeAxles, ServiceLoad};
 use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::cards::*;
+use crate::choice::choice;
 use crate::findings::Findings;
 use crate::quantity;
-use crate::quantity::Dimension::{Length, Mass, Stress};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -23,71 +23,46 @@ pub(super) static ASSESS: Section = Section {
     path: "assess",
     doc: "Limits that `extrados assess` compares with. None has a default: a check whose limit is not given is listed as not made.",
     fields: &[
-        Field::new("source", Kind::Text, "where the limits come from", "Table 7 of the railway paper")
+        text("source", "where the limits come from", "Table 7 of the railway paper")
             .optional("the report says that the file names no source"),
-        Field::new("rule", Kind::Text, "rule of the library whose dynamic augment counts", "irs-bridge-rules")
+        text("rule", "rule of the library whose dynamic augment counts", "irs-bridge-rules")
             .optional("no dynamic augment is added, and the report says so"),
-        Field::new(
-            "loaded_length",
-            Kind::Quantity(Length),
-            "loaded length for the coefficient of dynamic \
-                                                             augment",
-            "6 m",
-        )
-        .positive()
-        .optional("the longest span"),
-        Field::new(
-            "cushion",
-            Kind::Quantity(Length),
-            "depth between load and ring that reduces the dynamic \
-                                                       augment",
-            "0.48 m",
-        )
-        .at_least(0.0)
-        .optional("the cover's depth"),
-        Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "5 mm")
+        length("loaded_length", "loaded length for the coefficient of dynamic augment", "6 m")
+            .positive()
+            .optional("the longest span"),
+        length("cushion", "depth between load and ring that reduces the dynamic augment", "0.48 m")
+            .at_least(0.0)
+            .optional("the cover's depth"),
+        length("deflection_limit", "largest deflection of a crown", "5 mm")
             .positive()
             .optional("deflections are not checked"),
-        Field::new("compression_limit", Kind::Quantity(Stress), "largest compression along the ring", "2 MPa")
+        stress("compression_limit", "largest compression along the ring", "2 MPa")
             .positive()
             .optional("compression is not checked"),
-        Field::new("tension_limit", Kind::Quantity(Stress), "largest tension along the ring", "0.2 MPa")
+        stress("tension_limit", "largest tension along the ring", "0.2 MPa")
             .at_least(0.0)
             .optional("tension is not checked"),
-        Field::new("joint_shear_limit", Kind::Quantity(Stress), "shear strength of joints", "1 MPa")
+        stress("joint_shear_limit", "shear strength of joints", "1 MPa")
             .positive()
             .optional("shear in joints is not checked"),
-        Field::new(
-            "thrust_zone",
-            Kind::Word(ThrustZone::WORDS),
-            "where the thrust line must stay in service",
-            "middle-half",
-        )
-        .optional("the thrust line is not checked"),
-        Field::new("adequacy_factor", Kind::Number, "least factor on loads at ultimate", "1.0")
-            .at_least(1.0)
-            .at_most(4.0)
+        word::<ThrustZone>("thrust_zone", "where the thrust line must stay in service", "middle-half")
+            .optional("the thrust line is not checked"),
+        number("adequacy_factor", "least factor on loads at ultimate", "1.0")
+            .between(1.0, 4.0)
             .optional("factors are listed and not checked"),
-        Field::new(
-            "adequacy_source",
-            Kind::Text,
-            "document and clause that `adequacy_factor` is from",
-            "BS 5400-2, Table 1",
-        )
-        .optional(
-            "the check against `adequacy_factor` is made, but does not assess strength: no verdict of adequacy \
-                   rests on it",
-        ),
-        Field::new(
+        text("adequacy_source", "document and clause that `adequacy_factor` is from", "BS 5400-2, Table 1")
+            .optional(
+                "the check against `adequacy_factor` is made, but does not assess strength: no verdict of adequacy \
+                 rests on it",
+            ),
+        text(
             "skew_source",
-            Kind::Text,
             "document and clause, or test, that confirms the square model for the skew of [carriageway]",
             "finite elements in three dimensions, report 12",
         )
         .optional("with a skew of more than 10 degrees no verdict of adequacy is given"),
-        Field::new("load_factor_included", Kind::Number, "factor that the forces of [[load]] already carry", "1.9")
-            .at_least(1.0)
-            .at_most(4.0)
+        number("load_factor_included", "factor that the forces of [[load]] already carry", "1.9")
+            .between(1.0, 4.0)
             .default("1"),
         Field::new(
             "model_factor",
@@ -96,52 +71,38 @@ pub(super) static ASSESS: Section = Section {
              every check of strength, those by a rule among them",
             "1.1",
         )
-        .at_least(1.0)
-        .at_most(4.0)
+        .between(1.0, 4.0)
         .optional(
             "under `adequacy_factor` and in a `rule_file` that of tests to collapse \
              (docs/verification/model-factor.md); the factors of a standard cover its own method",
         ),
-        Field::new("permissible_share", Kind::Number, "largest share of the ultimate load in service", "0.5")
-            .above(0.0)
-            .at_most(1.0)
+        number("permissible_share", "largest share of the ultimate load in service", "0.5")
+            .positive_up_to(1.0)
             .optional("the share is not checked"),
-        Field::new(
-            "onset_factor",
-            Kind::Number,
-            "least factor on loads at which a joint is half open or at half its strength",
-            "1.0",
-        )
-        .above(0.0)
-        .optional("states in service are not checked"),
-        Field::new(
+        number("onset_factor", "least factor on loads at which a joint is half open or at half its strength", "1.0")
+            .above(0.0)
+            .optional("states in service are not checked"),
+        stress(
             "bearing_limit",
-            Kind::Quantity(Stress),
             "largest pressure on the ground below piers and abutments, with the factors that loads have here",
             "300 kPa",
         )
         .positive()
         .optional("the pressure on the ground is not checked"),
-        Field::new(
+        number(
             "foot_eccentricity_limit",
-            Kind::Number,
             "largest distance of the resultant at rest from the middle of the foot of a pier or abutment, over its depth",
             "0.1667",
         )
-        .above(0.0)
-        .at_most(0.5)
+        .positive_up_to(0.5)
         .optional("where the resultant meets the ground is not checked"),
-        Field::new("load_cycles", Kind::Number, "load cycles in the required life", "1e7")
-            .at_least(1.0)
-            .at_most(1e12)
+        number("load_cycles", "load cycles in the required life", "1e7")
+            .between(1.0, 1e12)
             .optional("the range of stress is not checked"),
-        Field::new("expected_movement", Kind::Quantity(Length), "support movement, expected or measured", "20 mm")
+        length("expected_movement", "support movement, expected or measured", "20 mm")
             .at_least(0.0)
             .optional("movements are not checked"),
-        Field::new("movement_factor", Kind::Number, "safety factor on that movement", "2")
-            .at_least(1.0)
-            .at_most(10.0)
-            .default("1"),
+        number("movement_factor", "safety factor on that movement", "2").between(1.0, 10.0).default("1"),
     ],
 };
 
@@ -149,17 +110,15 @@ pub(super) static SERVICE_LOAD: Section = Section {
     path: "service_load",
     doc: "A load in service: the train of [train] with another mass on all its axles.",
     fields: &[
-        Field::new("name", Kind::Text, "name in results", "25t HML"),
-        Field::new("axle_load", Kind::Quantity(Mass), "mass on every axle", "25 t")
-            .positive()
-            .optional("axles as the train has them"),
-        Field::new("source", Kind::Text, "where it comes from", "Table 7 of the railway paper")
+        text("name", "name in results", "25t HML"),
+        mass("axle_load", "mass on every axle", "25 t").positive().optional("axles as the train has them"),
+        text("source", "where it comes from", "Table 7 of the railway paper")
             .optional("the report says that the file names no source"),
     ],
 };
 
 const fn factor(key: &'static str, doc: &'static str, example: &'static str) -> Field {
-    Field::new(key, Kind::Number, doc, example).above(0.0).at_most(2.0)
+    number(key, doc, example).positive_up_to(2.0)
 }
 
 pub(super) static MEXE: Section = Section {
@@ -167,7 +126,7 @@ pub(super) static MEXE: Section = Section {
     doc: "The modified MEXE method: its modifying factors for this bridge. Span, rise, ring and cover are those of the \
           file.",
     fields: &[
-        Field::new("span", Kind::Count, "which span, counted from 1", "1").at_least(1.0).at_most(200.0).default("1"),
+        count("span", "which span, counted from 1", "1").between(1.0, 200.0).default("1"),
         factor("barrel_factor", "F_b: material of the barrel; 1.5 granite to 0.7 poor masonry", "1.2"),
         factor("fill_factor", "F_f: fill; 1.0 concrete to 0.5 weak", "0.7"),
         factor("width_factor", "F_w: width of joints; 1.0 up to 6 mm, 0.9 up to 12.5 mm, 0.8 beyond", "0.9"),
@@ -176,24 +135,20 @@ pub(super) static MEXE: Section = Section {
         factor("condition_factor", "F_cM: condition of the barrel, as its inspector judges", "0.9"),
         factor("span_rise_factor", "F_sr: read off the method's figure", "0.9")
             .optional("1 up to a span of four rises, then the method's curve as recalled, up to eight"),
-        Field::new("quarter_rise", Kind::Quantity(Length), "rise at the quarter points", "1.373 m")
-            .positive()
-            .optional("that of the profile"),
-        Field::new("ring_thickness", Kind::Quantity(Length), "thickness of the ring that counts", "0.34 m")
+        length("quarter_rise", "rise at the quarter points", "1.373 m").positive().optional("that of the profile"),
+        length("ring_thickness", "thickness of the ring that counts", "0.34 m")
             .positive()
             .optional("that of all rings at the crown"),
-        Field::new("fill_depth", Kind::Quantity(Length), "depth of fill at the crown", "0.40 m")
-            .at_least(0.0)
-            .optional("the cover's depth"),
-        Field::new("axle_load", Kind::Quantity(Mass), "required mass on each of `axles`", "11.5 t")
+        length("fill_depth", "depth of fill at the crown", "0.40 m").at_least(0.0).optional("the cover's depth"),
+        mass("axle_load", "required mass on each of `axles`", "11.5 t")
             .positive()
             .optional("the allowable axle load is listed and not checked"),
-        Field::new("axles", Kind::Word(MexeAxles::WORDS), "axles with that mass on each", "bogie")
-            .default(MexeAxles::Single.word()),
-        Field::new("lift_off", Kind::Flag, "whether an axle of a bogie may lift off", "true").default("false"),
-        factor("axle_factor", "A_f: read off the method's figure for `axles` and `lift_off`", "0.9").optional(
-            "1 for a bogie without lift-off, which the method is made for, and for a single axle; otherwise the check is not made",
-        ),
+        word::<MexeAxles>("axles", "axles with that mass on each", "bogie").default(MexeAxles::Single.word()),
+        flag("lift_off", "whether an axle of a bogie may lift off", "true").default("false"),
+        factor("axle_factor", "A_f: read off the method's figure for `axles` and `lift_off`", "0.9")
+            .optional(
+                "1 for a bogie without lift-off, which the method is made for, and for a single axle; otherwise the check is not made",
+            ),
     ],
 };
 
@@ -202,14 +157,14 @@ pub(super) static EXPECTED: Section = Section {
     doc: "The expected range of an identified parameter in a sound bridge of this kind, and what a value outside it \
           means.",
     fields: &[
-        Field::new("parameter", Kind::Text, "name of a [[parameter]]", "mortar"),
-        Field::new("lower", Kind::Value, "lower end", "1 GPa"),
-        Field::new("upper", Kind::Value, "upper end", "2 GPa"),
-        Field::new("source", Kind::Text, "where the range comes from", "Table 2 of the railway paper")
+        text("parameter", "name of a [[parameter]]", "mortar"),
+        value("lower", "lower end", "1 GPa"),
+        value("upper", "upper end", "2 GPa"),
+        text("source", "where the range comes from", "Table 2 of the railway paper")
             .optional("the report says that the file names no source"),
-        Field::new("below", Kind::Text, "what a lower value means, for the owner", "the mortar has lost stiffness")
+        text("below", "what a lower value means, for the owner", "the mortar has lost stiffness")
             .optional("it is lower than expected"),
-        Field::new("above", Kind::Text, "what a higher value means, for the owner", "joints may have been repointed")
+        text("above", "what a higher value means, for the owner", "joints may have been repointed")
             .optional("it is higher than expected"),
     ],
 };
@@ -285,8 +240,7 @@ fn mexe(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Opt
     let span = mexe.span;
     if spans.is_some_and(|spans| span > spans) {
         let help = format!("write a number from 1 to {}", spans.unwrap_or(1));
-        findings.error("B107", table.place("span"), format!("there is no span {span}"), "which span", help);
-        return None;
+        return findings.refuse("B107", table.place("span"), format!("there is no span {span}"), "which span", help);
     }
     Some(Mexe { span: span - 1, ..mexe })
 }
@@ -296,8 +250,7 @@ fn expected(table: &Table<'_>, findings: &mut Findings) -> Option<Expected> {
     let [lower, upper] = [ends[0]?, ends[1]?];
     if lower >= upper {
         let help = "write the lower end first";
-        findings.error("B107", table.place("lower"), "the expected range is empty", "lower end", help);
-        return None;
+        return findings.refuse("B107", table.place("lower"), "the expected range is empty", "lower end", help);
     }
     read!(table, findings, Expected { parameter, source, below, above; lower, upper })
 }

@@ -1,16 +1,18 @@
 //! The block model file: bodies that are drawn or listed, instead of a bridge that is described.
 
 use super::material::{JOINT_FIELDS, MASONRY_FIELDS};
+use super::structure::General;
 use super::{material, plan};
 use crate::blocks::{
     BlockFile, BodyLoad, DrawingPart, ListedBlock, ListedParticles, MappedLayer, Material, MaterialJoint, Role, Target,
 };
 use crate::card::{Field, Kind, Section, joined};
-use crate::choice::{Choice, choice};
+use crate::cards::*;
+use crate::choice::choice;
 use crate::findings::Findings;
 use crate::model::{Analysis, JointStiffness, Method};
 use crate::quantity;
-use crate::quantity::Dimension::{Acceleration, Length};
+use crate::quantity::Dimension::Acceleration;
 use crate::tree::{At, Table, nearest};
 use crate::values::read;
 
@@ -54,14 +56,12 @@ static MODEL: Section = Section {
     path: "model",
     doc: "The model as a whole.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the model, for titles", "Arch of the old mill"),
-        Field::new("width", Kind::Quantity(Length), "width that forces over the whole width are spread over", "8.30 m")
-            .positive()
-            .at_most(100.0)
+        text("name", "name of the model, for titles", "Arch of the old mill"),
+        length("width", "width that forces over the whole width are spread over", "8.30 m")
+            .positive_up_to(100.0)
             .default("1 m"),
         Field::new("gravity", Kind::Quantity(Acceleration), "acceleration of gravity", "9.81 m/s^2")
-            .positive()
-            .at_most(30.0)
+            .positive_up_to(30.0)
             .default("9.81 m/s^2"),
     ],
 };
@@ -70,9 +70,9 @@ static LAYER: Section = Section {
     path: "drawing.layer",
     doc: "What is on a layer of the drawing. Every layer with outlines or circles needs one.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the layer in the drawing; capitals do not count", "RING"),
-        Field::new("role", Kind::Word(Role::WORDS), "what is on the layer", "block"),
-        Field::new("material", Kind::Text, "name of the material of what is on the layer", "sandstone")
+        text("name", "name of the layer in the drawing; capitals do not count", "RING"),
+        word::<Role>("role", "what is on the layer", "block"),
+        text("material", "name of the material of what is on the layer", "sandstone")
             .only("role", &["block", "support", "particles"]),
     ],
 };
@@ -81,35 +81,23 @@ static DRAWING: Section = Section {
     path: "drawing",
     doc: "A drawing (DXF with text, R12 or later) whose closed outlines are blocks and whose circles are particles.",
     fields: &[
-        Field::new("file", Kind::Text, "path of the drawing, relative to this file", "bridge.dxf"),
-        Field::new(
-            "unit",
-            Kind::Word(DrawingUnit::WORDS),
-            "unit of the drawing, in place of what its header says",
-            "mm",
-        )
-        .optional("the unit in the header of the drawing; an error asks for it if there is none"),
-        Field::new("chord_tolerance", Kind::Quantity(Length), "how far a chord may lie from its curve", "1 mm")
-            .positive()
-            .at_most(1.0)
+        text("file", "path of the drawing, relative to this file", "bridge.dxf"),
+        word::<DrawingUnit>("unit", "unit of the drawing, in place of what its header says", "mm")
+            .optional("the unit in the header of the drawing; an error asks for it if there is none"),
+        length("chord_tolerance", "how far a chord may lie from its curve", "1 mm").positive_up_to(1.0).default("1 mm"),
+        length("gap_tolerance", "largest distance of ends that are meant to meet", "1 mm")
+            .positive_up_to(1.0)
             .default("1 mm"),
-        Field::new("gap_tolerance", Kind::Quantity(Length), "largest distance of ends that are meant to meet", "1 mm")
-            .positive()
-            .at_most(1.0)
-            .default("1 mm"),
-        Field::new("concave", Kind::Word(Concave::WORDS), "how an outline that is not convex is treated", "refuse")
+        word::<Concave>("concave", "how an outline that is not convex is treated", "refuse")
             .default(Concave::Refuse.word()),
-        Field::new("layer", Kind::Tables(&LAYER), "What is on its layers.", ""),
+        tables("layer", &LAYER, "What is on its layers."),
     ],
 };
 
 static MATERIAL: Section = Section {
     path: "material",
     doc: "A material of blocks or particles.",
-    fields: &joined::<6>(&[
-        &[Field::new("name", Kind::Text, "name that layers, blocks and joints use", "sandstone")],
-        MASONRY_FIELDS,
-    ]),
+    fields: &joined::<6>(&[&[text("name", "name that layers, blocks and joints use", "sandstone")], MASONRY_FIELDS]),
 };
 
 static JOINT: Section = Section {
@@ -118,9 +106,9 @@ static JOINT: Section = Section {
           other keys are those of [joint] in a bridge file.",
     fields: &joined::<11>(&[
         &[
-            Field::new("first", Kind::Text, "name of the material on one side", "sandstone")
+            text("first", "name of the material on one side", "sandstone")
                 .optional("all pairs of materials that no other [[joint]] names"),
-            Field::new("second", Kind::Text, "name of the material on the other side", "granite")
+            text("second", "name of the material on the other side", "granite")
                 .optional("the same material as `first`"),
         ],
         JOINT_FIELDS.split_at(8).0,
@@ -132,12 +120,10 @@ static BLOCK: Section = Section {
     path: "block",
     doc: "A block listed in the file, beside or in place of a drawing.",
     fields: &[
-        Field::new("name", Kind::Text, "name that loads and tables use", "keystone")
-            .optional("named after its layer, counted from 1"),
-        Field::new("layer", Kind::Text, "layer that it is drawn on", "RING").default("BLOCKS"),
-        Field::new("material", Kind::Text, "name of its material", "sandstone"),
-        Field::new("role", Kind::Word(BlockRole::WORDS), "whether it may move", "block")
-            .default(BlockRole::Block.word()),
+        text("name", "name that loads and tables use", "keystone").optional("named after its layer, counted from 1"),
+        text("layer", "layer that it is drawn on", "RING").default("BLOCKS"),
+        text("material", "name of its material", "sandstone"),
+        word::<BlockRole>("role", "whether it may move", "block").default(BlockRole::Block.word()),
         Field::new(
             "outline_m",
             Kind::Rows(2),
@@ -151,8 +137,8 @@ static PARTICLES: Section = Section {
     path: "particles",
     doc: "Circular particles listed in the file, beside or in place of a drawing.",
     fields: &[
-        Field::new("layer", Kind::Text, "layer that they are drawn on", "FILL").default("PARTICLES"),
-        Field::new("material", Kind::Text, "name of their material", "gravel"),
+        text("layer", "layer that they are drawn on", "FILL").default("PARTICLES"),
+        text("material", "name of their material", "gravel"),
         Field::new("circles_m", Kind::Rows(3), "centre and radius of each, x, y and r in metres", "[[2.0, 3.1, 0.05]]"),
     ],
 };
@@ -162,26 +148,17 @@ static LOAD: Section = Section {
     doc: "A force on one block, or on all free blocks of a layer. The loads that are not permanent grow together to \
           collapse. Each follows its block and keeps its direction.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the load", "knife edge").optional("numbered"),
-        Field::new("x", Kind::Quantity(Length), "where the force acts, to the right", "4.575 m")
-            .optional("with `block` or `layer`"),
-        Field::new("y", Kind::Quantity(Length), "where the force acts, up", "3.10 m")
-            .optional("with `block` or `layer`"),
-        Field::new("block", Kind::Text, "name of the block on whose centroid it acts", "keystone")
-            .optional("with a point or `layer`"),
-        Field::new("layer", Kind::Text, "layer whose free blocks share it in proportion to their mass", "RING")
+        text("name", "name of the load", "knife edge").optional("numbered"),
+        length("x", "where the force acts, to the right", "4.575 m").optional("with `block` or `layer`"),
+        length("y", "where the force acts, up", "3.10 m").optional("with `block` or `layer`"),
+        text("block", "name of the block on whose centroid it acts", "keystone").optional("with a point or `layer`"),
+        text("layer", "layer whose free blocks share it in proportion to their mass", "RING")
             .optional("with a point or `block`"),
-        Field::new("down", Kind::LineLoad, "force downwards, per metre of width or over the whole width", "1 kN/m")
+        line_load("down", "force downwards, per metre of width or over the whole width", "1 kN/m")
             .optional("no vertical part"),
-        Field::new(
-            "right",
-            Kind::LineLoad,
-            "force to the right, per metre of width or over the whole width",
-            "0.2 kN/m",
-        )
-        .optional("no horizontal part"),
-        Field::new("permanent", Kind::Flag, "whether it is there from the start, and does not grow", "false")
-            .default("false"),
+        line_load("right", "force to the right, per metre of width or over the whole width", "0.2 kN/m")
+            .optional("no horizontal part"),
+        flag("permanent", "whether it is there from the start, and does not grow", "false").default("false"),
     ],
 };
 
@@ -191,18 +168,16 @@ pub static FILE: Section = Section {
     doc: "Blocks and particles, listed or drawn, and what to analyse. Quantities are text with a unit; coordinates of \
           outlines are bare numbers in metres, as their keys say.",
     fields: &[
-        Field::new("model", Kind::Table(&MODEL), "The model as a whole.", ""),
-        Field::new("drawing", Kind::Table(&DRAWING), "A drawing of the blocks.", "").optional("all blocks are listed"),
-        Field::new("material", Kind::Tables(&MATERIAL), "Materials of blocks and particles.", ""),
-        Field::new("joint", Kind::Tables(&JOINT), "Joints by pairs of materials.", ""),
-        Field::new("block", Kind::Tables(&BLOCK), "Blocks listed in the file.", "")
-            .at_most(100_000.0)
-            .optional("all blocks are drawn"),
-        Field::new("particles", Kind::Tables(&PARTICLES), "Particles listed in the file.", "")
+        table("model", &MODEL, "The model as a whole."),
+        table("drawing", &DRAWING, "A drawing of the blocks.").optional("all blocks are listed"),
+        tables("material", &MATERIAL, "Materials of blocks and particles."),
+        tables("joint", &JOINT, "Joints by pairs of materials."),
+        tables("block", &BLOCK, "Blocks listed in the file.").at_most(100_000.0).optional("all blocks are drawn"),
+        tables("particles", &PARTICLES, "Particles listed in the file.")
             .at_most(100_000.0)
             .optional("all particles are drawn"),
-        Field::new("load", Kind::Tables(&LOAD), "Forces on the blocks.", "").optional("possible only for `check`"),
-        Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
+        tables("load", &LOAD, "Forces on the blocks.").optional("possible only for `check`"),
+        table("analysis", &plan::ANALYSIS, "What to analyse, and how exactly.")
             .optional("limit analysis of the load, with the defaults"),
     ],
 };
@@ -231,7 +206,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Block
     if let Some(plan) = &plan
         && plan.analysis != Analysis::Load
     {
-        let range = file.table("analysis", &mut Findings::default()).map_or(file.range, |t| t.place("analysis"));
+        let range = file.place_in("analysis", "analysis");
         let help = "write analysis = \"load\", or describe the arch in a bridge file";
         findings.error("D405", range, "this analysis needs an arch", "blocks without a bridge have no ring", help);
     }
@@ -274,7 +249,7 @@ fn supported(part: &DrawingPart) -> bool {
 
 /// What the file leaves out and the analysis would take in silence: width, supports, loads.
 fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings) {
-    let model = file.table("model", &mut Findings::default());
+    let model = file.known("model");
     if let Some(model) = model.filter(|model| !model.has("width")) {
         findings.warning(
             "P028",
@@ -307,13 +282,6 @@ fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings
 /// All of them, or nothing where one could not be read.
 fn all<T>(rows: Vec<Option<T>>) -> Option<Vec<T>> {
     rows.into_iter().collect()
-}
-
-/// Name, width and gravity.
-struct General {
-    name: String,
-    width: f64,
-    gravity: f64,
 }
 
 fn materials(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Material>> {
@@ -401,14 +369,13 @@ fn joints(
             (true, true) => first.zip(second).map(|(a, b)| Some([a.min(b), a.max(b)])),
             (false, true) => {
                 let help = "write the material of the other side as `first`";
-                findings.error(
+                findings.refuse(
                     "B011",
                     table.place("second"),
                     "`first` is missing in [[joint]]",
                     "one side alone",
                     help,
-                );
-                None
+                )
             }
         };
         if let Some(between) = between
@@ -496,8 +463,7 @@ fn particles(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Op
     if found.circles.iter().any(|circle| circle[2] <= 0.0) {
         let help = "write each particle as [x, y, radius] in metres";
         let place = table.place("circles_m");
-        findings.error("B107", place, "a particle needs a positive radius", "x, y and radius", help);
-        return None;
+        return findings.refuse("B107", place, "a particle needs a positive radius", "x, y and radius", help);
     }
     material?.map(|_| found)
 }
@@ -521,20 +487,17 @@ fn load(number: usize, table: &Table<'_>, width: Option<f64>, findings: &mut Fin
         (false, false, true) => layer?.map(Target::Layer),
         (false, false, false) => {
             let help = "add x = \"4.575 m\" and y = \"3.10 m\", or block = \"…\", or layer = \"…\"";
-            findings.error("B011", table.range, "the load does not say where it acts", "no place", help);
-            None
+            findings.refuse("B011", table.range, "the load does not say where it acts", "no place", help)
         }
         _ => {
             let help = "keep the point, `block` or `layer`";
-            findings.error("B016", table.range, "a load acts at one kind of place", "more than one is given", help);
-            None
+            findings.refuse("B016", table.range, "a load acts at one kind of place", "more than one is given", help)
         }
     };
     let force = [right?.unwrap_or(0.0), -down?.unwrap_or(0.0)];
     if force == [0.0, 0.0] {
         let help = "add a line like down = \"1 kN/m\"";
-        findings.error("B011", table.range, "the load has no force", "neither `down` nor `right`", help);
-        return None;
+        return findings.refuse("B011", table.range, "the load has no force", "neither `down` nor `right`", help);
     }
     Some(BodyLoad {
         name: name?.unwrap_or_else(|| format!("load {number}")),

@@ -1,10 +1,10 @@
 //! The calibration of fill particles.
 
 use crate::card::{Field, Kind, Section};
-use crate::choice::Choice;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Calibration, Modulus};
-use crate::quantity::Dimension::{Angle, Length, LineLoad, Stress};
+use crate::quantity::Dimension::LineLoad;
 use crate::tree::Table;
 use crate::values::read;
 
@@ -14,24 +14,21 @@ pub(super) static CALIBRATION: Section = Section {
           held below and at both sides, and pressed by a block in steps. Rouxinol, Providência and Lemos, section 3.1. With a wanted \
           friction angle or cohesion, squares are sheared between smooth walls too, and friction and cohesion of the contacts are found.",
     fields: &[
-        Field::new("wanted_modulus", Kind::Quantity(Stress), "modulus that the fill is to have", "40 MPa")
+        stress("wanted_modulus", "modulus that the fill is to have", "40 MPa")
             .positive()
             .optional("the moduli of `multiples` are measured, without a search"),
-        Field::new("modulus", Kind::Word(Modulus::WORDS), "which modulus is compared with `wanted_modulus`", "tangent")
+        word::<Modulus>("modulus", "which modulus is compared with `wanted_modulus`", "tangent")
             .default(Modulus::Tangent.word()),
-        Field::new("sample_size", Kind::Quantity(Length), "side of the square samples", "1 m")
-            .positive()
-            .default("1 m"),
+        length("sample_size", "side of the square samples", "1 m").positive().default("1 m"),
         Field::new("block_weight", Kind::Quantity(LineLoad), "weight of the block that presses, per metre", "2.6 kN/m")
             .positive()
             .default("2.6 kN/m"),
         Field::new("load_step", Kind::Quantity(LineLoad), "load increment on that block, per metre", "25 kN/m")
             .positive()
             .default("25 kN/m"),
-        Field::new("steps", Kind::Count, "number of load steps", "10").at_least(2.0).at_most(1000.0).default("10"),
-        Field::new("ignored_steps", Kind::Count, "first load steps that the later secant leaves out", "4")
-            .at_least(0.0)
-            .at_most(999.0)
+        count("steps", "number of load steps", "10").between(2.0, 1000.0).default("10"),
+        count("ignored_steps", "first load steps that the later secant leaves out", "4")
+            .between(0.0, 999.0)
             .default("4"),
         Field::new(
             "multiples",
@@ -39,52 +36,41 @@ pub(super) static CALIBRATION: Section = Section {
             "multiples of the stiffness of [particle_joint] at which moduli are measured",
             "[1, 2, 4, 6, 8]",
         )
-        .at_least(0.01)
-        .at_most(1000.0)
+        .between(0.01, 1000.0)
         .default("[1, 2, 4, 6, 8]"),
-        Field::new(
+        stresses(
             "compare_with",
-            Kind::Quantities(Stress),
             "moduli from another source, one for each of `multiples`, drawn for comparison",
             r#"["22 MPa", "28 MPa", "34 MPa", "42 MPa", "48 MPa"]"#,
         )
         .positive()
         .optional("there is nothing to compare with"),
-        Field::new("seeds", Kind::Count, "packings from which samples are cut, and as many again for the check", "16")
-            .at_least(1.0)
-            .at_most(1000.0)
+        count("seeds", "packings from which samples are cut, and as many again for the check", "16")
+            .between(1.0, 1000.0)
             .default("16"),
-        Field::new("tolerance", Kind::Number, "the wanted modulus is met within this share", "0.01")
-            .at_least(1e-4)
-            .at_most(0.5)
-            .default("0.01"),
-        Field::new(
+        number("tolerance", "the wanted modulus is met within this share", "0.01").between(1e-4, 0.5).default("0.01"),
+        number(
             "least_replacement",
-            Kind::Number,
             "smallest particle that replaces one on the cut, over the smallest of the packing",
             "0.5",
         )
-        .at_least(0.1)
-        .at_most(1.0)
+        .between(0.1, 1.0)
         .default("0.5"),
-        Field::new("wanted_friction_angle", Kind::Quantity(Angle), "friction angle that the fill is to have", "22 deg")
-            .at_least(0.02)
-            .at_most(1.0)
+        angle("wanted_friction_angle", "friction angle that the fill is to have", "22 deg")
+            .between(0.02, 1.0)
             .optional("the friction of [particle_joint] stays"),
-        Field::new("wanted_cohesion", Kind::Quantity(Stress), "cohesion that the fill is to have", "5 kPa")
+        stress("wanted_cohesion", "cohesion that the fill is to have", "5 kPa")
             .at_least(0.0)
             .optional("the cohesion of [particle_joint] stays"),
-        Field::new(
+        stresses(
             "confining_pressures",
-            Kind::Quantities(Stress),
             "pressures on the sides of samples that are sheared",
             r#"["50 kPa", "100 kPa", "200 kPa"]"#,
         )
         .positive()
         .default(r#"["50 kPa", "100 kPa", "200 kPa"]"#),
-        Field::new("sheared_samples", Kind::Count, "squares that are sheared, at each pressure", "32")
-            .at_least(1.0)
-            .at_most(10000.0)
+        count("sheared_samples", "squares that are sheared, at each pressure", "32")
+            .between(1.0, 10000.0)
             .default("32"),
     ],
 };

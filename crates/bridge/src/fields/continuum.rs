@@ -1,11 +1,10 @@
 //! Fill and backing that yield as a continuum, and whether layers and backing fit together then.
 
-use crate::card::{Field, Kind, Section};
-use crate::choice::Choice;
+use crate::card::Section;
+use crate::cards::*;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Backing, BackingBody, Confinement, ContinuumPlan, Cover, FillEnds, Layer};
-use crate::quantity::Dimension::{Angle, Length, Stress};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -21,75 +20,45 @@ pub(super) static CONTINUUM: Section = Section {
           Mohr-Coulomb's law, in limit analysis of strip \"fill\". Loads act on its upper face and do not disperse: the soil \
           carries them to the rings.",
     fields: &[
-        Field::new(
+        number(
             "mobilised_share",
-            Kind::Number,
             "share of cohesion and of the tangent of the friction angle that is mobilised at collapse",
             "0.6",
         )
-        .positive()
-        .at_most(1.0)
+        .positive_up_to(1.0)
         .default(MOBILISED_SHARE),
-        Field::new(
+        angle(
             "dilatancy_angle",
-            Kind::Quantity(Angle),
             "angle by which soil dilates when it shears; less than the friction angle lowers the strength after Davis",
             "0 deg",
         )
-        .at_least(0.0)
-        .at_most(1.5)
+        .between(0.0, 1.5)
         .default("0 deg"),
-        Field::new(
+        angle(
             "interface_friction_angle",
-            Kind::Quantity(Angle),
             "angle of friction between soil and masonry; never more than that of the soil",
             "20 deg",
         )
-        .at_least(0.0)
-        .at_most(1.5)
+        .between(0.0, 1.5)
         .optional("two thirds of the soil's friction angle; backing is bonded to masonry with its own strength"),
-        Field::new(
-            "interface_cohesion",
-            Kind::Quantity(Stress),
-            "cohesion between soil and masonry; never more than that of the soil",
-            "0 kPa",
-        )
-        .at_least(0.0)
-        .default("0 kPa"),
-        Field::new("ends", Kind::Word(FillEnds::WORDS), "what stands at the far ends of the fill", "slide")
-            .default(FillEnds::Slide.word()),
-        Field::new(
-            "extent",
-            Kind::Quantity(Length),
-            "how far the fill reaches behind each outer springing, from the springing's extrados",
-            "8 m",
-        )
-        .positive()
-        .optional(
-            "the larger of the abutment's `top_width` and twice the height from that springing to the top of the continuum",
-        ),
-        Field::new(
-            "water_level",
-            Kind::Quantity(Length),
-            "level of the water in the pores above the springings; negative below them",
-            "-0.5 m",
-        )
-        .optional("the fill is dry"),
-        Field::new(
-            "confinement",
-            Kind::Word(Confinement::WORDS),
-            "what holds the fill sideways, out of the plane",
-            "spandrel-walls",
-        )
-        .default(Confinement::PlaneStrain.word()),
-        Field::new("bound_ratio", Kind::Number, "wanted ratio of the upper bound to the lower bound of the load", "1.05")
+        stress("interface_cohesion", "cohesion between soil and masonry; never more than that of the soil", "0 kPa")
+            .at_least(0.0)
+            .default("0 kPa"),
+        word::<FillEnds>("ends", "what stands at the far ends of the fill", "slide").default(FillEnds::Slide.word()),
+        length("extent", "how far the fill reaches behind each outer springing, from the springing's extrados", "8 m")
+            .positive()
+            .optional(
+                "the larger of the abutment's `top_width` and twice the height from that springing to the top of the continuum",
+            ),
+        length("water_level", "level of the water in the pores above the springings; negative below them", "-0.5 m")
+            .optional("the fill is dry"),
+        word::<Confinement>("confinement", "what holds the fill sideways, out of the plane", "spandrel-walls")
+            .default(Confinement::PlaneStrain.word()),
+        number("bound_ratio", "wanted ratio of the upper bound to the lower bound of the load", "1.05")
             .above(1.0)
             .at_most(10.0)
             .default("1.05"),
-        Field::new("elements", Kind::Count, "most triangles of the mesh", "4000")
-            .at_least(50.0)
-            .at_most(100_000.0)
-            .default("4000"),
+        count("elements", "most triangles of the mesh", "4000").between(50.0, 100_000.0).default("4000"),
     ],
 };
 
@@ -119,7 +88,7 @@ pub(crate) fn continuum(
     });
     // What is wrong with the cover has been reported.
     let wanted = cover.is_none_or(|cover| cover.layers.iter().any(|layer| layer.continuum));
-    if !wanted && let Some(table) = file.table("continuum", &mut Findings::default()) {
+    if !wanted && let Some(table) = file.known("continuum") {
         findings.warning(
             "P031",
             table.range,
@@ -130,7 +99,7 @@ pub(crate) fn continuum(
     }
     let mut plan = plan;
     if let (Some(plan), Some(water)) = (&mut plan, cover.and_then(|cover| cover.water)) {
-        if let Some(table) = file.table("continuum", &mut Findings::default())
+        if let Some(table) = file.known("continuum")
             && table.has("water_level")
         {
             findings.error(
@@ -146,7 +115,7 @@ pub(crate) fn continuum(
     if let Some(plan) = &plan
         && plan.confinement == Confinement::SpandrelWalls
         && !file.has("spandrel_wall")
-        && let Some(table) = file.table("continuum", &mut Findings::default())
+        && let Some(table) = file.known("continuum")
     {
         findings.error(
             "B223",

@@ -1,12 +1,12 @@
 //! What lies above the rings: layers and backing.
 
 use super::{continuum, spandrel};
-use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::card::Section;
+use crate::cards::*;
+use crate::choice::choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind, PoreWater};
-use crate::quantity::Dimension::{Angle, Density, Length, Stress};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -30,56 +30,40 @@ pub(super) static COVER: Section = Section {
     path: "cover",
     doc: "A layer above the rings, from the extrados up; the lowest fills the haunches. Loads disperse through all layers.",
     fields: &[
-        Field::new("layer", Kind::Word(LayerKind::WORDS), "what the layer is", "fill"),
-        Field::new("thickness", Kind::Quantity(Length), "thickness above the crown of the highest extrados", "0.203 m")
-            .at_least(0.0)
-            .at_most(100.0)
+        word::<LayerKind>("layer", "what the layer is", "fill"),
+        length("thickness", "thickness above the crown of the highest extrados", "0.203 m")
+            .between(0.0, 100.0)
             .optional("that of the lowest layer, where [road] has the levels of the surface"),
-        Field::new(
-            "weighs",
-            Kind::Flag,
-            "whether its weight acts on the ring; loads disperse through it either way",
-            "true",
-        )
-        .only("as", &["weight"])
-        .default("true"),
-        Field::new(
+        flag("weighs", "whether its weight acts on the ring; loads disperse through it either way", "true")
+            .only("as", &["weight"])
+            .default("true"),
+        word::<LayerBody>(
             "as",
-            Kind::Word(LayerBody::WORDS),
             "how the layer is modelled by methods that know it so; by others it is weight",
             "particles",
         )
         .default(LayerBody::Weight.word()),
-        Field::new(
+        angle(
             "friction_angle",
-            Kind::Quantity(Angle),
             "angle of friction between the layer's particles, or of the soil that yields",
             "35.6 deg",
         )
-        .at_least(0.0)
-        .at_most(1.5)
+        .between(0.0, 1.5)
         .only("as", &["particles", "continuum"])
         .optional("particles: as [particle_joint] says; a continuum needs it"),
-        Field::new(
-            "cohesion",
-            Kind::Quantity(Stress),
-            "cohesion between the layer's particles, or of the soil that yields",
-            "10 kPa",
-        )
-        .at_least(0.0)
-        .only("as", &["particles", "continuum"])
-        .optional("particles: as [particle_joint] says; a continuum needs it"),
-        Field::new("tensile_strength", Kind::Quantity(Stress), "tensile strength of the soil that yields", "0 kPa")
+        stress("cohesion", "cohesion between the layer's particles, or of the soil that yields", "10 kPa")
+            .at_least(0.0)
+            .only("as", &["particles", "continuum"])
+            .optional("particles: as [particle_joint] says; a continuum needs it"),
+        stress("tensile_strength", "tensile strength of the soil that yields", "0 kPa")
             .at_least(0.0)
             .only("as", &["continuum"])
             .optional("soil carries no tension"),
-        Field::new("block_length", Kind::Quantity(Length), "length of a slab along the bridge", "0.60 m")
-            .positive()
-            .only("as", &["blocks"]),
-        Field::new("density", Kind::Quantity(Density), "mass density of the layer", "1890 kg/m^3")
+        length("block_length", "length of a slab along the bridge", "0.60 m").positive().only("as", &["blocks"]),
+        density("density", "mass density of the layer", "1890 kg/m^3")
             .positive()
             .optional("possible only where `weighs = false`"),
-        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the layer", "40 MPa")
+        stress("elastic_modulus", "Young's modulus of the layer", "40 MPa")
             .positive()
             .optional("not needed for collapse"),
     ],
@@ -89,72 +73,46 @@ pub(super) static BACKING: Section = Section {
     path: "backing",
     doc: "Solid backing above the haunches, up to a level.",
     fields: &[
-        Field::new("height", Kind::Quantity(Length), "level of the backing's upper face above the springings", "1.5 m")
-            .positive(),
-        Field::new("density", Kind::Quantity(Density), "mass density of the backing", "2000 kg/m^3").positive(),
-        Field::new(
+        length("height", "level of the backing's upper face above the springings", "1.5 m").positive(),
+        density("density", "mass density of the backing", "2000 kg/m^3").positive(),
+        number(
             "width_share",
-            Kind::Number,
             "share of the bridge's width that it fills: haunching between internal walls, or under a part of the width",
             "0.4",
         )
-        .positive()
-        .at_most(1.0)
+        .positive_up_to(1.0)
         .default("1"),
-        Field::new(
+        density(
             "between_density",
-            Kind::Quantity(Density),
             "mass density of what fills the rest of the width beside it; 0 for voids",
             "0 kg/m^3",
         )
         .at_least(0.0)
         .optional("as the lowest layer of the cover"),
-        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the backing", "3 GPa")
+        stress("elastic_modulus", "Young's modulus of the backing", "3 GPa")
             .positive()
             .optional("not needed for collapse"),
-        Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the backing", "0.2")
-            .at_least(0.0)
-            .at_most(0.4999)
+        number("poisson_ratio", "Poisson's ratio of the backing", "0.2")
+            .between(0.0, 0.4999)
             .optional("not needed for collapse"),
-        Field::new(
-            "as",
-            Kind::Word(BackingBody::WORDS),
-            "what the backing is in limit analysis and in the discrete element method",
-            "blocks",
-        )
-        .default(BackingBody::Weight.word()),
-        Field::new(
-            "friction_angle",
-            Kind::Quantity(Angle),
-            "angle of friction between its particles, or of backing that yields",
-            "40 deg",
-        )
-        .at_least(0.0)
-        .at_most(1.5)
-        .only("as", &["particles", "continuum"])
-        .optional("particles: as [particle_joint] says; a continuum needs it"),
-        Field::new(
-            "cohesion",
-            Kind::Quantity(Stress),
-            "cohesion between its particles, or of backing that yields",
-            "50 kPa",
-        )
-        .at_least(0.0)
-        .only("as", &["particles", "continuum"])
-        .optional("particles: as [particle_joint] says; a continuum needs it"),
-        Field::new("tensile_strength", Kind::Quantity(Stress), "tensile strength of backing that yields", "0 kPa")
+        word::<BackingBody>("as", "what the backing is in limit analysis and in the discrete element method", "blocks")
+            .default(BackingBody::Weight.word()),
+        angle("friction_angle", "angle of friction between its particles, or of backing that yields", "40 deg")
+            .between(0.0, 1.5)
+            .only("as", &["particles", "continuum"])
+            .optional("particles: as [particle_joint] says; a continuum needs it"),
+        stress("cohesion", "cohesion between its particles, or of backing that yields", "50 kPa")
+            .at_least(0.0)
+            .only("as", &["particles", "continuum"])
+            .optional("particles: as [particle_joint] says; a continuum needs it"),
+        stress("tensile_strength", "tensile strength of backing that yields", "0 kPa")
             .at_least(0.0)
             .only("as", &["continuum"])
             .optional("backing carries no tension"),
-        Field::new(
-            "compressive_strength",
-            Kind::Quantity(Stress),
-            "compressive strength of backing that yields",
-            "2 MPa",
-        )
-        .positive()
-        .only("as", &["continuum"])
-        .optional("backing does not crush"),
+        stress("compressive_strength", "compressive strength of backing that yields", "2 MPa")
+            .positive()
+            .only("as", &["continuum"])
+            .optional("backing does not crush"),
     ],
 };
 
@@ -174,7 +132,7 @@ pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
             tables.iter().zip(&layers).filter(|(_, layer)| layer.slabs.is_some()).map(|(table, _)| table.place("as"));
         slabs.for_each(|place| bodies_without_particles(place, findings));
         if let Some(Some(Backing { body: BackingBody::Particles, .. })) = backing
-            && let Some(table) = file.table("backing", &mut Findings::default())
+            && let Some(table) = file.known("backing")
         {
             bodies_without_particles(table.place("as"), findings);
         }
@@ -184,7 +142,7 @@ pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
     }
     continuum::check_layers(&tables, &layers, findings);
     if let Some(Some(backing)) = &backing
-        && let Some(table) = file.table("backing", &mut Findings::default())
+        && let Some(table) = file.known("backing")
     {
         continuum::check_backing(&table, backing, layers.first().is_some_and(|lowest| lowest.continuum), findings);
     }
@@ -207,19 +165,8 @@ pub(super) static WATER: Section = Section {
     doc: "Water that stands in the pores of the lowest layer of [[cover]]. Below its level the layer has its saturated density, and the water \
           presses on the backs of the rings as well; grains press with what is left of the weight. docs/theory/water.md.",
     fields: &[
-        Field::new(
-            "level",
-            Kind::Quantity(Length),
-            "level of the water above the left springing of the first span",
-            "1.2 m",
-        ),
-        Field::new(
-            "saturated_density",
-            Kind::Quantity(Density),
-            "density of the lowest layer with its pores full",
-            "2050 kg/m^3",
-        )
-        .at_least(1000.0),
+        length("level", "level of the water above the left springing of the first span", "1.2 m"),
+        density("saturated_density", "density of the lowest layer with its pores full", "2050 kg/m^3").at_least(1000.0),
     ],
 };
 
@@ -301,14 +248,13 @@ fn backing(table: &Table<'_>, below: f64, findings: &mut Findings) -> Option<Bac
         return Some(backing);
     }
     if matches!(backing.body, BackingBody::Continuum | BackingBody::Particles) {
-        findings.error(
+        return findings.refuse(
             "B232",
             table.place("width_share"),
             "backing over a share of the width is weight or blocks",
             "a body of soil fills the whole width of a plane model",
             "write as = \"weight\" or as = \"blocks\", or give density and strength as means over the width and leave `width_share` out",
         );
-        return None;
     }
     let density = share * backing.density + (1.0 - share) * between?.unwrap_or(below);
     Some(Backing { density, elastic_modulus: backing.elastic_modulus.map(|modulus| share * modulus), ..backing })
@@ -320,7 +266,9 @@ const STRENGTH: [&str; 2] = ["friction_angle", "cohesion"];
 /// Whether all of these keys are written; those that are missing are reported.
 fn needs(table: &Table<'_>, keys: &[&str], findings: &mut Findings) -> bool {
     let missing: Vec<&&str> = keys.iter().filter(|key| !table.has(key)).collect();
-    missing.iter().for_each(|key| table.need(key, findings));
+    for key in &missing {
+        table.need(key, findings);
+    }
     missing.is_empty()
 }
 
@@ -330,12 +278,11 @@ fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option
     match (table.has("thickness"), under_road) {
         (false, false) => table.need("thickness", findings),
         (true, true) => table.exclude("thickness", "[road]", findings),
-        _ => {}
-    }
+        _ => None,
+    };
     let body = table.read("as", findings);
     let weighs: Option<bool> = table.read("weighs", findings);
-    let density: Option<Option<f64>> = table.read("density", findings);
-    let slab: Option<Option<f64>> = table.read("block_length", findings);
+    let [density, slab] = ["density", "block_length"].map(|key| table.read::<Option<f64>>(key, findings));
     let layer = read!(
         table,
         findings,
@@ -358,12 +305,10 @@ fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option
         return None;
     }
     if body == LayerBody::Blocks && !table.has("block_length") {
-        table.need("block_length", findings);
-        return None;
+        table.need("block_length", findings)?;
     }
     if body != LayerBody::Nothing && weighs? && !table.has("density") {
-        table.need("density", findings);
-        return None;
+        table.need("density", findings)?;
     }
     if body == LayerBody::Continuum && !needs(table, &STRENGTH, findings) {
         return None;

@@ -1,12 +1,12 @@
 //! Defects of rings: read, and whether there is a ring at their place of which something is left.
 
 use super::structure::PlacedSpan;
-use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::card::Section;
+use crate::cards::*;
+use crate::choice::choice;
 use crate::defect::{Defect, DefectKind, Face, raked, thinned};
 use crate::findings::Findings;
 use crate::model::Span;
-use crate::quantity::Dimension::{Angle, Length, Stress};
 use crate::tree::{At, Table};
 
 choice! {
@@ -37,55 +37,38 @@ pub(super) static DEFECT: Section = Section {
     path: "defect",
     doc: "What is wrong with a ring, and over which stretch of a span. Every method that divides the bridge into blocks feels it.",
     fields: &[
-        Field::new("kind", Kind::Word(Word::WORDS), "what is wrong", "lost-mortar"),
-        Field::new("span", Kind::Count, "number of the span, from the left", "1").at_least(1.0).default("1"),
-        Field::new(
-            "from",
-            Kind::Quantity(Length),
-            "where it begins, horizontally from the span's left springing",
-            "3.0 m",
-        )
-        .at_least(0.0)
-        .only("kind", STRETCHES)
-        .optional("the left springing"),
-        Field::new("to", Kind::Quantity(Length), "where it ends, horizontally from the span's left springing", "5.5 m")
+        word::<Word>("kind", "what is wrong", "lost-mortar"),
+        count("span", "number of the span, from the left", "1").at_least(1.0).default("1"),
+        length("from", "where it begins, horizontally from the span's left springing", "3.0 m")
+            .at_least(0.0)
+            .only("kind", STRETCHES)
+            .optional("the left springing"),
+        length("to", "where it ends, horizontally from the span's left springing", "5.5 m")
             .at_least(0.0)
             .only("kind", STRETCHES)
             .optional("the right springing"),
-        Field::new(
-            "at",
-            Kind::Quantity(Length),
-            "where the open joint is, horizontally from the span's left springing",
-            "2.4 m",
-        )
-        .at_least(0.0)
-        .only("kind", &["open-joint"]),
-        Field::new("face", Kind::Word(Face::WORDS), "the face from which it is lost or open", "intrados")
+        length("at", "where the open joint is, horizontally from the span's left springing", "2.4 m")
+            .at_least(0.0)
+            .only("kind", &["open-joint"]),
+        word::<Face>("face", "the face from which it is lost or open", "intrados")
             .only("kind", &["lost-mortar", "thin-ring", "open-joint"])
             .default(Face::Intrados.word()),
-        Field::new(
+        length(
             "depth",
-            Kind::Quantity(Length),
             "how deep it is lost or open, from the face as it is now; how far stones have dropped",
             "50 mm",
         )
         .positive()
         .only("kind", &["lost-mortar", "thin-ring", "open-joint", "dropped-stones"]),
-        Field::new(
-            "ring",
-            Kind::Count,
-            "number of the ring, from the intrados up; of two separated rings the lower one",
-            "1",
-        )
-        .at_least(1.0)
-        .only("kind", &["ring-separation", "weak-masonry"])
-        .optional("ring-separation: 1; weak-masonry: all rings"),
-        Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction that is left", "28 deg")
-            .at_least(0.0)
-            .at_most(1.5)
+        count("ring", "number of the ring, from the intrados up; of two separated rings the lower one", "1")
+            .at_least(1.0)
+            .only("kind", &["ring-separation", "weak-masonry"])
+            .optional("ring-separation: 1; weak-masonry: all rings"),
+        angle("friction_angle", "angle of friction that is left", "28 deg")
+            .between(0.0, 1.5)
             .only("kind", &["ring-separation", "weak-masonry"])
             .optional("as the joint has it"),
-        Field::new("compressive_strength", Kind::Quantity(Stress), "compressive strength that is left", "3 MPa")
+        stress("compressive_strength", "compressive strength that is left", "3 MPa")
             .positive()
             .only("kind", &["weak-masonry"])
             .optional("as [masonry] has it"),
@@ -108,14 +91,13 @@ pub(crate) fn defects(file: &Table<'_>, spans: &mut [PlacedSpan], findings: &mut
         if had.1 >= LEAST_LEFT && least_left(span).1 < LEAST_LEFT {
             let (share, left) = least_left(span);
             let x = 100.0 * share;
-            findings.error(
+            return findings.refuse(
                 "B225",
                 table.place("depth"),
                 format!("nothing is left of the ring: {:.0} mm at {x:.0} % of its length", 1e3 * left.max(0.0)),
                 format!("defects leave at least {:.0} mm", 1e3 * LEAST_LEFT),
                 "give the depth that was measured; of several rings, mortar and stones are lost from the outer ones",
             );
-            return None;
         }
         Some(())
     })
@@ -132,11 +114,7 @@ fn least_left(span: &Span) -> (f64, f64) {
             thinned(&span.defects, face, share, n) + raked(&span.defects, face, share, n)
         };
         let (below, above) = (lost(Face::Intrados, 0), lost(Face::Extrados, last));
-        let thickness = |ring: usize| {
-            let ring = &span.rings[ring];
-            let to_crown = 1.0 - (2.0 * share - 1.0).abs();
-            ring.springing_thickness + (ring.crown_thickness - ring.springing_thickness) * to_crown
-        };
+        let thickness = |ring: usize| span.rings[ring].thickness(share);
         let least =
             if last == 0 { thickness(0) - below - above } else { (thickness(0) - below).min(thickness(last) - above) };
         (share, least)
@@ -150,50 +128,46 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
     let ends = ["from", "to"].map(|key| table.read::<Option<f64>>(key, findings));
     let at: Option<Option<At<f64>>> = table.read("at", findings);
     let face: Option<Face> = table.read("face", findings);
-    let depth: Option<Option<f64>> = table.read("depth", findings);
     let ring: Option<Option<At<usize>>> = table.read("ring", findings);
-    let friction_angle: Option<Option<f64>> = table.read("friction_angle", findings);
-    let compressive_strength: Option<Option<f64>> = table.read("compressive_strength", findings);
+    let [depth, friction_angle, compressive_strength] =
+        ["depth", "friction_angle", "compressive_strength"].map(|key| table.read::<Option<f64>>(key, findings));
     let number = number?;
     let Some(span) = number.value.checked_sub(1).and_then(|index| spans.get(index)).map(|placed| &placed.span) else {
         let count = spans.len();
         let message = format!("there is no span {}: the bridge has {count}", number.value);
-        findings.error(
+        return findings.refuse(
             "B224",
             number.range,
             message,
             "counted from the left",
             format!("write a number from 1 to {count}"),
         );
-        return None;
     };
     let at = at?;
     let place = at.as_ref().map(|at| at.value);
     if let Some(At { value, range }) = at
         && value > span.span * (1.0 + 1e-9)
     {
-        findings.error(
+        return findings.refuse(
             "B224",
             range,
             format!("the joint at {value} m lies beyond the span"),
             format!("the span is {} m long", span.span),
             format!("write a place between \"0 m\" and \"{} m\"", span.span),
         );
-        return None;
     }
     let [from, to] = match place {
         Some(at) => [at, at],
         None => [ends[0]?.unwrap_or(0.0), ends[1]?.unwrap_or(span.span)],
     };
     if place.is_none() && !(from < to && to <= span.span * (1.0 + 1e-9)) {
-        findings.error(
+        return findings.refuse(
             "B224",
             if table.has("to") { table.place("to") } else { table.place("from") },
             format!("no stretch of the span lies between {from} m and {to} m"),
             format!("the span is {} m long", span.span),
             format!("write `from` and `to` in this order, between \"0 m\" and \"{} m\"", span.span),
         );
-        return None;
     }
     let rings = span.rings.len();
     let counted = |ring: Option<At<usize>>, most: usize, findings: &mut Findings| match ring {
@@ -203,14 +177,13 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
                 0 => "leave the defect out, or describe the rings of the span with [[span.ring]]".to_owned(),
                 _ => format!("write a number from 1 to {most}"),
             };
-            findings.error(
+            findings.refuse(
                 "B224",
                 range,
                 format!("ring {value} is not {what}: it has {rings}"),
                 "from the intrados up",
                 help,
-            );
-            None
+            )
         }
         other => Some(other.map(|at| at.value - 1)),
     };
@@ -225,8 +198,7 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
         Word::WeakMasonry => {
             let (compressive_strength, friction_angle) = (compressive_strength?, friction_angle?);
             if compressive_strength.is_none() && friction_angle.is_none() {
-                table.need("compressive_strength", findings);
-                return None;
+                table.need("compressive_strength", findings)?;
             }
             DefectKind::WeakMasonry { ring: counted(ring?, rings, findings)?, compressive_strength, friction_angle }
         }
@@ -236,14 +208,13 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
         Word::MissingStones => DefectKind::MissingStones,
         Word::OpenJoint => DefectKind::OpenJoint { face: face?, depth: depth?? },
         Word::DroppedStones if rings > 1 => {
-            findings.error(
+            return findings.refuse(
                 "B224",
                 table.place("kind"),
                 "the span has several rings",
                 "stones of the lowest of several rings that have dropped bear on no ring above",
                 "write kind = \"missing-stones\" for the same stretch",
             );
-            return None;
         }
         Word::DroppedStones => DefectKind::DroppedStones { depth: depth?? },
     };
@@ -253,14 +224,13 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
 
 /// A defect of several rings, in a span that has one.
 fn single<T>(table: &Table<'_>, what: &str, findings: &mut Findings) -> Option<T> {
-    findings.error(
+    findings.refuse(
         "B224",
         table.place("kind"),
         "the span has a single ring",
         format!("only in a span of several {what}"),
         "describe the rings with [[span.ring]]; stones that lost part of their depth are a \"thin-ring\"",
-    );
-    None
+    )
 }
 
 /// Horizontal places from the left springing [m] as shares of the arc length.

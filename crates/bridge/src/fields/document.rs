@@ -1,6 +1,7 @@
 //! The report's own data: identification, revisions, signatures, inspection.
 
-use crate::card::{Field, Kind, Section};
+use crate::card::Section;
+use crate::cards::*;
 use crate::document::{Inspection, ReportDocument, Revision};
 use crate::findings::Findings;
 use crate::tree::Table;
@@ -10,35 +11,27 @@ pub(super) static DOCUMENT: Section = Section {
     path: "document",
     doc: "Identification, revisions and signatures of the report of `extrados assess`. No analysis reads it.",
     fields: &[
-        Field::new("structure_number", Kind::Text, "number of the structure in the owner's list", "ABC1/0123")
+        text("structure_number", "number of the structure in the owner's list", "ABC1/0123").optional("left blank"),
+        text("route", "line or road that the bridge carries", "Settle to Carlisle, up and down main")
             .optional("left blank"),
-        Field::new("route", Kind::Text, "line or road that the bridge carries", "Settle to Carlisle, up and down main")
-            .optional("left blank"),
-        Field::new("location", Kind::Text, "mileage, chainage, grid reference", "12 m 34 ch, SD 765 795")
-            .optional("left blank"),
-        Field::new("owner", Kind::Text, "who owns the bridge", "County Council").optional("left blank"),
-        Field::new("purpose", Kind::Text, "what the assessment is for", "quantitative assessment, level 1")
-            .optional("left blank"),
-        Field::new("number", Kind::Text, "number of the document", "ABC1-0123-CAL-001").optional("left blank"),
-        Field::new("prepared_by", Kind::Text, "who prepared the assessment", "A. Engineer")
-            .optional("left blank to sign"),
-        Field::new("checked_by", Kind::Text, "who checks it", "B. Checker").optional("left blank to sign"),
-        Field::new("approved_by", Kind::Text, "who approves it", "C. Approver").optional("left blank to sign"),
-        Field::new("check_category", Kind::Text, "category of the check, as the owner's procedure names it", "II")
-            .optional("left blank"),
-        Field::new("revision", Kind::Tables(&REVISION), "Versions of the document, the newest last.", "")
+        text("location", "mileage, chainage, grid reference", "12 m 34 ch, SD 765 795").optional("left blank"),
+        text("owner", "who owns the bridge", "County Council").optional("left blank"),
+        text("purpose", "what the assessment is for", "quantitative assessment, level 1").optional("left blank"),
+        text("number", "number of the document", "ABC1-0123-CAL-001").optional("left blank"),
+        text("prepared_by", "who prepared the assessment", "A. Engineer").optional("left blank to sign"),
+        text("checked_by", "who checks it", "B. Checker").optional("left blank to sign"),
+        text("approved_by", "who approves it", "C. Approver").optional("left blank to sign"),
+        text("check_category", "category of the check, as the owner's procedure names it", "II").optional("left blank"),
+        tables("revision", &REVISION, "Versions of the document, the newest last.")
             .at_most(100.0)
             .optional("the document has no revisions"),
-        Field::new(
+        values(
             "confirm",
-            Kind::Values,
             "what the assessor wants confirmed on site, beside what the results themselves ask",
             "[\"depth of backing over the pier\"]",
         )
         .optional("only what the results ask"),
-        Field::new("inspection", Kind::Tables(&INSPECTION), "What inspections found.", "")
-            .at_most(200.0)
-            .optional("none is reported"),
+        tables("inspection", &INSPECTION, "What inspections found.").at_most(200.0).optional("none is reported"),
     ],
 };
 
@@ -46,9 +39,9 @@ static REVISION: Section = Section {
     path: "document.revision",
     doc: "A version of the document.",
     fields: &[
-        Field::new("revision", Kind::Text, "letter or number", "P02"),
-        Field::new("date", Kind::Text, "its day", "2026-03-14"),
-        Field::new("change", Kind::Text, "what changed", "ring thickness measured by coring"),
+        text("revision", "letter or number", "P02"),
+        text("date", "its day", "2026-03-14"),
+        text("change", "what changed", "ring thickness measured by coring"),
     ],
 };
 
@@ -56,11 +49,10 @@ static INSPECTION: Section = Section {
     path: "document.inspection",
     doc: "What an inspection found.",
     fields: &[
-        Field::new("date", Kind::Text, "its day", "2025-09-02").optional("left blank"),
-        Field::new("part", Kind::Text, "which part of the bridge", "span 1, barrel, east edge"),
-        Field::new("finding", Kind::Text, "what was found", "mortar lost to 60 mm over 2 m"),
-        Field::new("photograph", Kind::Text, "a photograph (.jpg, .png), relative to the bridge file", "photo-12.jpg")
-            .optional("none"),
+        text("date", "its day", "2025-09-02").optional("left blank"),
+        text("part", "which part of the bridge", "span 1, barrel, east edge"),
+        text("finding", "what was found", "mortar lost to 60 mm over 2 m"),
+        text("photograph", "a photograph (.jpg, .png), relative to the bridge file", "photo-12.jpg").optional("none"),
     ],
 };
 

@@ -1,10 +1,10 @@
 //! Loads, their places, and their dispersal.
 
 use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::cards::*;
+use crate::choice::choice;
 use crate::findings::Findings;
 use crate::model::{Cover, Dispersal, DispersalRule, Load, LoadKind, LoadingBlock, Plan, Strip};
-use crate::quantity::Dimension::{Force, Length, Stress};
 use crate::resolve::Layout;
 use crate::tree::{At, Table, shorten, wrong_type};
 use crate::values::decimal;
@@ -29,81 +29,52 @@ pub(super) static LOAD: Section = Section {
     path: "load",
     doc: "A load on the surface, downwards. Place it by `position` or `at`. A file that plans a passage and has no [analysis] needs none.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the load", "knife edge at the quarter point")
-            .optional("named after its kind"),
-        Field::new("kind", Kind::Word(Shape::WORDS), "shape of the load", "knife-edge"),
-        Field::new("force", Kind::LineLoad, "force of the strip, per metre of width or over the whole width", "1 kN/m")
+        text("name", "name of the load", "knife edge at the quarter point").optional("named after its kind"),
+        word::<Shape>("kind", "shape of the load", "knife-edge"),
+        line_load("force", "force of the strip, per metre of width or over the whole width", "1 kN/m")
             .positive()
             .only("kind", &["knife-edge"]),
-        Field::new("pressure", Kind::Quantity(Stress), "pressure on the surface", "10 kPa")
-            .positive()
-            .only("kind", &["patch"]),
-        Field::new("length", Kind::Quantity(Length), "length of the loaded strip along the bridge", "0.750 m")
+        stress("pressure", "pressure on the surface", "10 kPa").positive().only("kind", &["patch"]),
+        length("length", "length of the loaded strip along the bridge", "0.750 m")
             .positive()
             .only("kind", &["knife-edge", "patch"]),
-        Field::new(
+        flag(
             "whole_length",
-            Kind::Flag,
             "whether the strip acts over its whole length, as a stack of material; otherwise an assessment shortens it where that does \
              more harm",
             "true",
         )
         .only("kind", &["patch"])
         .default("false"),
-        Field::new("axle_force", Kind::Quantity(Force), "force of the axle", "100 kN")
+        force("axle_force", "force of the axle", "100 kN").positive().only("kind", &["axle"]),
+        forces("axle_forces", "forces of the axles, from the first (rightmost) back", "[\"75 kN\", \"115 kN\"]")
             .positive()
-            .only("kind", &["axle"]),
-        Field::new(
-            "axle_forces",
-            Kind::Quantities(Force),
-            "forces of the axles, from the first (rightmost) back",
-            "[\"75 kN\", \"115 kN\"]",
-        )
-        .positive()
-        .only("kind", &["axles"]),
-        Field::new(
-            "axle_spacings",
-            Kind::Quantities(Length),
-            "distances between the axles, one fewer than the axles",
-            "[\"3.0 m\"]",
-        )
-        .positive()
-        .only("kind", &["axles"]),
-        Field::new(
-            "contact_length",
-            Kind::Quantity(Length),
-            "length of a wheel's footprint along the bridge",
-            "0.30 m",
-        )
-        .positive()
-        .only("kind", &["axle", "axles"]),
-        Field::new("effective_width", Kind::Quantity(Length), "width of the barrel that carries one axle", "2.5 m")
+            .only("kind", &["axles"]),
+        lengths("axle_spacings", "distances between the axles, one fewer than the axles", "[\"3.0 m\"]")
+            .positive()
+            .only("kind", &["axles"]),
+        length("contact_length", "length of a wheel's footprint along the bridge", "0.30 m")
             .positive()
             .only("kind", &["axle", "axles"]),
-        Field::new(
-            "position",
-            Kind::Quantity(Length),
-            "middle of the strip or first axle, from the left springing of the first span",
-            "4.575 m",
-        )
-        .optional("given by `at`"),
+        length("effective_width", "width of the barrel that carries one axle", "2.5 m")
+            .positive()
+            .only("kind", &["axle", "axles"]),
+        length("position", "middle of the strip or first axle, from the left springing of the first span", "4.575 m")
+            .optional("given by `at`"),
         Field::new("at", Kind::Share, "middle of the strip or first axle, as a share of a span", "1/4 of span 1")
             .optional("given by `position`"),
-        Field::new(
+        number(
             "horizontal",
-            Kind::Number,
             "force along the bridge as a share of the load, to the right positive: braking, traction",
             "0.25",
         )
-        .at_least(-2.0)
-        .at_most(2.0)
+        .between(-2.0, 2.0)
         .default("0"),
-        Field::new("through", Kind::Word(Bearer::WORDS), "how a knife edge reaches the bridge", "block")
+        word::<Bearer>("through", "how a knife edge reaches the bridge", "block")
             .only("kind", &["knife-edge"])
             .default(Bearer::Cover.word()),
-        Field::new(
+        line_load(
             "block_weight",
-            Kind::LineLoad,
             "weight of the loading block, per metre of width or over the whole width; counted in the load",
             "17.72 kN/m",
         )
@@ -126,10 +97,9 @@ pub(super) static DISPERSAL: Section = Section {
     path: "dispersal",
     doc: "How loads spread through the cover from the surface to the extrados.",
     fields: &[
-        Field::new("rule", Kind::Word(DispersalRule::WORDS), "rule of the pressure on the extrados", "inverse-depth"),
-        Field::new("slope", Kind::Slope, "vertical to horizontal slope on each side", "2:1")
-            .at_least(0.1)
-            .at_most(1000.0)
+        word::<DispersalRule>("rule", "rule of the pressure on the extrados", "inverse-depth"),
+        slope("slope", "vertical to horizontal slope on each side", "2:1")
+            .between(0.1, 1000.0)
             .only("rule", &["uniform", "inverse-depth", "boussinesq"]),
     ],
 };
@@ -137,8 +107,7 @@ pub(super) static DISPERSAL: Section = Section {
 pub(crate) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Dispersal> {
     if !file.has("dispersal") {
         if file.has("load") && cover.is_some_and(|cover| cover.depth > 0.0) {
-            file.need("dispersal", findings);
-            return None;
+            file.need("dispersal", findings)?;
         }
         return Some(Dispersal { rule: DispersalRule::None, slope: 1.0 });
     }
@@ -243,14 +212,13 @@ fn kind(table: &Table<'_>, shape: Option<Shape>, width: Widths, findings: &mut F
         Shape::Axles => {
             let (forces, spacings) = (axle_forces?, spacings?);
             if forces.is_empty() || spacings.value.len() + 1 != forces.len() {
-                findings.error(
+                return findings.refuse(
                     "B302",
                     spacings.range,
                     format!("{} and {}", counted(forces.len(), "axle"), counted(spacings.value.len(), "spacing")),
                     "one spacing between every two adjacent axles",
                     format!("give as many spacings as axles, less one: {}", forces.len().saturating_sub(1)),
                 );
-                return None;
             }
             let mut offset = 0.0;
             let mut axles = vec![(forces[0], 0.0)];
@@ -287,14 +255,13 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
     let range = raw.span().into();
     let Some((share, number)) = read_share(text) else {
-        findings.error(
+        return findings.refuse(
             "B109",
             range,
             format!("\"{}\" is no share of a span", shorten(text)),
             field.doc,
             "write \"1/4 of span 1\", \"30% of span 2\" or \"crown of span 1\"",
         );
-        return None;
     };
     let layout = layout?;
     let spans = layout.spans.len();
@@ -302,17 +269,16 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
         None if spans == 1 => 0,
         Some(number) if (1..=spans).contains(&number) => number - 1,
         None => {
-            findings.error(
+            return findings.refuse(
                 "B109",
                 range,
                 "which span is meant?",
                 format!("the bridge has {spans} spans"),
                 format!("name the span: \"{} of span 1\"", shorten(text.split(" of").next().unwrap_or(text))),
             );
-            return None;
         }
         Some(_) => {
-            findings.error(
+            return findings.refuse(
                 "B301",
                 range,
                 "there is no such span",
@@ -323,7 +289,6 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
                     format!("name a span from 1 to {spans}, counted from the left")
                 },
             );
-            return None;
         }
     };
     let (start, end) = layout.spans[index];
@@ -353,8 +318,7 @@ pub(crate) fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
 
 /// A loading block stands on something: cover that is weight alone cannot carry it.
 pub(crate) fn check_blocks(file: &Table<'_>, plan: &Plan, loads: &[Load], on_particles: bool, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    for (table, load) in file.tables("load", &mut unheard).iter().zip(loads) {
+    for (table, load) in file.tables("load", &mut Findings::default()).iter().zip(loads) {
         if load.block.is_some() && plan.strip != Strip::Wall && !on_particles {
             findings
                 .error(

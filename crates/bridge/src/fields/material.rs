@@ -1,10 +1,10 @@
 //! Masonry and joints.
 
 use crate::card::{Field, Kind, Section, joined};
-use crate::choice::Choice;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Joint, JointContact, JointStiffness, Masonry};
-use crate::quantity::Dimension::{self, Angle, Density, Length, Stress};
+use crate::quantity::Dimension::Stress;
 use crate::tree::Table;
 use crate::values::read;
 
@@ -15,13 +15,12 @@ pub(super) static MASONRY: Section =
     Section { path: "masonry", doc: "Masonry of rings and piers.", fields: MASONRY_FIELDS };
 
 pub(super) const MASONRY_FIELDS: &[Field] = &[
-    Field::new("density", Kind::Quantity(Density), "mass density of the masonry", "2100 kg/m^3").positive(),
-    Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the masonry units", "15 GPa")
+    density("density", "mass density of the masonry", "2100 kg/m^3").positive(),
+    stress("elastic_modulus", "Young's modulus of the masonry units", "15 GPa")
         .positive()
         .optional("unknown; needed for `mortar_…_stiffness`"),
-    Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the masonry units", "0.2")
-        .at_least(0.0)
-        .at_most(0.4999)
+    number("poisson_ratio", "Poisson's ratio of the masonry units", "0.2")
+        .between(0.0, 0.4999)
         .optional("unknown; needed for `mortar_shear_stiffness`"),
     Field::new(
         "compressive_strength",
@@ -31,20 +30,14 @@ pub(super) const MASONRY_FIELDS: &[Field] = &[
     )
     .positive()
     .optional("crushing is not considered, and a warning says so"),
-    Field::new(
-        "rounding",
-        Kind::Quantity(Length),
-        "radius of the blocks' rounded corners; contact points lie this far inside the edges",
-        "10 mm",
-    )
-    .at_least(0.0)
-    .default("0 mm"),
+    length("rounding", "radius of the blocks' rounded corners; contact points lie this far inside the edges", "10 mm")
+        .at_least(0.0)
+        .default("0 mm"),
 ];
 
 pub(super) const JOINT_FIELDS: &[Field] = &[
-    Field::new(
+    joint_stiffness(
         "normal_stiffness",
-        Kind::Quantity(Dimension::JointStiffness),
         "normal stiffness per area of the whole contact, joint and blocks together",
         "4.84 GPa/m",
     )
@@ -53,53 +46,38 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
         "given by `mortar_normal_stiffness`; without both, equilibrium paths take a tenth of `elastic_modulus` over the longest \
          voussoir, and the discrete element method refuses",
     ),
-    Field::new(
+    joint_stiffness(
         "mortar_normal_stiffness",
-        Kind::Quantity(Dimension::JointStiffness),
         "normal stiffness per area of the joint alone; the blocks come in by the series rule",
         "5.4 GPa/m",
     )
     .positive()
     .optional("given by `normal_stiffness`"),
-    Field::new(
+    joint_stiffness(
         "shear_stiffness",
-        Kind::Quantity(Dimension::JointStiffness),
         "shear stiffness per area of the whole contact, joint and blocks together",
         "0.573 GPa/m",
     )
     .positive()
     .optional("given by `mortar_shear_stiffness`; the discrete element method needs one of them"),
-    Field::new(
+    joint_stiffness(
         "mortar_shear_stiffness",
-        Kind::Quantity(Dimension::JointStiffness),
         "shear stiffness per area of the joint alone; the blocks come in by the series rule",
         "0.59 GPa/m",
     )
     .positive()
     .optional("given by `shear_stiffness`"),
-    Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction in the joint", "35.6 deg")
-        .at_least(0.0)
-        .at_most(STEEPEST),
-    Field::new("cohesion", Kind::Quantity(Stress), "cohesion in the joint", "0 kPa").at_least(0.0),
-    Field::new("tensile_strength", Kind::Quantity(Stress), "tensile strength of the joint", "0 kPa")
+    angle("friction_angle", "angle of friction in the joint", "35.6 deg").between(0.0, STEEPEST),
+    stress("cohesion", "cohesion in the joint", "0 kPa").at_least(0.0),
+    stress("tensile_strength", "tensile strength of the joint", "0 kPa")
         .at_least(0.0)
         .optional("the joint opens freely"),
-    Field::new(
-        "fixed_length",
-        Kind::Quantity(Length),
-        "length of joint that one contact point represents when it is kept fixed",
-        "0.3455 m",
-    )
-    .positive()
-    .optional("half the distance between the contact points of the joint"),
-    Field::new(
-        "least_length",
-        Kind::Quantity(Length),
-        "least length of a contact point when it is updated",
-        "0.0711 m",
-    )
-    .positive()
-    .optional("a tenth of the ring's thickness"),
+    length("fixed_length", "length of joint that one contact point represents when it is kept fixed", "0.3455 m")
+        .positive()
+        .optional("half the distance between the contact points of the joint"),
+    length("least_length", "least length of a contact point when it is updated", "0.0711 m")
+        .positive()
+        .optional("a tenth of the ring's thickness"),
 ];
 
 pub(super) static JOINT: Section = Section {
@@ -109,13 +87,8 @@ pub(super) static JOINT: Section = Section {
           of the blocks is added by 1/k = 1/k' + l/E (Rouxinol, Providência and Lemos, eq. 1).",
     fields: &joined::<10>(&[
         JOINT_FIELDS,
-        &[Field::new(
-            "contact",
-            Kind::Word(JointContact::WORDS),
-            "where all joints of the bridge carry what presses them",
-            "distributed",
-        )
-        .optional("\"points\" with methods \"dem\" and \"fe\", \"distributed\" with method \"path\"")],
+        &[word::<JointContact>("contact", "where all joints of the bridge carry what presses them", "distributed")
+            .optional("\"points\" with methods \"dem\" and \"fe\", \"distributed\" with method \"path\"")],
     ]),
 };
 
@@ -191,8 +164,7 @@ fn stiffness(
     let whole: Option<Option<f64>> = table.read(contact, findings);
     let alone: Option<Option<f64>> = table.read(mortar, findings);
     if table.has(contact) && table.has(mortar) {
-        table.exclude(mortar, &format!("`{contact}`"), findings);
-        return None;
+        table.exclude(mortar, &format!("`{contact}`"), findings)?;
     }
     let alone = alone?.map(JointStiffness::Series);
     Some(alone.or(whole?.map(JointStiffness::Contact)))

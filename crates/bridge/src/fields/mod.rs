@@ -26,6 +26,7 @@ pub(crate) mod vary;
 pub(crate) mod wall;
 
 pub use crate::card::*;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Calibration, Cover};
 use crate::service::Service;
@@ -36,161 +37,98 @@ pub static FILE: Section = Section {
     path: "",
     doc: "A masonry arch bridge and what to analyse. Quantities are text with a unit: \"18.30 m\", \"15 GPa\".",
     fields: &[
-        Field::new("bridge", Kind::Table(&structure::BRIDGE), "The bridge as a whole.", ""),
-        Field::new("span", Kind::Tables(&structure::SPAN), "The spans, from left to right.", "").at_most(200.0),
-        Field::new(
-            "pier",
-            Kind::Tables(&support::PIER),
-            "The piers between the spans, from left to right; a single one describes all.",
-            "",
-        )
-        .at_most(200.0)
-        .optional("a bridge of one span has none"),
-        Field::new("abutment", Kind::Table(&support::ABUTMENT), "What holds the outer springings.", "")
+        table("bridge", &structure::BRIDGE, "The bridge as a whole."),
+        tables("span", &structure::SPAN, "The spans, from left to right.").at_most(200.0),
+        tables("pier", &support::PIER, "The piers between the spans, from left to right; a single one describes all.")
+            .at_most(200.0)
+            .optional("a bridge of one span has none"),
+        table("abutment", &support::ABUTMENT, "What holds the outer springings.")
             .optional("fixed, and drawn with its defaults"),
-        Field::new("masonry", Kind::Table(&material::MASONRY), "Masonry of rings and piers.", ""),
-        Field::new(
-            "joint",
-            Kind::Table(&material::JOINT),
-            "Joints between voussoirs, at springings and between the courses of piers.",
-            "",
-        ),
-        Field::new("ring_joint", Kind::Table(&material::RING_JOINT), "Joints between the rings of a span.", "")
+        table("masonry", &material::MASONRY, "Masonry of rings and piers."),
+        table("joint", &material::JOINT, "Joints between voussoirs, at springings and between the courses of piers."),
+        table("ring_joint", &material::RING_JOINT, "Joints between the rings of a span.")
             .optional("rings are joined as voussoirs are"),
-        Field::new("spandrel_wall", Kind::Table(&wall::SPANDREL_WALL), "Spandrel walls that stand on the rings.", "")
-            .optional("no walls"),
-        Field::new("wall_joint", Kind::Table(&material::WALL_JOINT), "Joints of the spandrel walls.", "")
+        table("spandrel_wall", &wall::SPANDREL_WALL, "Spandrel walls that stand on the rings.").optional("no walls"),
+        table("wall_joint", &material::WALL_JOINT, "Joints of the spandrel walls.")
             .optional("bricks are joined as voussoirs are; each contact point represents half its own joint"),
-        Field::new("particles", Kind::Table(&particles::PARTICLES), "Fill as particles.", "")
+        table("particles", &particles::PARTICLES, "Fill as particles.").optional("no layer is modelled as particles"),
+        table("particle_joint", &material::PARTICLE_JOINT, "Contacts between particles.")
             .optional("no layer is modelled as particles"),
-        Field::new("particle_joint", Kind::Table(&material::PARTICLE_JOINT), "Contacts between particles.", "")
-            .optional("no layer is modelled as particles"),
-        Field::new(
-            "particle_block_joint",
-            Kind::Table(&material::PARTICLE_BLOCK_JOINT),
-            "Contacts of particles with blocks.",
-            "",
-        )
-        .optional("as contacts between particles"),
-        Field::new(
-            "calibration",
-            Kind::Table(&calibration::CALIBRATION),
-            "How the contact stiffness of particles is found.",
-            "",
-        )
-        .optional("the defaults"),
-        Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
+        table("particle_block_joint", &material::PARTICLE_BLOCK_JOINT, "Contacts of particles with blocks.")
+            .optional("as contacts between particles"),
+        table("calibration", &calibration::CALIBRATION, "How the contact stiffness of particles is found.")
+            .optional("the defaults"),
+        tables("cover", &cover::COVER, "Layers above the rings, from the extrados up.")
             .at_most(50.0)
             .optional("nothing lies on the extrados"),
-        Field::new("road", Kind::Table(&road::ROAD), "Levels of the surface, where it is not level.", "")
-            .optional("the surface is level"),
-        Field::new("water", Kind::Table(&cover::WATER), "Water in the pores of the fill.", "")
-            .optional("the fill is drained"),
-        Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
-            .optional("no backing"),
-        Field::new(
-            "internal_walls",
-            Kind::Table(&spandrel::INTERNAL_WALLS),
-            "Walls between the outer spandrel walls.",
-            "",
-        )
-        .optional("none"),
-        Field::new("void", Kind::Tables(&spandrel::VOID), "Voids in the spandrels, and what carries their roofs.", "")
+        table("road", &road::ROAD, "Levels of the surface, where it is not level.").optional("the surface is level"),
+        table("water", &cover::WATER, "Water in the pores of the fill.").optional("the fill is drained"),
+        table("backing", &cover::BACKING, "Solid backing above the haunches.").optional("no backing"),
+        table("internal_walls", &spandrel::INTERNAL_WALLS, "Walls between the outer spandrel walls.").optional("none"),
+        tables("void", &spandrel::VOID, "Voids in the spandrels, and what carries their roofs.")
             .at_most(200.0)
             .optional("the spandrels are filled"),
-        Field::new("defect", Kind::Tables(&defect::DEFECT), "What is wrong with the rings, and where.", "")
+        tables("defect", &defect::DEFECT, "What is wrong with the rings, and where.")
             .at_most(200.0)
             .optional("the rings are sound"),
-        Field::new(
-            "continuum",
-            Kind::Table(&continuum::CONTINUUM),
-            "How layers and backing that are a continuum are modelled.",
-            "",
-        )
-        .optional("the defaults"),
-        Field::new("dispersal", Kind::Table(&loading::DISPERSAL), "How loads spread through the cover.", "")
+        table("continuum", &continuum::CONTINUUM, "How layers and backing that are a continuum are modelled.")
+            .optional("the defaults"),
+        table("dispersal", &loading::DISPERSAL, "How loads spread through the cover.")
             .optional("possible only where there is no cover or no load"),
-        Field::new(
+        table(
             "fill_pressure",
-            Kind::Table(&sweep::FILL_PRESSURE),
+            &sweep::FILL_PRESSURE,
             "Horizontal pressure of the fill against movement, in limit analysis.",
-            "",
         )
         .optional("fill has weight and spreads loads, but does not press sideways"),
-        Field::new(
-            "carriageway",
-            Kind::Table(&sweep::CARRIAGEWAY),
-            "Possible positions of vehicles of [sweep] across the bridge.",
-            "",
-        )
-        .optional("one vehicle in the middle; on roads two abreast where they fit"),
-        Field::new(
-            "sweep",
-            Kind::Table(&sweep::SWEEP),
-            "Vehicles that `extrados collapse --sweep` moves over the bridge.",
-            "",
-        )
-        .optional("`--sweep` moves the loads of the file"),
-        Field::new(
-            "load",
-            Kind::Tables(&loading::LOAD),
-            "Loads on the surface; together they form the pattern that grows to collapse.",
-            "",
-        )
-        .at_most(200.0)
-        .optional("possible only for analyses without a load"),
-        Field::new("case", Kind::Tables(&case::CASE), "Named cases that `extrados cases` compares.", "")
+        table("carriageway", &sweep::CARRIAGEWAY, "Possible positions of vehicles of [sweep] across the bridge.")
+            .optional("one vehicle in the middle; on roads two abreast where they fit"),
+        table("sweep", &sweep::SWEEP, "Vehicles that `extrados collapse --sweep` moves over the bridge.")
+            .optional("`--sweep` moves the loads of the file"),
+        tables("load", &loading::LOAD, "Loads on the surface; together they form the pattern that grows to collapse.")
+            .at_most(200.0)
+            .optional("possible only for analyses without a load"),
+        tables("case", &case::CASE, "Named cases that `extrados cases` compares.")
             .optional("the loads of the file act together, once"),
-        Field::new("support_movement", Kind::Table(&plan::SUPPORT_MOVEMENT), "A movement of one support.", "")
+        table("support_movement", &plan::SUPPORT_MOVEMENT, "A movement of one support.")
             .optional("supports do not move"),
-        Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
+        table("analysis", &plan::ANALYSIS, "What to analyse, and how exactly.")
             .optional("limit analysis of the load, with the defaults"),
-        Field::new("mesh", Kind::Table(&service::MESH), "The finite element mesh.", "").optional("the defaults"),
-        Field::new("fill", Kind::Table(&service::FILL), "Fill above the rings, in the finite element model.", "")
+        table("mesh", &service::MESH, "The finite element mesh.").optional("the defaults"),
+        table("fill", &service::FILL, "Fill above the rings, in the finite element model.")
             .optional("not needed for collapse"),
-        Field::new("haunch_fill", Kind::Table(&service::HAUNCH_FILL), "Fill of the haunches.", "")
+        table("haunch_fill", &service::HAUNCH_FILL, "Fill of the haunches.")
             .optional("the haunches have the same fill as the rest"),
-        Field::new("abutment_fill", Kind::Table(&service::ABUTMENT_FILL), "Fill behind the abutments.", "")
+        table("abutment_fill", &service::ABUTMENT_FILL, "Fill behind the abutments.")
             .optional("as the rest of the fill"),
-        Field::new("mortar", Kind::Table(&service::MORTAR), "Mortar of the joints, in the finite element model.", "")
+        table("mortar", &service::MORTAR, "Mortar of the joints, in the finite element model.")
             .optional("not needed for collapse"),
-        Field::new("fill_contact", Kind::Table(&service::FILL_CONTACT), "Contact of fill with masonry.", "")
+        table("fill_contact", &service::FILL_CONTACT, "Contact of fill with masonry.")
             .optional("not needed for collapse"),
-        Field::new("train", Kind::Table(&train::TRAIN), "The train that crosses in `extrados respond`.", "")
-            .optional("no train crosses"),
-        Field::new("track", Kind::Table(&train::TRACK), "How axles reach the fill: rails, sleepers, ballast.", "")
+        table("train", &train::TRAIN, "The train that crosses in `extrados respond`.").optional("no train crosses"),
+        table("track", &train::TRACK, "How axles reach the fill: rails, sleepers, ballast.")
             .optional("possible only where no train crosses"),
-        Field::new("passage", Kind::Table(&passage::PASSAGE), "How the train crosses, and how that is analysed.", "")
+        table("passage", &passage::PASSAGE, "How the train crosses, and how that is analysed.")
             .optional("possible only where no train crosses"),
-        Field::new("sensor", Kind::Tables(&crate::sensor::SENSOR), "What is measured while the train crosses.", "")
-            .optional(
-                "crown, pier springing and abutment springing of the first span: displacement and strain of each",
-            ),
-        Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
+        tables("sensor", &crate::sensor::SENSOR, "What is measured while the train crosses.").optional(
+            "crown, pier springing and abutment springing of the first span: displacement and strain of each",
+        ),
+        tables("vary", &vary::VARY, "What `extrados vary` changes, and over which values.")
             .optional("nothing is varied"),
-        Field::new("records", Kind::Table(&update::RECORDS), "Records that `extrados update` compares with.", "")
+        table("records", &update::RECORDS, "Records that `extrados update` compares with.")
             .optional("possible only without parameters"),
-        Field::new("channel", Kind::Tables(&update::CHANNEL), "What is known of the records' channels.", "")
+        tables("channel", &update::CHANNEL, "What is known of the records' channels.")
             .optional("all sensors are compared, by their names"),
-        Field::new("parameter", Kind::Tables(&update::PARAMETER), "What `extrados update` searches for.", "")
-            .optional("there is no search"),
-        Field::new("update", Kind::Table(&update::UPDATE), "How `extrados update` searches for it.", "")
-            .optional("the defaults"),
-        Field::new("assess", Kind::Table(&assess::ASSESS), "Limits that `extrados assess` compares with.", "")
+        tables("parameter", &update::PARAMETER, "What `extrados update` searches for.").optional("there is no search"),
+        table("update", &update::UPDATE, "How `extrados update` searches for it.").optional("the defaults"),
+        table("assess", &assess::ASSESS, "Limits that `extrados assess` compares with.")
             .optional("checks that need a limit are not made"),
-        Field::new("service_load", Kind::Tables(&assess::SERVICE_LOAD), "Loads in service.", "")
-            .optional("the train as it is"),
-        Field::new("mexe", Kind::Table(&assess::MEXE), "Factors of the modified MEXE method.", "")
-            .optional("the MEXE check is not made"),
-        Field::new("expected", Kind::Tables(&assess::EXPECTED), "Where identified parameters are expected.", "")
+        tables("service_load", &assess::SERVICE_LOAD, "Loads in service.").optional("the train as it is"),
+        table("mexe", &assess::MEXE, "Factors of the modified MEXE method.").optional("the MEXE check is not made"),
+        tables("expected", &assess::EXPECTED, "Where identified parameters are expected.")
             .optional("identified parameters are listed without a verdict"),
-        Field::new(
-            "document",
-            Kind::Table(&document::DOCUMENT),
-            "Identification, revisions and signatures of the report.",
-            "",
-        )
-        .optional("the report has blank fields to fill in"),
+        table("document", &document::DOCUMENT, "Identification, revisions and signatures of the report.")
+            .optional("the report has blank fields to fill in"),
     ],
 };
 
@@ -198,12 +136,7 @@ pub static FILE: Section = Section {
 pub(crate) static RANGES: Section = Section {
     path: "",
     doc: "Quantities of a bridge file and their values.",
-    fields: &[Field::new(
-        "vary",
-        Kind::Tables(&vary::VARY),
-        "What `extrados vary` changes, and over which values.",
-        "",
-    )],
+    fields: &[tables("vary", &vary::VARY, "What `extrados vary` changes, and over which values.")],
 };
 
 /// Every section of the bridge file with the key that opens it, in the order of the reference.

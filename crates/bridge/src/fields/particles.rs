@@ -1,10 +1,10 @@
 //! Fill that is modelled as particles.
 
 use super::material::joint;
-use crate::card::{Field, Kind, Section};
+use crate::card::Section;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Cover, Joint, Packing, Particles, Sizes};
-use crate::quantity::Dimension::{Length, Stress};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -14,40 +14,33 @@ pub(super) static PARTICLES: Section = Section {
           the abutments and the road surface, and grown until they press on one another. The same seed ([analysis] seed) \
           gives the same packing.",
     fields: &[
-        Field::new("count", Kind::Count, "number of particles", "1984")
-            .at_least(10.0)
-            .at_most(4e6)
+        count("count", "number of particles", "1984")
+            .between(10.0, 4e6)
             .optional("the number that follows from `smallest_diameter` and `largest_diameter`"),
-        Field::new("size_ratio", Kind::Number, "largest over smallest diameter, where `count` is given", "1.5")
-            .at_least(1.0)
-            .at_most(20.0)
+        number("size_ratio", "largest over smallest diameter, where `count` is given", "1.5")
+            .between(1.0, 20.0)
             .optional("1.5"),
-        Field::new("smallest_diameter", Kind::Quantity(Length), "smallest diameter of a particle", "0.12 m")
+        length("smallest_diameter", "smallest diameter of a particle", "0.12 m")
             .positive()
             .optional("given by `count`"),
-        Field::new("largest_diameter", Kind::Quantity(Length), "largest diameter of a particle", "0.18 m")
-            .positive()
-            .optional("given by `count`"),
-        Field::new(
+        length("largest_diameter", "largest diameter of a particle", "0.18 m").positive().optional("given by `count`"),
+        stress(
             "packing_stress",
-            Kind::Quantity(Stress),
             "mean stress with which the particles press on one another when they have grown",
             "30 kPa",
         )
         .positive()
         .optional("the weight of the cover at half its mean depth, unless `solid_fraction` is given"),
-        Field::new("solid_fraction", Kind::Number, "share of the region that the particles cover", "0.84")
-            .at_least(0.5)
-            .at_most(0.92)
+        number("solid_fraction", "share of the region that the particles cover", "0.84")
+            .between(0.5, 0.92)
             .optional("the fraction that follows from `packing_stress`"),
-        Field::new("file", Kind::Text, "a packing that was saved, in place of a new one", "packing.csv")
+        text("file", "a packing that was saved, in place of a new one", "packing.csv")
             .optional("a new packing is made"),
-        Field::new("elastic_modulus", Kind::Quantity(Stress), "modulus of the particles in the series rule", "40 MPa")
+        stress("elastic_modulus", "modulus of the particles in the series rule", "40 MPa")
             .positive()
             .optional("needed for `mortar_…_stiffness` of [particle_joint]"),
-        Field::new("poisson_ratio", Kind::Number, "Poisson's ratio in the series rule", "0.2")
-            .at_least(0.0)
-            .at_most(0.4999)
+        number("poisson_ratio", "Poisson's ratio in the series rule", "0.2")
+            .between(0.0, 0.4999)
             .optional("needed for `mortar_shear_stiffness` of [particle_joint]"),
     ],
 };
@@ -62,11 +55,9 @@ pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
         ["particles", "particle_joint", "particle_block_joint", "calibration"].into_iter().filter(|key| file.has(key));
     if !wanted {
         for key in written {
-            let mut unheard = Findings::default();
-            let range = file.table(key, &mut unheard).map_or(file.range, |table| table.range);
             findings.warning(
                 "P022",
-                range,
+                file.known(key).map_or(file.range, |table| table.range),
                 "no layer is modelled as particles",
                 "not used",
                 "write as = \"particles\" in a [[cover]], or remove this",
@@ -91,8 +82,7 @@ pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
     let stress: Option<Option<f64>> = table.read("packing_stress", findings);
     let fraction: Option<Option<f64>> = table.read("solid_fraction", findings);
     if table.has("packing_stress") && table.has("solid_fraction") {
-        table.exclude("solid_fraction", "`packing_stress`", findings);
-        return None;
+        table.exclude("solid_fraction", "`packing_stress`", findings)?;
     }
     let particles = read!(
         table,
@@ -122,39 +112,35 @@ fn sizes(table: &Table<'_>, findings: &mut Findings) -> Option<Sizes> {
     let largest: Option<Option<f64>> = table.read("largest_diameter", findings);
     if table.has("count") {
         if let Some(key) = ["smallest_diameter", "largest_diameter"].into_iter().find(|key| table.has(key)) {
-            table.exclude(key, "`count`", findings);
-            return None;
+            table.exclude(key, "`count`", findings)?;
         }
         return Some(Sizes::Count { count: count??, ratio: ratio?.unwrap_or(SIZE_RATIO) });
     }
     if table.has("size_ratio") {
-        table.exclude("size_ratio", "diameters", findings);
-        return None;
+        table.exclude("size_ratio", "diameters", findings)?;
     }
     let missing = ["smallest_diameter", "largest_diameter"].into_iter().filter(|key| !table.has(key));
     match missing.collect::<Vec<_>>()[..] {
-        [] => {}
+        [] => Some(()),
         [one] => table.need(one, findings),
         _ => table.need("count", findings),
-    }
+    }?;
     let (smallest, largest) = (smallest??, largest??);
     if smallest > largest {
-        findings.error(
+        return findings.refuse(
             "B214",
             table.place("smallest_diameter"),
             "the smallest diameter is larger than the largest",
             "above `largest_diameter`",
             "exchange the two",
         );
-        return None;
     }
     Some(Sizes::Diameters { smallest, largest })
 }
 
 fn no_tension(file: &Table<'_>, key: &str, joint: Option<&Joint>, findings: &mut Findings) {
     if joint.is_some_and(|joint| joint.tensile_strength > 0.0) {
-        let mut unheard = Findings::default();
-        let Some(table) = file.table(key, &mut unheard) else { return };
+        let Some(table) = file.known(key) else { return };
         findings.error(
             "B215",
             table.place("tensile_strength"),

@@ -1,13 +1,14 @@
 //! The analysis plan, and whether the bridge says enough for it. Numerical settings have defaults; what belongs to the bridge has none.
 
 use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::cards::*;
+use crate::choice::choice;
 use crate::findings::Findings;
 use crate::model::{
     Analysis, ContactLength, ContactPoints, Damping, Friction, Joint, JointContact, JointStiffness, Load, Masonry,
     Method, Plan, Strip, SupportMovement,
 };
-use crate::quantity::Dimension::{AngleRate, Length};
+use crate::quantity::Dimension::AngleRate;
 use crate::tree::{Table, shorten, wrong_type};
 use crate::values::read;
 use toml::de::DeValue;
@@ -28,73 +29,40 @@ pub(super) static ANALYSIS: Section = Section {
     path: "analysis",
     doc: "What to analyse, and how exactly. Only `load_step` has no default: the discrete element method needs it.",
     fields: &[
-        Field::new("method", Kind::Word(Method::WORDS), "method for the collapse load", "dem")
-            .default(Method::Limit.word()),
-        Field::new(
-            "analysis",
-            Kind::Word(Analysis::WORDS),
-            "what is increased or reduced until \
-                                                      collapse",
-            "load",
-        )
-        .default(Analysis::Load.word()),
-        Field::new("strip", Kind::Word(Strip::WORDS), "strip of the bridge's width that is analysed", "both")
-            .default(Strip::Fill.word()),
-        Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
+        word::<Method>("method", "method for the collapse load", "dem").default(Method::Limit.word()),
+        word::<Analysis>("analysis", "what is increased or reduced until collapse", "load")
+            .default(Analysis::Load.word()),
+        word::<Strip>("strip", "strip of the bridge's width that is analysed", "both").default(Strip::Fill.word()),
+        line_load("load_step", "load increment, per metre of width or over the whole width", "100 kN")
             .at_least(1.0)
             .optional("needed by method \"dem\" for a load"),
-        Field::new(
-            "load_limit",
-            Kind::LineLoad,
-            "largest load tried, per metre of width or over the whole width",
-            "20 MN",
-        )
-        .positive()
-        .optional("until collapse"),
-        Field::new(
-            "resolution",
-            Kind::LineLoad,
-            "collapse is refined to this resolution below the increment",
-            "1 kN/m",
-        )
-        .at_least(1.0)
-        .optional("as coarse as the increment"),
-        Field::new("tolerance", Kind::Number, "out-of-balance force at rest over the acting forces", "1e-5")
-            .above(0.0)
-            .at_most(0.1)
-            .default("1e-5"),
-        Field::new("step_limit", Kind::Count, "most iterations in one load step", "2000000")
+        line_load("load_limit", "largest load tried, per metre of width or over the whole width", "20 MN")
+            .positive()
+            .optional("until collapse"),
+        line_load("resolution", "collapse is refined to this resolution below the increment", "1 kN/m")
             .at_least(1.0)
-            .at_most(1e12)
-            .default("2000000"),
-        Field::new("damping", Kind::Word(DampingRule::WORDS), "numerical damping", "local")
-            .default(DampingRule::Local.word()),
-        Field::new("damping_share", Kind::Number, "share of the out-of-balance force, or of critical damping", "0.8")
-            .above(0.0)
-            .at_most(1.0)
+            .optional("as coarse as the increment"),
+        number("tolerance", "out-of-balance force at rest over the acting forces", "1e-5")
+            .positive_up_to(0.1)
+            .default("1e-5"),
+        count("step_limit", "most iterations in one load step", "2000000").between(1.0, 1e12).default("2000000"),
+        word::<DampingRule>("damping", "numerical damping", "local").default(DampingRule::Local.word()),
+        number("damping_share", "share of the out-of-balance force, or of critical damping", "0.8")
+            .positive_up_to(1.0)
             .only("damping", &["local", "viscous"])
             .default("0.8"),
-        Field::new(
-            "contact_length",
-            Kind::Word(ContactLength::WORDS),
-            "length of joint that a contact point represents",
-            "fixed",
-        )
-        .default(ContactLength::Fixed.word()),
-        Field::new("time_step_factor", Kind::Number, "share of the critical time step", "0.8")
-            .above(0.0)
-            .at_most(1.0)
-            .default("0.8"),
-        Field::new("friction", Kind::Word(Friction::WORDS), "friction rule of limit analysis", "automatic")
+        word::<ContactLength>("contact_length", "length of joint that a contact point represents", "fixed")
+            .default(ContactLength::Fixed.word()),
+        number("time_step_factor", "share of the critical time step", "0.8").positive_up_to(1.0).default("0.8"),
+        word::<Friction>("friction", "friction rule of limit analysis", "automatic")
             .default(Friction::Automatic.word()),
-        Field::new(
+        word::<ContactPoints>(
             "contact_points",
-            Kind::Word(ContactPoints::WORDS),
             "position of the contact points of a joint in limit analysis",
             "rounded",
         )
         .default(ContactPoints::Rounded.word()),
-        Field::new("seed", Kind::Count, "seed of whatever is random", "1").at_least(0.0).at_most(9e15).default("1"),
+        count("seed", "seed of whatever is random", "1").between(0.0, 9e15).default("1"),
     ],
 };
 
@@ -104,13 +72,11 @@ pub(super) static SUPPORT_MOVEMENT: Section = Section {
           `vertical` up, and turns by s times `rotation`.",
     fields: &[
         Field::new("support", Kind::Support, "which support moves", "right abutment"),
-        Field::new("horizontal", Kind::Number, "direction to the right, per unit of movement", "1.0")
-            .at_least(-1e3)
-            .at_most(1e3)
+        number("horizontal", "direction to the right, per unit of movement", "1.0")
+            .between(-1e3, 1e3)
             .optional("no horizontal part"),
-        Field::new("vertical", Kind::Number, "direction up, per unit of movement", "-0.5")
-            .at_least(-1e3)
-            .at_most(1e3)
+        number("vertical", "direction up, per unit of movement", "-0.5")
+            .between(-1e3, 1e3)
             .optional("no vertical part"),
         Field::new(
             "rotation",
@@ -118,23 +84,17 @@ pub(super) static SUPPORT_MOVEMENT: Section = Section {
             "rotation counter-clockwise, per metre of movement",
             "0.5 deg/m",
         )
-        .at_least(-1e3)
-        .at_most(1e3)
+        .between(-1e3, 1e3)
         .optional("no rotation"),
-        Field::new(
+        length(
             "before",
-            Kind::Quantity(Length),
             "movement s that has already happened, as measured: loads then act on the bridge in the shape to which it has moved",
             "40 mm",
         )
         .positive()
         .optional("the bridge stands as it was built"),
-        Field::new("increment", Kind::Quantity(Length), "increment of the movement", "1 mm")
-            .positive()
-            .optional("needed by method \"dem\""),
-        Field::new("limit", Kind::Quantity(Length), "largest movement tried", "500 mm")
-            .positive()
-            .optional("until collapse"),
+        length("increment", "increment of the movement", "1 mm").positive().optional("needed by method \"dem\""),
+        length("limit", "largest movement tried", "500 mm").positive().optional("until collapse"),
     ],
 };
 
@@ -300,29 +260,23 @@ pub(crate) fn check(
     masonry: Option<&Masonry>,
     findings: &mut Findings,
 ) {
-    let mut unheard = Findings::default();
-    let place = |section: &str, key: &str, unheard: &mut Findings| {
-        file.table(section, unheard).map_or(file.range, |table| table.place(key))
-    };
     // A file that plans a passage or a sweep of vehicles, and no collapse, needs no load; `collapse` asks for one where it
     // is told to run.
     let plans_more = file.has("passage") || file.has("sweep");
     let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !plans_more);
     if needs_load && loads.is_empty() && !file.has("load") {
-        let range = place("analysis", "analysis", &mut unheard);
         findings.error(
             "B402",
-            range,
+            file.place_in("analysis", "analysis"),
             "there is no load to bring the bridge to collapse",
             "this analysis raises a load",
             "describe one with [[load]], or choose analysis = \"thickness\" or \"support-movement\"",
         );
     }
     if plan.analysis == Analysis::SupportMovement && plan.support_movement.is_none() && !file.has("support_movement") {
-        let range = place("analysis", "analysis", &mut unheard);
         findings.error(
             "B402",
-            range,
+            file.place_in("analysis", "analysis"),
             "no support movement is described",
             "this analysis moves a support",
             "describe it with [support_movement]",
@@ -351,10 +305,9 @@ pub(crate) fn check(
         if let (Some(lesser), Some(greater)) = (lesser, greater)
             && lesser > greater
         {
-            let range = place("analysis", small, &mut unheard);
             findings.error(
                 "B405",
-                range,
+                file.place_in("analysis", small),
                 format!("`{small}` is more than `{large}`"),
                 format!("`{large}` is {} kN/m", greater / 1e3),
                 format!("give a smaller `{small}` or a larger `{large}`"),
@@ -365,8 +318,7 @@ pub(crate) fn check(
 
 /// The series rule needs the moduli of the blocks.
 fn series(file: &Table<'_>, section: &str, joint: &Joint, masonry: &Masonry, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    let Some(table) = file.table(section, &mut unheard) else { return };
+    let Some(table) = file.known(section) else { return };
     let normal = matches!(joint.normal_stiffness, Some(JointStiffness::Series(_)));
     let shear = matches!(joint.shear_stiffness, Some(JointStiffness::Series(_)));
     let key = if normal { "mortar_normal_stiffness" } else { "mortar_shear_stiffness" };
@@ -416,8 +368,7 @@ pub(crate) fn steps(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
 }
 
 fn lack(file: &Table<'_>, section: &str, what: &str, line: &str, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    let range = file.table(section, &mut unheard).map_or(file.range, |table| table.range);
+    let range = file.known(section).map_or(file.range, |table| table.range);
     findings
         .error(
             "B401",

@@ -1,10 +1,10 @@
 //! The road or rail surface by its levels, where it is not level.
 
 use super::structure::PlacedSpan;
-use crate::card::{Field, Kind, Section};
+use crate::card::Section;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Cover, Pier};
-use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;
 use crate::road::Road;
 use crate::tree::Table;
@@ -14,15 +14,13 @@ pub(super) static ROAD: Section = Section {
     doc: "Levels of the surface on which vehicles run, where it is not level: a gradient, a hump, a sag. The lowest layer of [[cover]] fills \
           what is left below; the layers above it keep their thickness.",
     fields: &[
-        Field::new(
+        points(
             "levels",
-            Kind::Points,
             "points of the surface from left to right: distance from the left springing of the first span, level in the survey's datum",
             "[[\"-5 m\", \"103.20 m\"], [\"9 m\", \"103.65 m\"], [\"24 m\", \"103.40 m\"]]",
         ),
-        Field::new(
+        length(
             "springing_level",
-            Kind::Quantity(Length),
             "level of the left springing of the first span, at the intrados, in the same datum",
             "99.80 m",
         )
@@ -60,25 +58,23 @@ pub(crate) fn lay(
     let springing: Option<f64> = table.read("springing_level", findings);
     let (levels, springing) = (levels?, springing?);
     if levels.len() < 2 || levels.windows(2).any(|pair| !(pair[0][0] < pair[1][0])) {
-        findings.error(
+        return findings.refuse(
             "B226",
             table.place("levels"),
             "levels of a road are two points or more, from left to right",
             "each further right than the one before",
             "sort the points by their first coordinate, and remove doubles",
         );
-        return None;
     }
     let (mut cover, spans, piers) = (cover?, spans?, piers?);
     if cover.layers.is_empty() {
-        findings.error(
+        return findings.refuse(
             "B226",
             table.place("levels"),
             "there is no cover between the rings and the road",
             "its lowest layer would fill what is left below the levels",
             "describe the fill with a [[cover]], without `thickness`",
         );
-        return None;
     }
     let road = Road { points: levels.iter().map(|[x, level]| [*x, level - springing]).collect() };
     let above: f64 = cover.layers.iter().skip(1).map(|layer| layer.thickness).sum();
@@ -98,8 +94,7 @@ pub(crate) fn lay(
         };
         let help =
             "check `springing_level`: the level of the left springing, at the intrados, in the datum of the levels";
-        findings.error("B226", table.place("levels"), message, needs, help);
-        return None;
+        return findings.refuse("B226", table.place("levels"), message, needs, help);
     }
     cover.depth = crown;
     cover.layers[0].thickness = (crown - above).max(0.0);

@@ -1,10 +1,9 @@
 //! What only the finite element model reads: mesh, soils, mortar, contact of fill with masonry.
 
-use crate::card::{Field, Kind, Section};
-use crate::choice::Choice;
+use crate::card::{Field, Section, each_optional, joined};
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::Cover;
-use crate::quantity::Dimension::{Angle, Density, Force, JointStiffness, Length, Stress};
 use crate::service::{AbutmentFill, Cone, FillContact, HaunchFill, MeshPlan, Mortar, Service, Soil, SoilLaw, Springs};
 use crate::tree::Table;
 use crate::values::read;
@@ -13,73 +12,50 @@ pub(super) static MESH: Section = Section {
     path: "mesh",
     doc: "How fine the finite element mesh is and how far it reaches.",
     fields: &[
-        Field::new(
+        length(
             "size",
-            Kind::Quantity(Length),
             "length of an element near the rings and the surface; elements grow towards the boundaries",
             "0.20 m",
         )
-        .at_least(0.005)
-        .at_most(10.0)
+        .between(0.005, 10.0)
         .optional("half the thickness of the thinnest ring"),
-        Field::new("ring_nodes", Kind::Count, "nodes across the depth of a ring, and springs across a joint", "7")
-            .at_least(2.0)
-            .at_most(100.0)
+        count("ring_nodes", "nodes across the depth of a ring, and springs across a joint", "7")
+            .between(2.0, 100.0)
             .default("7"),
-        Field::new(
-            "side_distance",
-            Kind::Quantity(Length),
-            "distance from the back of an abutment to the side boundary",
-            "15 m",
-        )
-        .positive()
-        .at_most(1000.0)
-        .optional("twice the height from the lowest foundation to the surface"),
+        length("side_distance", "distance from the back of an abutment to the side boundary", "15 m")
+            .positive_up_to(1000.0)
+            .optional("twice the height from the lowest foundation to the surface"),
     ],
 };
 
 /// Keys of a soil, each left out as its card says.
 const SOIL: [Field; 9] = [
-    Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the fill", "110 MPa")
+    stress("elastic_modulus", "Young's modulus of the fill", "110 MPa")
         .positive()
         .optional("unknown; `respond` needs it"),
-    Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the fill", "0.19")
-        .at_least(0.0)
-        .at_most(0.4999)
+    number("poisson_ratio", "Poisson's ratio of the fill", "0.19")
+        .between(0.0, 0.4999)
         .optional("unknown; `respond` needs it"),
-    Field::new("density", Kind::Quantity(Density), "mass density of the fill", "1800 kg/m^3")
+    density("density", "mass density of the fill", "1800 kg/m^3")
         .positive()
         .optional("that of the lowest layer of [[cover]]"),
-    Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
-        .at_least(0.0)
-        .at_most(1.2)
+    angle("friction_angle", "angle of friction of the fill", "30 deg")
+        .between(0.0, 1.2)
         .optional("unknown; `respond` needs it unless the fill is elastic"),
-    Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "10 kPa")
+    stress("cohesion", "cohesion of the fill", "10 kPa")
         .at_least(0.0)
         .optional("unknown; `respond` needs it unless the fill is elastic"),
-    Field::new("dilatancy_angle", Kind::Quantity(Angle), "angle of dilatancy of the fill", "0 deg")
-        .at_least(0.0)
-        .at_most(1.2)
-        .default("0 deg"),
-    Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa")
+    angle("dilatancy_angle", "angle of dilatancy of the fill", "0 deg").between(0.0, 1.2).default("0 deg"),
+    stress("tension_cutoff", "largest tension in the fill", "0 kPa")
         .at_least(0.0)
         .optional("no limit except the apex of cone or pyramid"),
-    Field::new("cone", Kind::Word(Cone::WORDS), "how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner")
+    word::<Cone>("cone", "how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner")
         .default(Cone::PlaneStrain.word()),
-    Field::new("law", Kind::Word(SoilLaw::WORDS), "yield criterion of the fill", "mohr-coulomb")
-        .default(SoilLaw::DruckerPrager.word()),
+    word::<SoilLaw>("law", "yield criterion of the fill", "mohr-coulomb").default(SoilLaw::DruckerPrager.word()),
 ];
 
-/// A key of another soil, and those of a soil that are as [fill] says where they are left out.
-const fn as_fill(own: Field) -> [Field; 10] {
-    let mut fields = [own; 10];
-    let mut k = 0;
-    while k < SOIL.len() {
-        fields[k + 1] = SOIL[k].optional("as [fill] says");
-        k += 1;
-    }
-    fields
-}
+/// Those of another soil, which are as [fill] says where they are left out.
+const OTHER_SOIL: &[Field] = &each_optional(SOIL, "as [fill] says");
 
 pub(super) static FILL: Section = Section {
     path: "fill",
@@ -90,47 +66,40 @@ pub(super) static FILL: Section = Section {
 pub(super) static HAUNCH_FILL: Section = Section {
     path: "haunch_fill",
     doc: "Fill of the haunches up to a level, over piers and abutments, where it differs from [fill].",
-    fields: &as_fill(
-        Field::new("height", Kind::Quantity(Length), "level of its upper face above the springings", "1.0 m")
-            .positive()
-            .at_most(200.0),
-    ),
+    fields: &joined::<10>(&[
+        &[length("height", "level of its upper face above the springings", "1.0 m").positive_up_to(200.0)],
+        OTHER_SOIL,
+    ]),
 };
 
 pub(super) static ABUTMENT_FILL: Section = Section {
     path: "abutment_fill",
     doc: "Fill behind the abutments, from their foundation to the surface, where it differs from [fill].",
-    fields: &as_fill(
-        Field::new("extent", Kind::Quantity(Length), "how far it reaches behind the abutment's back", "6 m")
-            .positive()
-            .at_most(1000.0)
-            .optional("to the side boundary"),
-    ),
+    fields: &joined::<10>(&[
+        &[length("extent", "how far it reaches behind the abutment's back", "6 m")
+            .positive_up_to(1000.0)
+            .optional("to the side boundary")],
+        OTHER_SOIL,
+    ]),
 };
 
 pub(super) static MORTAR: Section = Section {
     path: "mortar",
     doc: "Mortar between voussoirs and at the springings, in the finite element model.",
     fields: &[
-        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the mortar", "1.25 GPa")
+        stress("elastic_modulus", "Young's modulus of the mortar", "1.25 GPa")
             .positive()
             .optional("unknown; `respond` needs it"),
-        Field::new("thickness", Kind::Quantity(Length), "thickness of a joint", "12.5 mm")
-            .positive()
-            .at_most(1.0)
+        length("thickness", "thickness of a joint", "12.5 mm")
+            .positive_up_to(1.0)
             .optional("unknown; `respond` needs it"),
-        Field::new(
-            "lift_off",
-            Kind::Quantity(Force),
-            "tension at which a spring lifts off, in a strip one metre wide",
-            "1 kN",
-        )
-        .at_least(0.0)
-        .default("0 kN"),
-        Field::new("shear_strength", Kind::Quantity(Stress), "shear strength of the mortar", "1 MPa")
+        force("lift_off", "tension at which a spring lifts off, in a strip one metre wide", "1 kN")
+            .at_least(0.0)
+            .default("0 kN"),
+        stress("shear_strength", "shear strength of the mortar", "1 MPa")
             .at_least(0.0)
             .optional("friction and cohesion of [joint]"),
-        Field::new("springs", Kind::Word(Springs::WORDS), "how the stress across a joint is summed", "interface")
+        word::<Springs>("springs", "how the stress across a joint is summed", "interface")
             .default(Springs::Equal.word()),
     ],
 };
@@ -139,12 +108,11 @@ pub(super) static FILL_CONTACT: Section = Section {
     path: "fill_contact",
     doc: "Contact of fill with rings, piers and abutments, in the finite element model.",
     fields: &[
-        Field::new("friction_coefficient", Kind::Number, "coefficient of friction", "0.4")
-            .at_least(0.0)
-            .at_most(10.0)
+        number("friction_coefficient", "coefficient of friction", "0.4")
+            .between(0.0, 10.0)
             .optional("unknown; `respond` needs it"),
-        Field::new("separation", Kind::Flag, "whether fill and masonry may separate", "false").default("true"),
-        Field::new("stiffness", Kind::Quantity(JointStiffness), "normal stiffness per area of the contact", "1 GPa/m")
+        flag("separation", "whether fill and masonry may separate", "false").default("true"),
+        joint_stiffness("stiffness", "normal stiffness per area of the contact", "1 GPa/m")
             .positive()
             .optional("from the fill's modulus and the size of its elements"),
     ],
@@ -157,7 +125,7 @@ pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Fi
     let density = lowest.filter(|density| *density > 0.0);
     let fill = file.part("fill", findings, |t, f| soil(t, density, f));
     // What another table leaves out is as the fill is; what is wrong with the fill has been said.
-    let usual = file.table("fill", &mut Findings::default()).unwrap_or(file.without(&FILL));
+    let usual = file.known("fill").unwrap_or(file.without(&FILL));
     let haunch_fill = file.optional("haunch_fill", findings, |table, findings| {
         let soil = soil(&table.over(&usual), density, findings);
         read!(table, findings, HaunchFill { height; soil: soil? })

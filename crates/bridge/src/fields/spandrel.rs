@@ -1,9 +1,9 @@
 //! What is hollow between the outer spandrel walls: internal walls, and voids over piers and haunches.
 
-use crate::card::{Field, Kind, Section};
+use crate::card::Section;
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{InternalWalls, Void};
-use crate::quantity::Dimension::{Density, Length};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -12,21 +12,12 @@ pub(super) static INTERNAL_WALLS: Section = Section {
     doc: "Internal spandrel walls: walls along the bridge between the outer ones, up to a level, with voids or fill between them. In a plane model \
           they are weight with their mean density over the width, docs/theory/spandrels.md.",
     fields: &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of all of them together across the bridge", "1.4 m")
-            .positive()
-            .at_most(100.0),
-        Field::new("height", Kind::Quantity(Length), "level of their tops above the springings", "2.4 m")
-            .positive()
-            .at_most(200.0),
-        Field::new("density", Kind::Quantity(Density), "mass density of the walls", "2100 kg/m^3").positive(),
-        Field::new(
-            "between_density",
-            Kind::Quantity(Density),
-            "mass density of what lies between them; 0 for voids",
-            "0 kg/m^3",
-        )
-        .at_least(0.0)
-        .default("0 kg/m^3"),
+        length("thickness", "thickness of all of them together across the bridge", "1.4 m").positive_up_to(100.0),
+        length("height", "level of their tops above the springings", "2.4 m").positive_up_to(200.0),
+        density("density", "mass density of the walls", "2100 kg/m^3").positive(),
+        density("between_density", "mass density of what lies between them; 0 for voids", "0 kg/m^3")
+            .at_least(0.0)
+            .default("0 kg/m^3"),
     ],
 };
 
@@ -35,30 +26,18 @@ pub(super) static VOID: Section = Section {
     doc: "A void above the extrados: a relieving arch over a pier or a haunch. Nothing in it weighs; what lies above its roof, and loads that \
           would disperse into it, are carried to two places beside it as by a beam, docs/theory/spandrels.md.",
     fields: &[
-        Field::new("from", Kind::Quantity(Length), "left end, from the left springing of the first span", "9.6 m")
-            .at_least(-200.0)
-            .at_most(20_000.0),
-        Field::new("to", Kind::Quantity(Length), "right end", "11.4 m").at_least(-200.0).at_most(20_000.0),
-        Field::new(
+        length("from", "left end, from the left springing of the first span", "9.6 m").between(-200.0, 20_000.0),
+        length("to", "right end", "11.4 m").between(-200.0, 20_000.0),
+        length(
             "floor",
-            Kind::Quantity(Length),
             "level of its floor above the left springing of the first span; below the extrados it lies on this",
             "1.0 m",
         )
-        .at_least(-200.0)
-        .at_most(200.0),
-        Field::new("roof", Kind::Quantity(Length), "level of its roof, above the same springing", "2.6 m")
-            .at_least(-200.0)
-            .at_most(200.0),
-        Field::new(
-            "carried_to",
-            Kind::Quantities(Length),
-            "the two places that carry its roof, one on each side of it",
-            "[\"9.4 m\", \"11.6 m\"]",
-        )
-        .at_least(-200.0)
-        .at_most(20_000.0)
-        .optional("its two ends"),
+        .between(-200.0, 200.0),
+        length("roof", "level of its roof, above the same springing", "2.6 m").between(-200.0, 200.0),
+        lengths("carried_to", "the two places that carry its roof, one on each side of it", "[\"9.4 m\", \"11.6 m\"]")
+            .between(-200.0, 20_000.0)
+            .optional("its two ends"),
     ],
 };
 
@@ -73,14 +52,13 @@ pub(crate) fn internal_walls(table: &Table<'_>, width: Option<f64>, findings: &m
         read!(table, findings, Written { thickness, height, density, between_density })?;
     let width = width?;
     if thickness > width {
-        findings.error(
+        return findings.refuse(
             "B232",
             table.place("thickness"),
             "the internal walls are thicker than the bridge is wide",
             format!("[bridge] width is {width} m"),
             "give the thickness of all internal walls together, without the outer ones",
         );
-        return None;
     }
     let share = thickness / width;
     Some(InternalWalls { height, density: share * density + (1.0 - share) * between_density, share })
@@ -92,14 +70,13 @@ pub(crate) fn voids(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Voi
     for pair in placed.windows(2) {
         let ([_, end], [start, _]) = (pair[0].0.range, pair[1].0.range);
         if start < end {
-            findings.error(
+            return findings.refuse(
                 "B231",
                 pair[1].1,
                 "two voids lie over one another",
                 format!("another one ends at {end:.3} m"),
                 "write one void for what is hollow over one place, from its floor to the roof that carries the fill",
             );
-            return None;
         }
     }
     Some(placed.into_iter().map(|(void, _)| void).collect())
@@ -111,8 +88,7 @@ fn void(table: &Table<'_>, findings: &mut Findings) -> Option<Void> {
     let (from, to, floor, roof) = (from?, to?, floor?, roof?);
     let carried = carried?.unwrap_or_else(|| vec![from, to]);
     let mut wrong = |key: &str, message: &str, label: String, help: &str| {
-        findings.error("B231", table.place(key), message, label, help);
-        None
+        findings.refuse("B231", table.place(key), message, label, help)
     };
     if !(from < to) {
         return wrong(

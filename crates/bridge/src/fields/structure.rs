@@ -2,11 +2,11 @@
 
 use super::sweep;
 use crate::card::{Field, Kind, Section, joined, total};
-use crate::choice::Choice;
+use crate::cards::*;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Pier, Ring, Span};
-use crate::quantity::Dimension::{Acceleration, Angle, Length};
+use crate::quantity::Dimension::Acceleration;
 use crate::ring;
 use crate::ring::{Intrados, OWN_KEYS, Shape, Size, WITH_RISE, WITH_SPAN};
 use crate::tree::{At, Table};
@@ -16,13 +16,10 @@ pub(super) static BRIDGE: Section = Section {
     path: "bridge",
     doc: "The bridge as a whole.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the bridge, for titles", "Bridgemill"),
-        Field::new("width", Kind::Quantity(Length), "width of the barrel, which carries the loads", "8.30 m")
-            .positive()
-            .at_most(100.0),
+        text("name", "name of the bridge, for titles", "Bridgemill"),
+        length("width", "width of the barrel, which carries the loads", "8.30 m").positive_up_to(100.0),
         Field::new("gravity", Kind::Quantity(Acceleration), "acceleration of gravity", "9.81 m/s^2")
-            .positive()
-            .at_most(30.0)
+            .positive_up_to(30.0)
             .default("9.81 m/s^2"),
     ],
 };
@@ -36,85 +33,56 @@ pub(super) static SPAN: Section = Section {
 /// Keys of every span, with those of its profile between.
 const SPAN_KEYS: &[&[Field]] = &[
     &[
-        Field::new("profile", Kind::Word(Shape::WORDS), "shape of the intrados", "segmental"),
-        Field::new(
-            "span",
-            Kind::Quantity(Length),
-            "horizontal distance between the springings, at the intrados, along the road",
-            "18.30 m",
-        )
-        .positive()
-        .at_most(500.0)
-        .only("profile", &WITH_SPAN)
-        .optional("given by `square_span`; the points of a measured profile have theirs"),
-        Field::new(
-            "rise",
-            Kind::Quantity(Length),
-            "rise is measured from springing to crown, on the intrados",
-            "2.85 m",
-        )
-        .positive()
-        .at_most(500.0)
-        .only("profile", &WITH_RISE),
-        Field::new(
+        word::<Shape>("profile", "shape of the intrados", "segmental"),
+        length("span", "horizontal distance between the springings, at the intrados, along the road", "18.30 m")
+            .positive_up_to(500.0)
+            .only("profile", &WITH_SPAN)
+            .optional("given by `square_span`; the points of a measured profile have theirs"),
+        length("rise", "rise is measured from springing to crown, on the intrados", "2.85 m")
+            .positive_up_to(500.0)
+            .only("profile", &WITH_RISE),
+        length(
             "right_springing",
-            Kind::Quantity(Length),
             "level of the right springing above the left one, at the intrados; negative where it lies lower. `rise` is then that of the middle of the span above the line between both",
             "0.25 m",
         )
-        .at_least(-500.0)
-        .at_most(500.0)
+        .between(-500.0, 500.0)
         .only("profile", &WITH_SPAN)
         .default("0 m"),
     ],
     &joined::<{ total(OWN_KEYS) }>(OWN_KEYS),
     &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.711 m")
-            .positive()
-            .at_most(50.0)
+        length("thickness", "thickness of the ring, constant", "0.711 m")
+            .positive_up_to(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`, or by [[span.ring]]"),
-        Field::new("crown_thickness", Kind::Quantity(Length), "thickness of the ring at the crown", "0.60 m")
-            .positive()
-            .at_most(50.0)
+        length("crown_thickness", "thickness of the ring at the crown", "0.60 m")
+            .positive_up_to(50.0)
             .optional("given by `thickness`, or by [[span.ring]]"),
-        Field::new(
+        length(
             "springing_thickness",
-            Kind::Quantity(Length),
             "thickness of the ring at the springings; linear in arc length to the crown",
             "0.80 m",
         )
-        .positive()
-        .at_most(50.0)
+        .positive_up_to(50.0)
         .optional("given by `thickness`, or by [[span.ring]]"),
-        Field::new("voussoirs", Kind::Count, "number of voussoirs of the ring, equal in length", "62")
-            .at_least(3.0)
-            .at_most(5000.0)
+        count("voussoirs", "number of voussoirs of the ring, equal in length", "62")
+            .between(3.0, 5000.0)
             .optional("given by [[span.ring]]"),
-        Field::new("ring", Kind::Tables(&RING), "Several rings of one span, from the intrados up.", "").at_most(20.0)
+        tables("ring", &RING, "Several rings of one span, from the intrados up.")
+            .at_most(20.0)
             .optional("one ring, described in the span itself"),
-        Field::new(
-            "skew",
-            Kind::Quantity(Angle),
-            "angle of skew of this span: between the road and the normal of its springings",
-            "25 deg",
-        )
-        .at_least(0.0)
-        .at_most(1.31)
-        .optional("as [carriageway] says; square where it says nothing"),
-        Field::new(
+        angle("skew", "angle of skew of this span: between the road and the normal of its springings", "25 deg")
+            .between(0.0, 1.31)
+            .optional("as [carriageway] says; square where it says nothing"),
+        length(
             "square_span",
-            Kind::Quantity(Length),
             "span square to the springings, in place of `span`; with `skew` the profile is stretched to what it is along the road",
             "7.80 m",
         )
-        .positive()
-        .at_most(500.0)
+        .positive_up_to(500.0)
         .only("profile", &WITH_SPAN)
         .optional("given by `span`"),
-        Field::new("repeat", Kind::Count, "how many spans like this follow one another", "3")
-            .at_least(1.0)
-            .at_most(1000.0)
-            .default("1"),
+        count("repeat", "how many spans like this follow one another", "3").between(1.0, 1000.0).default("1"),
     ],
 ];
 
@@ -122,26 +90,20 @@ pub(super) static RING: Section = Section {
     path: "span.ring",
     doc: "One ring of a span with several, from the intrados up.",
     fields: &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.225 m")
-            .positive()
-            .at_most(50.0)
+        length("thickness", "thickness of the ring, constant", "0.225 m")
+            .positive_up_to(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`"),
-        Field::new("crown_thickness", Kind::Quantity(Length), "thickness of the ring at the crown", "0.225 m")
-            .positive()
-            .at_most(50.0)
+        length("crown_thickness", "thickness of the ring at the crown", "0.225 m")
+            .positive_up_to(50.0)
             .optional("given by `thickness`"),
-        Field::new(
+        length(
             "springing_thickness",
-            Kind::Quantity(Length),
             "thickness of the ring at the springings; linear in arc length to the crown",
             "0.338 m",
         )
-        .positive()
-        .at_most(50.0)
+        .positive_up_to(50.0)
         .optional("given by `thickness`"),
-        Field::new("voussoirs", Kind::Count, "number of voussoirs of the ring, equal in length", "40")
-            .at_least(3.0)
-            .at_most(5000.0),
+        count("voussoirs", "number of voussoirs of the ring, equal in length", "40").between(3.0, 5000.0),
     ],
 };
 
@@ -185,14 +147,13 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
         let span = span(&table, findings);
         match span.zip(repeat) {
             Some((_, repeat)) if spans.len() as u64 + repeat > MOST_SPANS => {
-                findings.error(
+                return findings.refuse(
                     "B212",
                     table.range,
                     format!("the bridge has more than {MOST_SPANS} spans"),
                     "too many to analyse as one structure",
                     "describe the part of the viaduct that acts together: a few spans on each side of the load",
                 );
-                return None;
             }
             Some((span, repeat)) => spans.extend((0..repeat).map(|_| span.clone())),
             None => complete = false,
@@ -200,14 +161,13 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
     }
     let voussoirs: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
     if voussoirs > MOST_BLOCKS {
-        findings.error(
+        return findings.refuse(
             "B212",
             file.place("span"),
             format!("the bridge has {voussoirs} voussoirs"),
             format!("more than {MOST_BLOCKS} are too many to analyse as one structure"),
             "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs describe a ring well",
         );
-        return None;
     }
     (complete && !spans.is_empty()).then_some(spans)
 }
@@ -245,8 +205,7 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
         let entries = table.entry(misfit.key).and_then(|(_, raw)| raw.get_ref().as_array());
         let entry = misfit.entry.and_then(|index| entries?.get(index));
         let place = entry.map_or(table.place(misfit.key), |entry| entry.span().into());
-        findings.error(misfit.code, place, misfit.message, misfit.label, misfit.help);
-        return None;
+        return findings.refuse(misfit.code, place, misfit.message, misfit.label, misfit.help);
     }
     let (rings, places) = rings?.into_iter().unzip();
     Some(PlacedSpan {
@@ -292,8 +251,8 @@ fn ring(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedRing> {
             (false, false) => table.need("thickness", findings),
             (true, false) => table.need("springing_thickness", findings),
             (false, true) => table.need("crown_thickness", findings),
-            (true, true) => {}
-        }
+            (true, true) => Some(()),
+        }?;
         (crown?, springing?)
     };
     let At { value: voussoirs, range } = voussoirs??;

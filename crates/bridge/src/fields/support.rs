@@ -1,10 +1,9 @@
 //! What the rings stand on: piers with their footings, abutments.
 
-use crate::card::{Field, Kind, Section};
-use crate::choice::Choice;
+use crate::card::{Field, Section, each_optional, joined};
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Abutment, AbutmentBody, AbutmentKind, Cutwater, Cutwaters, Footing, Pier};
-use crate::quantity::Dimension::{Angle, Density, Length};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -13,70 +12,37 @@ pub(super) static PIER: Section = Section {
     doc: "A pier between two spans. Widths are those along the road; what it measures across the bridge comes into a plane model as weight \
           per metre of the barrel, docs/theory/supports.md.",
     fields: &[
-        Field::new(
-            "width",
-            Kind::Quantity(Length),
-            "width at the top, between the springings of its two spans",
-            "1.20 m",
-        )
-        .positive(),
-        Field::new("base_width", Kind::Quantity(Length), "width at the bottom, above the footing", "1.60 m")
+        length("width", "width at the top, between the springings of its two spans", "1.20 m").positive(),
+        length("base_width", "width at the bottom, above the footing", "1.60 m")
             .positive()
             .optional("as wide as the top, or given by the batter of its faces"),
-        Field::new(
-            "left_batter",
-            Kind::Number,
-            "how far the left face moves outwards per unit of depth: 1 in 24 is 0.0417",
-            "0.0417",
-        )
-        .at_least(0.0)
-        .at_most(1.0)
-        .optional("plumb, or as `base_width` says"),
-        Field::new("right_batter", Kind::Number, "the same for the right face", "0.0417")
-            .at_least(0.0)
-            .at_most(1.0)
+        number("left_batter", "how far the left face moves outwards per unit of depth: 1 in 24 is 0.0417", "0.0417")
+            .between(0.0, 1.0)
             .optional("plumb, or as `base_width` says"),
-        Field::new(
+        number("right_batter", "the same for the right face", "0.0417")
+            .between(0.0, 1.0)
+            .optional("plumb, or as `base_width` says"),
+        length(
             "height",
-            Kind::Quantity(Length),
             "height from the bottom to the springings, the lower one where they differ; footings lie below",
             "4.0 m",
         )
         .positive(),
-        Field::new("courses", Kind::Count, "number of courses of blocks", "8").at_least(1.0).at_most(1000.0),
-        Field::new(
-            "step",
-            Kind::Quantity(Length),
-            "level of the springing of the span on its right above that of the span on its left",
-            "0.10 m",
-        )
-        .at_least(-50.0)
-        .at_most(50.0)
-        .default("0 m"),
-        Field::new("across", Kind::Quantity(Length), "width across the bridge at the top, without cutwaters", "9.0 m")
-            .positive()
-            .at_most(200.0)
+        count("courses", "number of courses of blocks", "8").between(1.0, 1000.0),
+        length("step", "level of the springing of the span on its right above that of the span on its left", "0.10 m")
+            .between(-50.0, 50.0)
+            .default("0 m"),
+        length("across", "width across the bridge at the top, without cutwaters", "9.0 m")
+            .positive_up_to(200.0)
             .optional("as wide as the barrel"),
-        Field::new("base_across", Kind::Quantity(Length), "the same at the bottom", "9.6 m")
-            .positive()
-            .at_most(200.0)
-            .optional("as at the top"),
-        Field::new(
-            "cutwater_length",
-            Kind::Quantity(Length),
-            "how far each cutwater reaches beyond that width, over the whole height",
-            "1.2 m",
-        )
-        .positive()
-        .at_most(50.0)
-        .optional("no cutwaters"),
-        Field::new("cutwater_shape", Kind::Word(Cutwater::WORDS), "form of the cutwaters in plan", "pointed")
+        length("base_across", "the same at the bottom", "9.6 m").positive_up_to(200.0).optional("as at the top"),
+        length("cutwater_length", "how far each cutwater reaches beyond that width, over the whole height", "1.2 m")
+            .positive_up_to(50.0)
+            .optional("no cutwaters"),
+        word::<Cutwater>("cutwater_shape", "form of the cutwaters in plan", "pointed")
             .default(Cutwater::Pointed.word()),
-        Field::new("cutwaters", Kind::Count, "how many: one upstream, or both", "2")
-            .at_least(1.0)
-            .at_most(2.0)
-            .default("2"),
-        Field::new("footing", Kind::Tables(&FOOTING), "Steps of the footing, from the pier down.", "")
+        count("cutwaters", "how many: one upstream, or both", "2").between(1.0, 2.0).default("2"),
+        tables("footing", &FOOTING, "Steps of the footing, from the pier down.")
             .at_most(50.0)
             .optional("the pier stands on the ground with its bottom"),
     ],
@@ -86,11 +52,10 @@ pub(super) static FOOTING: Section = Section {
     path: "pier.footing",
     doc: "A step of a footing under a pier, centred under its bottom: a course of its own that can slide and tilt.",
     fields: &[
-        Field::new("width", Kind::Quantity(Length), "width along the road", "2.2 m").positive().at_most(100.0),
-        Field::new("height", Kind::Quantity(Length), "height of the step", "0.5 m").positive().at_most(50.0),
-        Field::new("across", Kind::Quantity(Length), "width across the bridge", "11.0 m")
-            .positive()
-            .at_most(200.0)
+        length("width", "width along the road", "2.2 m").positive_up_to(100.0),
+        length("height", "height of the step", "0.5 m").positive_up_to(50.0),
+        length("across", "width across the bridge", "11.0 m")
+            .positive_up_to(200.0)
             .optional("as the pier's bottom, cutwaters by their area"),
     ],
 };
@@ -99,75 +64,42 @@ pub(super) static ABUTMENT: Section = Section {
     path: "abutment",
     doc: "Both abutments: what holds the outer springings. Fixed, their size is used for drawings and limits what can rest on them; as blocks \
           they stand on the ground by friction, with the soil behind them, and can slide and overturn: docs/theory/supports.md.",
-    fields: &[
-        Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
-            .positive()
-            .default("2 m"),
-        Field::new("height", Kind::Quantity(Length), "height of the block, from its springing down", "2.0 m")
-            .positive()
-            .default("2 m"),
-        Field::new("as", Kind::Word(AbutmentKind::WORDS), "whether it is fixed or can move", "blocks")
-            .default(AbutmentKind::Fixed.word()),
-        BODY[0],
-        BODY[1],
-        BODY[2],
-        BODY[3],
-        BODY[4],
-        Field::new("left", Kind::Table(&ABUTMENT_LEFT), "Where the left abutment differs.", "")
-            .optional("like the other"),
-        Field::new("right", Kind::Table(&ABUTMENT_RIGHT), "Where the right abutment differs.", "")
-            .optional("like the other"),
-    ],
+    fields: &joined::<10>(&[
+        &[KEYS[0].default("2 m"), KEYS[1].default("2 m"), KEYS[2].default(AbutmentKind::Fixed.word())],
+        KEYS.split_at(3).1,
+        &[
+            table("left", &ABUTMENT_LEFT, "Where the left abutment differs.").optional("like the other"),
+            table("right", &ABUTMENT_RIGHT, "Where the right abutment differs.").optional("like the other"),
+        ],
+    ]),
 };
 
-/// Keys of an abutment that can move.
-const BODY: [Field; 5] = [
-    Field::new("base_width", Kind::Quantity(Length), "as blocks: width of the bottom, from the plumb front face back", "3.0 m")
-        .positive()
-        .at_most(200.0)
+/// Keys of an abutment: its size, whether it can move, and what it needs then.
+const KEYS: [Field; 8] = [
+    length("top_width", "length of the upper face behind the springing", "2.0 m").positive(),
+    length("height", "height of the block, from its springing down", "2.0 m").positive(),
+    word::<AbutmentKind>("as", "whether it is fixed or can move", "blocks"),
+    length("base_width", "as blocks: width of the bottom, from the plumb front face back", "3.0 m")
+        .positive_up_to(200.0)
         .optional("as wide as the top: the back is plumb"),
-    Field::new("courses", Kind::Count, "as blocks: number of courses", "4")
-        .at_least(1.0)
-        .at_most(1000.0)
-        .optional("one block"),
-    Field::new(
-        "ground_friction_angle",
-        Kind::Quantity(Angle),
-        "as blocks: angle of friction between the bottom and the ground",
-        "30 deg",
-    )
-    .at_least(0.0)
-    .at_most(1.5)
-    .optional("needed as blocks"),
-    Field::new(
+    count("courses", "as blocks: number of courses", "4").between(1.0, 1000.0).optional("one block"),
+    angle("ground_friction_angle", "as blocks: angle of friction between the bottom and the ground", "30 deg")
+        .between(0.0, 1.5)
+        .optional("needed as blocks"),
+    number(
         "earth_coefficient",
-        Kind::Number,
         "as blocks: horizontal over vertical stress of the soil behind it; 1 - sin phi at rest, (1 - sin phi) / (1 + sin phi) active",
         "0.33",
     )
-    .at_least(0.0)
-    .at_most(1.0)
+    .between(0.0, 1.0)
     .optional("needed as blocks; 0 where nothing may be counted on"),
-    Field::new("earth_density", Kind::Quantity(Density), "as blocks: mass density of that soil", "1900 kg/m^3")
+    density("earth_density", "as blocks: mass density of that soil", "1900 kg/m^3")
         .positive()
         .optional("as the lowest layer of the cover"),
 ];
 
-const SIDE: &[Field] = &[
-    Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
-        .positive()
-        .optional("as [abutment] says"),
-    Field::new("height", Kind::Quantity(Length), "height of the block, from its springing down", "2.0 m")
-        .positive()
-        .optional("as [abutment] says"),
-    Field::new("as", Kind::Word(AbutmentKind::WORDS), "whether it is fixed or can move", "blocks")
-        .optional("as [abutment] says"),
-    BODY[0].optional("as [abutment] says"),
-    BODY[1].optional("as [abutment] says"),
-    BODY[2].optional("as [abutment] says"),
-    BODY[3].optional("as [abutment] says"),
-    BODY[4].optional("as [abutment] says"),
-];
+/// Those of one side, which are as for both where they are left out.
+const SIDE: &[Field] = &each_optional(KEYS, "as [abutment] says");
 
 static ABUTMENT_LEFT: Section =
     Section { path: "abutment.left", doc: "The left abutment, where it differs.", fields: SIDE };
@@ -180,11 +112,9 @@ pub(crate) fn piers(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
 }
 
 fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
-    let base_width: Option<Option<f64>> = table.read("base_width", findings);
     let batters = ["left_batter", "right_batter"].map(|key| table.read::<Option<f64>>(key, findings));
-    let across: Option<Option<f64>> = table.read("across", findings);
-    let base_across: Option<Option<f64>> = table.read("base_across", findings);
-    let length: Option<Option<f64>> = table.read("cutwater_length", findings);
+    let [base_width, across, base_across, length] =
+        ["base_width", "across", "base_across", "cutwater_length"].map(|key| table.read::<Option<f64>>(key, findings));
     let shape: Option<Cutwater> = table.read("cutwater_shape", findings);
     let ends: Option<u64> = table.read("cutwaters", findings);
     let footings =
@@ -229,7 +159,9 @@ pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Ab
             .map(|key| both.part(key, findings, |side, findings| abutment(&side.over(both), &mut missing, findings)));
         missing.sort_unstable();
         missing.dedup();
-        missing.iter().for_each(|key| both.need(key, findings));
+        for key in missing {
+            both.need(key, findings);
+        }
         fits.and(Some([sides[0]?, sides[1]?]))
     })
 }

@@ -1,13 +1,13 @@
 //! Vehicles that are moved over the bridge, and fill that helps.
 
-use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::card::Section;
+use crate::cards::*;
+use crate::choice::choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{
     Carriageway, Directions, FillPressure, GAUGE, GRAVITY_HEIGHT, LEAST_STEP, LeastPressure, Sideways, SweepPlan,
 };
-use crate::quantity::Dimension::{Angle, Length, Speed, Stress};
 use crate::tree::{At, Table};
 use crate::values::read;
 
@@ -27,57 +27,47 @@ pub(super) static SWEEP: Section = Section {
           directions, every group of neighbouring axles, with the factors of a rule on loads and weights. Vehicles and \
           rules of the library are listed in docs/theory/load-rules.md.",
     fields: &[
-        Field::new(
+        number(
             "braking",
-            Kind::Number,
             "braking and traction: force along the bridge as a share of every axle and uniform load, tried to the right, to the left and not at all",
             "0.25",
         )
-        .at_least(0.0)
-        .at_most(1.0)
+        .between(0.0, 1.0)
         .default("0"),
-        Field::new(
+        text(
             "braking_reason",
-            Kind::Text,
             "why braking has this share; a rule that asks for braking gives no verdict where it is less than 0.15 without a reason",
             "ballasted track runs 40 m beyond both abutments",
         )
         .optional("no reason"),
-        Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454").optional(
-            "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
-        ),
-        Field::new("rule_file", Kind::Text, "file with a rule, relative to the bridge file", "our-rule.toml")
+        text("rule", "rule of the library: factors, dispersal, impact", "cs-454")
+            .optional(
+                "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
+            ),
+        text("rule_file", "file with a rule, relative to the bridge file", "our-rule.toml")
             .optional("a rule of the library"),
-        Field::new(
+        values(
             "vehicles",
-            Kind::Values,
             "codes of vehicles, load models or trains of the library, or of `vehicle_files`",
             "[\"hb-45\", \"cs-454\"]",
         )
         .optional("all of the library, and of `vehicle_files`"),
-        Field::new(
-            "vehicle_files",
-            Kind::Values,
-            "files with vehicles, relative to the bridge file",
-            "[\"our-crane.toml\"]",
-        )
-        .optional("none"),
-        Field::new("step", Kind::Quantity(Length), "distance between positions", "0.25 m")
+        values("vehicle_files", "files with vehicles, relative to the bridge file", "[\"our-crane.toml\"]")
+            .optional("none"),
+        length("step", "distance between positions", "0.25 m")
             .at_least(LEAST_STEP)
             .optional("a sixtieth of the shortest span; the worst position between steps is then found"),
-        Field::new("directions", Kind::Word(Directions::WORDS), "directions in which vehicles travel", "both")
+        word::<Directions>("directions", "directions in which vehicles travel", "both")
             .default(Directions::Both.word()),
-        Field::new("subsets", Kind::Flag, "whether every group of neighbouring axles is tried", "true").default("true"),
-        Field::new("dispersal", Kind::Word(Spread::WORDS), "how axles spread through the cover", "rule")
-            .default(Spread::Rule.word()),
-        Field::new(
+        flag("subsets", "whether every group of neighbouring axles is tried", "true").default("true"),
+        word::<Spread>("dispersal", "how axles spread through the cover", "rule").default(Spread::Rule.word()),
+        flag(
             "discrete_elements",
-            Kind::Flag,
             "whether the governing case is also analysed by discrete elements; the smaller number counts",
             "true",
         )
         .default("false"),
-        Field::new("confirm", Kind::Flag, "the former name of `discrete_elements`", "true").default("false"),
+        flag("confirm", "the former name of `discrete_elements`", "true").default("false"),
     ],
 };
 
@@ -87,91 +77,61 @@ pub(super) static CARRIAGEWAY: Section = Section {
           the barrel that carries one vehicle: two abreast share the width between them, and for one at the edge the \
           width beyond it is missing. The worst arrangement counts.",
     fields: &[
-        Field::new(
-            "lanes",
-            Kind::Count,
-            "how many vehicles may stand abreast: lanes of a road, tracks of a railway",
-            "2",
-        )
-        .at_least(1.0)
-        .at_most(20.0)
-        .optional("road: two where two of 2.5 m fit on the barrel, else one; railway: one"),
-        Field::new(
-            "lane_width",
-            Kind::Quantity(Length),
-            "distance between the middles of two vehicles abreast",
-            "2.5 m",
-        )
-        .positive()
-        .optional("2.5 m on roads, 3.4 m on railways"),
-        Field::new(
+        count("lanes", "how many vehicles may stand abreast: lanes of a road, tracks of a railway", "2")
+            .between(1.0, 20.0)
+            .optional("road: two where two of 2.5 m fit on the barrel, else one; railway: one"),
+        length("lane_width", "distance between the middles of two vehicles abreast", "2.5 m")
+            .positive()
+            .optional("2.5 m on roads, 3.4 m on railways"),
+        length(
             "edge_distance",
-            Kind::Quantity(Length),
             "distance from an edge of the barrel to the middle of the nearest wheel or rail",
             "0.8 m",
         )
         .at_least(0.0)
         .optional("vehicles stand in the middle of the barrel"),
-        Field::new(
-            "skew",
-            Kind::Quantity(Angle),
-            "angle of skew of spans without their own: 0 for a square bridge",
-            "15 deg",
-        )
-        .at_least(0.0)
-        .at_most(1.31)
-        .optional("taken as square; the model is square in any case"),
-        Field::new(
+        angle("skew", "angle of skew of spans without their own: 0 for a square bridge", "15 deg")
+            .between(0.0, 1.31)
+            .optional("taken as square; the model is square in any case"),
+        lengths(
             "cracks",
-            Kind::Quantities(Length),
             "longitudinal cracks through the barrel: their distances from one of its edges",
             "[\"0.75 m\"]",
         )
         .positive()
         .optional("the barrel carries as a whole"),
-        Field::new(
+        length(
             "track_offset",
-            Kind::Quantity(Length),
             "distance of the middle of the outermost track or lane from the middle of the barrel, where vehicles keep to it; in place of \
              `edge_distance`",
             "0.6 m",
         )
         .at_least(0.0)
         .optional("as `edge_distance` says"),
-        Field::new(
+        length(
             "track_gauge",
-            Kind::Quantity(Length),
             "distance between the middles of both rails, or of wheels on an axle, for `track_offset`, `cant` and forces across",
             "1.5 m",
         )
         .positive()
         .optional("1.5 m"),
-        Field::new("curve_radius", Kind::Quantity(Length), "radius of the curve on which vehicles run", "300 m")
+        length("curve_radius", "radius of the curve on which vehicles run", "300 m")
             .positive()
             .optional("straight: no centrifugal force"),
-        Field::new("speed", Kind::Quantity(Speed), "speed on that curve, for the centrifugal force", "60 km/h")
+        speed("speed", "speed on that curve, for the centrifugal force", "60 km/h")
             .at_least(0.0)
             .optional("needed where there is a `curve_radius`"),
-        Field::new("cant", Kind::Quantity(Length), "level of the outer rail above the inner one", "90 mm")
-            .at_least(0.0)
-            .optional("no cant"),
-        Field::new(
+        length("cant", "level of the outer rail above the inner one", "90 mm").at_least(0.0).optional("no cant"),
+        number(
             "side_force",
-            Kind::Number,
             "force across the bridge as a share of every axle, to either side: wind on the vehicle, as the rule asks",
             "0.05",
         )
-        .at_least(0.0)
-        .at_most(1.0)
+        .between(0.0, 1.0)
         .optional("none"),
-        Field::new(
-            "side_force_height",
-            Kind::Quantity(Length),
-            "height above rail or road at which centrifugal and side forces act",
-            "1.8 m",
-        )
-        .at_least(0.0)
-        .optional("1.8 m"),
+        length("side_force_height", "height above rail or road at which centrifugal and side forces act", "1.8 m")
+            .at_least(0.0)
+            .optional("1.8 m"),
     ],
 };
 
@@ -182,40 +142,24 @@ pub(super) static FILL_PRESSURE: Section = Section {
           moves against the fill; along the path it grows with the movement. docs/theory/fill-pressure.md gives the sources of \
           the shares. The discrete element method does not use this table: particles exert pressure themselves.",
     fields: &[
-        Field::new("applies", Kind::Flag, "whether it acts", "true").default("true"),
-        Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
-            .at_least(0.0)
-            .at_most(1.2),
-        Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "5 kPa").at_least(0.0).default("0 kPa"),
-        Field::new(
-            "mobilisation",
-            Kind::Number,
-            "share of the passive pressure of friction that movement mobilises",
-            "0.5",
-        )
-        .at_least(0.0)
-        .at_most(1.0)
-        .default("0.5"),
-        Field::new("cohesion_mobilisation", Kind::Number, "share of the passive pressure of cohesion", "0.05")
-            .at_least(0.0)
-            .at_most(1.0)
+        flag("applies", "whether it acts", "true").default("true"),
+        angle("friction_angle", "angle of friction of the fill", "30 deg").between(0.0, 1.2),
+        stress("cohesion", "cohesion of the fill", "5 kPa").at_least(0.0).default("0 kPa"),
+        number("mobilisation", "share of the passive pressure of friction that movement mobilises", "0.5")
+            .between(0.0, 1.0)
+            .default("0.5"),
+        number("cohesion_mobilisation", "share of the passive pressure of cohesion", "0.05")
+            .between(0.0, 1.0)
             .default("0.05"),
-        Field::new(
-            "least",
-            Kind::Word(LeastPressure::WORDS),
-            "pressure on backs that do not move against the fill",
-            "at-rest",
-        )
-        .default(LeastPressure::AtRest.word()),
-        Field::new(
+        word::<LeastPressure>("least", "pressure on backs that do not move against the fill", "at-rest")
+            .default(LeastPressure::AtRest.word()),
+        number(
             "half_movement",
-            Kind::Number,
             "movement of a back against the fill at which half of what movement mobilises is there, as a share of the depth \
              below the top of the fill; method \"path\"",
             "0.01",
         )
-        .above(0.0)
-        .at_most(1.0)
+        .positive_up_to(1.0)
         .default("0.02"),
     ],
 };
@@ -353,12 +297,10 @@ fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> O
     let height = or("side_force_height", GRAVITY_HEIGHT);
     let (radius, speed) = (radius?, speed?);
     if radius.is_some() && speed.is_none() {
-        table.need("speed", findings);
-        return None;
+        table.need("speed", findings)?;
     }
     if speed.is_some() && radius.is_none() {
-        table.need("curve_radius", findings);
-        return None;
+        table.need("curve_radius", findings)?;
     }
     let (cant, gauge) = (cant?, gauge?);
     let found = Sideways { curve: radius.zip(speed), cant, side_force: side_force?, height: height?, gauge };
@@ -369,14 +311,13 @@ fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> O
             _ if found.cant > 0.0 => "cant",
             _ => "side_force",
         };
-        findings.error(
+        return findings.refuse(
             "B242",
             table.place(key),
             format!("the resultant of a vehicle lies {shift:.2} m beside the middle of its track"),
             format!("beyond {:.2} m, half of `track_gauge`, it overturns", 0.5 * gauge),
             "check radius, speed, cant and side force, and the height at which they act",
         );
-        return None;
     }
     Some(found)
 }

@@ -1,9 +1,10 @@
 //! Trains, and the track under them.
 
 use crate::card::{Field, Kind, Section};
+use crate::cards::*;
 use crate::findings::Findings;
 use crate::passage::Track;
-use crate::quantity::Dimension::{BendingStiffness, Force, Length, Mass, Stress};
+use crate::quantity::Dimension::BendingStiffness;
 use crate::train::{AxleLoads, LIBRARY, MOST_AXLES, Train, Vehicle, built_in, read_toml};
 use crate::tree::{At, Table};
 use crate::values::read;
@@ -14,40 +15,26 @@ pub(crate) static VEHICLE: Section = Section {
     doc: "A vehicle of the train, or several equal ones; the first one leads, and the train travels to the right. Give \
           `axle_loads` or `axle_forces`.",
     fields: &[
-        Field::new("name", Kind::Text, "name of the vehicle", "locomotive").optional("vehicle"),
-        Field::new("count", Kind::Count, "how many of them follow one another", "2")
-            .at_least(1.0)
-            .at_most(1000.0)
-            .default("1"),
-        Field::new(
-            "axle_loads",
-            Kind::Quantities(Mass),
-            "mass on each axle, from the first one back; a single value is for all",
-            r#"["20.5 t"]"#,
-        )
-        .positive()
-        .at_most(1e6)
-        .optional("given by `axle_forces`"),
-        Field::new(
+        text("name", "name of the vehicle", "locomotive").optional("vehicle"),
+        count("count", "how many of them follow one another", "2").between(1.0, 1000.0).default("1"),
+        masses("axle_loads", "mass on each axle, from the first one back; a single value is for all", r#"["20.5 t"]"#)
+            .positive_up_to(1e6)
+            .optional("given by `axle_forces`"),
+        forces(
             "axle_forces",
-            Kind::Quantities(Force),
             "force of each axle, from the first one back; a single value is for all",
             r#"["250 kN"]"#,
         )
-        .positive()
-        .at_most(1e7)
+        .positive_up_to(1e7)
         .optional("given by `axle_loads`"),
-        Field::new(
+        lengths(
             "axle_spacings",
-            Kind::Quantities(Length),
             "distances between the axles, one fewer than the axles",
             r#"["2.0 m", "4.524 m", "2.0 m"]"#,
         )
         .positive(),
-        Field::new("front_overhang", Kind::Quantity(Length), "from the front coupler to the first axle", "1.0945 m")
-            .at_least(0.0),
-        Field::new("rear_overhang", Kind::Quantity(Length), "from the last axle to the rear coupler", "1.0945 m")
-            .at_least(0.0),
+        length("front_overhang", "from the front coupler to the first axle", "1.0945 m").at_least(0.0),
+        length("rear_overhang", "from the last axle to the rear coupler", "1.0945 m").at_least(0.0),
     ],
 };
 
@@ -56,21 +43,19 @@ pub(super) static TRAIN: Section = Section {
     doc: "The train that crosses in `extrados respond`, travelling to the right: one of the library by its `name`, \
           vehicles from a `file`, or vehicles written here as [[train.vehicle]].",
     fields: &[
-        Field::new(
+        text(
             "name",
-            Kind::Text,
             "a train of the library (paper-short, paper-full, paper-short-light), or a name for the train",
             "paper-short",
         )
         .optional("named after its file, or \"train\""),
-        Field::new(
+        text(
             "file",
-            Kind::Text,
             "a file beside this one: TOML with [[vehicle]] tables, or CSV with axle_load_t,distance_m",
             "train.toml",
         )
         .optional("the library's, or [[train.vehicle]]"),
-        Field::new("vehicle", Kind::Tables(&VEHICLE), "The vehicles, from the first one back.", "")
+        tables("vehicle", &VEHICLE, "The vehicles, from the first one back.")
             .optional("the library's, or those of the file"),
     ],
 };
@@ -79,7 +64,7 @@ pub(super) static TRAIN: Section = Section {
 pub(crate) static FILE: Section = Section {
     path: "",
     doc: "The vehicles of a train, from the first one back.",
-    fields: &[Field::new("vehicle", Kind::Tables(&VEHICLE), "The vehicles, from the first one back.", "")],
+    fields: &[tables("vehicle", &VEHICLE, "The vehicles, from the first one back.")],
 };
 
 pub(super) static TRACK: Section = Section {
@@ -93,50 +78,27 @@ pub(super) static TRACK: Section = Section {
             "bending stiffness E I of one rail about its horizontal axis",
             "4.47 MNm^2",
         )
-        .at_least(1e2)
-        .at_most(1e9),
-        Field::new(
+        .between(1e2, 1e9),
+        stress(
             "track_modulus",
-            Kind::Quantity(Stress),
             "stiffness of the support of one rail, per metre of rail (force per length and settlement)",
             "30 MPa",
         )
-        .at_least(1e4)
-        .at_most(1e12),
-        Field::new("sleeper_spacing", Kind::Quantity(Length), "distance between the middles of two sleepers", "0.60 m")
-            .at_least(0.1)
-            .at_most(5.0),
-        Field::new("sleeper_breadth", Kind::Quantity(Length), "size of a sleeper along the bridge", "0.25 m")
-            .at_least(0.01)
-            .at_most(5.0),
-        Field::new("sleeper_length", Kind::Quantity(Length), "size of a sleeper across the bridge", "2.75 m")
-            .at_least(0.1)
-            .at_most(10.0),
-        Field::new(
-            "ballast_depth",
-            Kind::Quantity(Length),
-            "depth of ballast below the sleepers, down to the top of the fill",
-            "0.25 m",
-        )
-        .at_least(0.0)
-        .at_most(20.0),
-        Field::new(
-            "ballast_slope",
-            Kind::Slope,
-            "slope at which pressure spreads through the ballast, vertical to horizontal",
-            "2:1",
-        )
-        .at_least(0.1)
-        .at_most(1000.0),
-        Field::new(
+        .between(1e4, 1e12),
+        length("sleeper_spacing", "distance between the middles of two sleepers", "0.60 m").between(0.1, 5.0),
+        length("sleeper_breadth", "size of a sleeper along the bridge", "0.25 m").between(0.01, 5.0),
+        length("sleeper_length", "size of a sleeper across the bridge", "2.75 m").between(0.1, 10.0),
+        length("ballast_depth", "depth of ballast below the sleepers, down to the top of the fill", "0.25 m")
+            .between(0.0, 20.0),
+        slope("ballast_slope", "slope at which pressure spreads through the ballast, vertical to horizontal", "2:1")
+            .between(0.1, 1000.0),
+        stress(
             "dead_load",
-            Kind::Quantity(Stress),
             "weight of rails and sleepers on the fill (and of ballast where no [[cover]] layer is ballast); a part of the self-weight",
             "3 kPa",
         )
-        .at_least(0.0)
-        .at_most(1e6),
-        Field::new("effective_width", Kind::Quantity(Length), "width of the bridge that carries an axle", "4.5 m")
+        .between(0.0, 1e6),
+        length("effective_width", "width of the bridge that carries an axle", "4.5 m")
             .at_least(0.1)
             .optional("the width of the barrel"),
     ],
@@ -149,8 +111,7 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
     let path: Option<Option<String>> = table.read("file", findings);
     let written = vehicles(&table, findings);
     if table.has("file") && table.has("vehicle") {
-        table.exclude("file", "[[train.vehicle]]", findings);
-        return None;
+        table.exclude("file", "[[train.vehicle]]", findings)?;
     }
     let named = name?;
     if let Some(path) = path? {
@@ -169,16 +130,13 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
             let vehicles = read_toml(found.text.as_bytes()).vehicles?;
             Some(Train { name: found.name.to_owned(), file: None, vehicles })
         }
-        None => {
-            findings.error(
-                "B651",
-                table.place("name"),
-                "the library has no such train, and there are no vehicles",
-                "a train of the library, or one described here",
-                format!("write one of {list}, or describe the train with [[train.vehicle]] or file = \"train.toml\""),
-            );
-            None
-        }
+        None => findings.refuse(
+            "B651",
+            table.place("name"),
+            "the library has no such train, and there are no vehicles",
+            "a train of the library, or one described here",
+            format!("write one of {list}, or describe the train with [[train.vehicle]] or file = \"train.toml\""),
+        ),
     }
 }
 
@@ -189,14 +147,13 @@ pub(crate) fn vehicles(table: &Table<'_>, findings: &mut Findings) -> Option<Vec
     let list: Vec<Vehicle> = list.into_iter().collect::<Option<_>>()?;
     let axles: usize = list.iter().map(|vehicle| vehicle.count.saturating_mul(vehicle.spacings.len() + 1)).sum();
     if axles > MOST_AXLES {
-        findings.error(
+        return findings.refuse(
             "B652",
             tables.first().map_or(table.range, |table| table.range),
             format!("the train has {axles} axles"),
             "the longest trains have some 3,000",
             format!("write a smaller `count`: {MOST_AXLES} axles at most"),
         );
-        return None;
     }
     (!list.is_empty()).then_some(list)
 }
@@ -226,14 +183,13 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
         1 => vec![given.value[0]; axles],
         same if same == axles => given.value,
         other => {
-            findings.error(
+            return findings.refuse(
                 "B652",
                 given.range,
                 format!("{} for {}", counted(other, "load"), counted(axles, "axle")),
                 "one for each axle, or one for all",
                 format!("give {axles} loads or one; there is one spacing between every two adjacent axles"),
             );
-            return None;
         }
     };
     Some(Vehicle {

@@ -1,11 +1,11 @@
 //! Spandrel walls, and whether they fit the bridge.
 
 use super::material::joint;
-use crate::card::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::card::Section;
+use crate::cards::*;
+use crate::choice::choice;
 use crate::findings::Findings;
 use crate::model::{Abutment, CoursesFrom, Joint, Masonry, SpandrelWall};
-use crate::quantity::Dimension::{Density, Length};
 use crate::tree::Table;
 use crate::values::read;
 
@@ -26,60 +26,41 @@ pub(super) static SPANDREL_WALL: Section = Section {
     doc: "Spandrel walls of coursed masonry that stand on the rings. Bricks are cut along the backs of the voussoirs; all \
           walls of the bridge are taken together.",
     fields: &[
-        Field::new("brick_length", Kind::Quantity(Length), "length of a brick with its joint", "0.60 m").positive(),
-        Field::new("brick_height", Kind::Quantity(Length), "height of a course with its joint", "0.40 m").positive(),
-        Field::new("thickness", Kind::Quantity(Length), "thickness of all walls together across the bridge", "0.44 m")
-            .positive(),
-        Field::new("bond", Kind::Word(Bond::WORDS), "how courses are shifted", "half").default(Bond::Half.word()),
-        Field::new("density", Kind::Quantity(Density), "mass density of the wall", "2100 kg/m^3")
-            .positive()
-            .optional("as [masonry] says"),
-        Field::new("rounding", Kind::Quantity(Length), "radius of the bricks' rounded corners", "10 mm")
+        length("brick_length", "length of a brick with its joint", "0.60 m").positive(),
+        length("brick_height", "height of a course with its joint", "0.40 m").positive(),
+        length("thickness", "thickness of all walls together across the bridge", "0.44 m").positive(),
+        word::<Bond>("bond", "how courses are shifted", "half").default(Bond::Half.word()),
+        density("density", "mass density of the wall", "2100 kg/m^3").positive().optional("as [masonry] says"),
+        length("rounding", "radius of the bricks' rounded corners", "10 mm")
             .at_least(0.0)
             .optional("as [masonry] says"),
-        Field::new(
-            "top",
-            Kind::Quantity(Length),
-            "level of the wall's top above the highest crown's extrados",
-            "0.478 m",
-        )
-        .positive()
-        .optional("the road surface"),
-        Field::new(
-            "extent",
-            Kind::Quantity(Length),
-            "how far the wall reaches behind the outer springings, measured at the extrados",
-            "1.5 m",
-        )
-        .positive()
-        .optional("to the backs of the abutments"),
-        Field::new("end_walls", Kind::Flag, "whether fixed walls stand at both ends", "false").default("false"),
-        Field::new("courses_from", Kind::Word(CoursesFrom::WORDS), "where courses are counted from", "top")
-            .default(CoursesFrom::Top.word()),
-        Field::new(
+        length("top", "level of the wall's top above the highest crown's extrados", "0.478 m")
+            .positive()
+            .optional("the road surface"),
+        length("extent", "how far the wall reaches behind the outer springings, measured at the extrados", "1.5 m")
+            .positive()
+            .optional("to the backs of the abutments"),
+        flag("end_walls", "whether fixed walls stand at both ends", "false").default("false"),
+        word::<CoursesFrom>("courses_from", "where courses are counted from", "top").default(CoursesFrom::Top.word()),
+        length(
             "head_joint",
-            Kind::Quantity(Length),
             "place of a head joint of the uppermost course, from the left springing of the first span",
             "9.15 m",
         )
         .optional("the middle of the bridge"),
-        Field::new(
+        count(
             "loaded_bricks",
-            Kind::Count,
             "how many bricks of the uppermost course carry a load, those nearest to its middle",
             "2",
         )
-        .at_least(1.0)
-        .at_most(100.0)
+        .between(1.0, 100.0)
         .optional("the bricks under the load, each by its loaded length"),
-        Field::new(
+        number(
             "least_piece",
-            Kind::Number,
             "share of a brick or a voussoir's back below which no piece of a cut brick is left",
             "0.25",
         )
-        .at_least(0.05)
-        .at_most(0.5)
+        .between(0.05, 0.5)
         .default("0.25"),
     ],
 };
@@ -101,11 +82,9 @@ pub(crate) fn spandrel_wall(
     let own = if file.has("wall_joint") { Some(joint(file, "wall_joint", findings)) } else { None };
     if !file.has("spandrel_wall") {
         if file.has("wall_joint") {
-            let mut unheard = Findings::default();
-            let range = file.table("wall_joint", &mut unheard).map_or(file.range, |table| table.range);
             findings.error(
                 "B213",
-                range,
+                file.known("wall_joint").map_or(file.range, |table| table.range),
                 "there is no spandrel wall for these joints",
                 "joints of a wall that the file does not describe",
                 "describe the wall with [spandrel_wall], or remove [wall_joint]",
@@ -115,10 +94,8 @@ pub(crate) fn spandrel_wall(
     }
     let table = &file.table("spandrel_wall", findings)?;
     let bond = table.read("bond", findings);
-    let density: Option<Option<f64>> = table.read("density", findings);
-    let rounding: Option<Option<f64>> = table.read("rounding", findings);
-    let given_density = density?;
-    let given_rounding = rounding?;
+    let [density, rounding] = ["density", "rounding"].map(|key| table.read::<Option<f64>>(key, findings));
+    let (density, rounding) = (density?, rounding?);
     // A contact point of a ring joint stands for half the ring's thickness; that of a wall's joint for half its own.
     let inherited = || parts.joint.map(|joint| Joint { fixed_length: None, least_length: None, ..*joint });
     let wall = read!(
@@ -136,8 +113,8 @@ pub(crate) fn spandrel_wall(
             loaded_bricks,
             least_piece;
             bond: Bond::shift(bond?),
-            density: given_density.or(parts.masonry.map(|masonry| masonry.density))?,
-            rounding: given_rounding.or(parts.masonry.map(|masonry| masonry.rounding))?,
+            density: density.or(parts.masonry.map(|masonry| masonry.density))?,
+            rounding: rounding.or(parts.masonry.map(|masonry| masonry.rounding))?,
             joint: match own {
                 Some(own) => own?,
                 None => inherited()?,

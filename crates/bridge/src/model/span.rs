@@ -45,6 +45,14 @@ pub struct Ring {
     pub voussoirs: usize,
 }
 
+impl Ring {
+    /// Thickness at a share of the arc length [m]: linear from springing to crown.
+    pub fn thickness(&self, share: f64) -> f64 {
+        let to_crown = 1.0 - (2.0 * share - 1.0).abs();
+        self.springing_thickness + (self.crown_thickness - self.springing_thickness) * to_crown
+    }
+}
+
 /// A pier between two spans.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pier {

@@ -74,9 +74,6 @@ fn rings(
     findings: &mut Findings,
 ) {
     let span = &placed.span;
-    let mut unheard = Findings::default();
-    let mut place =
-        |section: &str, key: &str| file.table(section, &mut unheard).map_or(file.range, |table| table.place(key));
     let (mut crown, mut springing) = (0.0, 0.0);
     for (ring, (thickness_place, count_place)) in span.rings.iter().zip(&placed.rings) {
         let inside = [springing, crown];
@@ -110,7 +107,7 @@ fn rings(
             if 2.0 * masonry.rounding >= thinnest {
                 findings.error(
                     "B207",
-                    place("masonry", "rounding"),
+                    file.place_in("masonry", "rounding"),
                     "rounded corners leave nothing of the joint",
                     format!("twice this is no less than the thinnest joint, {thinnest} m"),
                     "give a smaller `rounding` in [masonry]; a fiftieth of the thickness is common",
@@ -118,7 +115,7 @@ fn rings(
             } else if 2.0 * masonry.rounding >= shortest {
                 findings.error(
                     "B207",
-                    place("masonry", "rounding"),
+                    file.place_in("masonry", "rounding"),
                     "rounded corners are longer than the voussoirs",
                     format!("twice this is no less than the shortest edge, {shortest:.4} m"),
                     "use fewer voussoirs, or a smaller `rounding` in [masonry]",
@@ -130,7 +127,7 @@ fn rings(
         {
             findings.error(
                 "B208",
-                place("joint", "fixed_length"),
+                file.place_in("joint", "fixed_length"),
                 "a contact point represents more than the whole joint",
                 format!("the thinnest joint has {thinnest} m"),
                 "give a `fixed_length` in [joint] of about half the thickness, or leave it out",
@@ -141,7 +138,7 @@ fn rings(
         {
             findings.error(
                 "B208",
-                place("joint", "least_length"),
+                file.place_in("joint", "least_length"),
                 "the least length of a contact point is more than the whole joint",
                 format!("the thinnest joint has {thinnest} m"),
                 "give a `least_length` in [joint] of about a tenth of the thickness, or leave it out",
@@ -187,8 +184,7 @@ fn check_piers(
     findings: &mut Findings,
 ) {
     let needed = spans.len() - 1;
-    let mut unheard = Findings::default();
-    let places: Vec<_> = file.tables("pier", &mut unheard);
+    let places = file.tables("pier", &mut Findings::default());
     if piers.len() != needed && !(piers.len() == 1 && needed > 1) {
         let range = places.first().map_or(spans[spans.len() - 1].shape, |table| table.range);
         let help = match needed {
@@ -207,12 +203,12 @@ fn check_piers(
     }
     for gap in 0..needed {
         let pier = &piers[gap.min(piers.len() - 1)];
+        let table = places.get(gap.min(places.len().saturating_sub(1)));
         // A springing's normal leans away from its span, so the extrados reaches over the pier by this much.
         let [left, right] =
             [reach(&spans[gap].span, &skewbacks[gap][1]), reach(&spans[gap + 1].span, &skewbacks[gap + 1][0])];
         let needed_width = left[0].max(0.0) + (-right[0]).max(0.0);
         if pier.width < needed_width * (1.0 - 1e-9) {
-            let table = places.get(gap.min(places.len().saturating_sub(1)));
             let range = table.map_or(file.range, |table| table.place("width"));
             findings.error(
                 "B210",
@@ -227,7 +223,6 @@ fn check_piers(
             break;
         }
         if pier.step != 0.0 && !is_convex(pier, left, right) {
-            let table = places.get(gap.min(places.len().saturating_sub(1)));
             let room = pier.width - needed_width;
             findings.error(
                 "B230",
@@ -277,11 +272,9 @@ fn check_backing(
     let springing = |(placed, level): (&PlacedSpan, &f64)| level + placed.span.right_springing.max(0.0);
     let springings = spans.iter().zip(&levels).map(springing).fold(f64::NEG_INFINITY, f64::max);
     if backing.height + springings > surface {
-        let mut unheard = Findings::default();
-        let range = file.table("backing", &mut unheard).map_or(file.range, |table| table.place("height"));
         findings.error(
             "B211",
-            range,
+            file.place_in("backing", "height"),
             "the backing is higher than the road",
             format!("the surface is {surface:.3} m above the springings"),
             "give a height from the springings, below the surface",

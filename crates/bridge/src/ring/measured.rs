@@ -7,12 +7,12 @@ use std::sync::Arc;
 use super::invert::invert;
 use super::quadrature::quadrature;
 use super::{Curve, Form, Misfit, Shape, Station};
-use crate::card::{Field, Kind};
+use crate::card::Field;
+use crate::cards::*;
 
 pub(super) const NEEDS: [bool; 2] = [false, false];
-pub(super) const KEYS: &[Field] = &[Field::new(
+pub(super) const KEYS: &[Field] = &[points(
     "points",
-    Kind::Points,
     "surveyed points of the intrados, from the left to the right springing; the first is the origin",
     "[[\"0 m\", \"0 m\"], [\"2.0 m\", \"1.1 m\"], [\"4.0 m\", \"0 m\"]]",
 )

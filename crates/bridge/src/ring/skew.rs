@@ -58,20 +58,18 @@ pub(super) fn along_the_road(
                 Ok(points) => Profile::Measured { points },
                 Err(misfit) => {
                     let key = if misfit.key == "span" { "square_span" } else { misfit.key };
-                    findings.error(misfit.code, table.place(key), misfit.message, misfit.label, misfit.help);
-                    return None;
+                    return findings.refuse(misfit.code, table.place(key), misfit.message, misfit.label, misfit.help);
                 }
             }
         }
         Profile::Pointed | Profile::Measured { .. } => {
-            findings.error(
+            return findings.refuse(
                 "B228",
                 table.place("square_span"),
                 format!("the square section of a {} span is not turned into the one along the road", profile.word()),
                 "the shape along the road is wanted",
                 "give `span` along the road, and the shape that its face shows",
             );
-            return None;
         }
     };
     Some((stretched, Size { span: size.span * stretch, ..size }))

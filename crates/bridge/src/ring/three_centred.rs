@@ -2,14 +2,13 @@
 
 use super::arcs::Arcs;
 use super::{Form, Misfit, Shape};
-use crate::card::{Field, Kind};
-use crate::quantity::Dimension::Length;
+use crate::card::Field;
+use crate::cards::*;
 
 pub(super) const NEEDS: [bool; 2] = [true, true];
-pub(super) const KEYS: &[Field] =
-    &[Field::new("haunch_radius", Kind::Quantity(Length), "radius of the two circles at the haunches", "2.0 m")
-        .positive()
-        .only("profile", &[Shape::ThreeCentred.word()])];
+pub(super) const KEYS: &[Field] = &[length("haunch_radius", "radius of the two circles at the haunches", "2.0 m")
+    .positive()
+    .only("profile", &[Shape::ThreeCentred.word()])];
 
 pub(super) fn size(span: Option<f64>, rise: Option<f64>, _: &mut f64) -> Option<(f64, f64)> {
     super::as_written(span, rise)

@@ -199,19 +199,14 @@ fn no_quantity(document: &Document, text: &str) -> Slip {
 fn unknown(document: &Document, text: &str, section: &'static Section) -> Slip {
     let all = known(document);
     let near = nearest(text, all.iter().map(|known| known.path.as_str())).map(str::to_owned);
-    // The same key in another section is a likelier slip than any spelling.
-    let key = text.rsplit('.').next().unwrap_or(text);
+    // The same key in another section is a likelier slip than any spelling; then the nearest one.
+    let key = |path: &'_ str| path.rsplit('.').next().unwrap_or_default().to_owned();
     let elsewhere = || {
-        let last = |known: &&Known| known.path.rsplit('.').next() == Some(key);
-        all.iter().find(last).map(|known| known.path.clone())
+        let keys: Vec<String> = all.iter().map(|known| key(&known.path)).collect();
+        let place = nearest(&key(text), keys.iter().map(String::as_str))?;
+        all.iter().find(|known| key(&known.path) == place).map(|known| known.path.clone())
     };
-    let by_key = || {
-        let last = |known: &Known| known.path.rsplit('.').next().map(str::to_owned);
-        let keys: Vec<String> = all.iter().filter_map(last).collect();
-        let place = nearest(key, keys.iter().map(String::as_str))?;
-        all.iter().find(|known| known.path.rsplit('.').next() == Some(place)).map(|known| known.path.clone())
-    };
-    let label = match near.or_else(elsewhere).or_else(by_key) {
+    let label = match near.or_else(elsewhere) {
         Some(near) => format!("did you mean `{near}`?"),
         None if section.path.is_empty() => "the file has nothing of this name".to_owned(),
         None => format!("[{}] has no such key", section.path),

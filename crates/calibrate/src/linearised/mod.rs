@@ -8,7 +8,7 @@
 mod draws;
 mod quadratic;
 
-use crate::basis::{Basis, Halt};
+use crate::basis::{Basis, Halt, answer};
 use crate::evaluator::Evaluator;
 use crate::forward::{Evaluation, Forward, Request, Response, Samples, Serial};
 use crate::identify::columns;
@@ -83,9 +83,7 @@ impl Linearised {
         let own = |response: &Response| compared_derivatives(problem, response).iter().map(|d| d.concat()).collect();
         let flat = columns(evaluator, basis, point, step, &numbers, &own)?;
         let request = basis.request(evaluator.has_sensitivities(&basis.samples));
-        let answers = evaluator.respond(&[point.to_vec()], &request)?;
-        let response = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
-        let values = compared(problem, &basis.held, response);
+        let values = compared(problem, &basis.held, &answer(evaluator, point, &request)?);
         let by_channel = |column: Vec<f64>| {
             let mut rest = column.into_iter();
             values.iter().map(|values| rest.by_ref().take(values.len()).collect()).collect()

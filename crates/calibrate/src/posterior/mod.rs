@@ -143,17 +143,14 @@ pub fn sample(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> 
         return Err(findings);
     }
     evaluator.begin(None);
-    let mut run =
-        Run { ensembles: Vec::new(), evidences: Vec::new(), scales: Vec::new(), mixed: Vec::new(), lost: false };
+    let mut run = Run::default();
     let mut target = Target::new(evaluator, basis, settings.likelihood);
-    let status = match run.go(&mut target, settings) {
-        Ok(status) => status,
-        Err(Stopped) => Status::Stopped,
-    };
+    let status = run.go(&mut target, settings).unwrap_or(Status::Stopped);
     Ok(run.report(evaluator, settings, status))
 }
 
 /// The sampling on its way.
+#[derive(Default)]
 struct Run {
     ensembles: Vec<Ensemble>,
     evidences: Vec<f64>,
@@ -161,7 +158,6 @@ struct Run {
     scales: Vec<Vec<f64>>,
     /// How the chains mixed, by number sought, when they ended.
     mixed: Vec<Mixing>,
-    lost: bool,
 }
 
 impl Run {
@@ -176,7 +172,6 @@ impl Run {
             let tempered = tempering::temper(target, &mut rng, particles, settings.moves.max(1))?;
             self.evidences.push(tempered.log_evidence);
             if tempered.log_evidence == f64::NEG_INFINITY {
-                self.lost = true;
                 return Ok(Status::NoLikelihood);
             }
             self.ensembles.push(Ensemble::new(tempering::beginnings(&mut rng, &tempered.particles, walkers)));
@@ -210,10 +205,6 @@ impl Run {
         }
     }
 
-    fn chains(&self) -> impl Iterator<Item = &Vec<Kept>> {
-        self.ensembles.iter().flat_map(|ensemble| &ensemble.chains)
-    }
-
     fn mixing(&self, axis: usize) -> Mixing {
         let chain = |chain: &Vec<Kept>| chain.iter().map(|kept| kept.place[axis]).collect::<Vec<f64>>();
         let run = |ensemble: &Ensemble| ensemble.chains.iter().map(chain).collect::<Vec<_>>();
@@ -222,7 +213,7 @@ impl Run {
 
     fn report(&self, evaluator: &Evaluator, settings: &Settings, status: Status) -> Posterior {
         let parameters = evaluator.problem.parameters();
-        let kept: Vec<&Kept> = self.chains().flatten().collect();
+        let kept: Vec<&Kept> = self.ensembles.iter().flat_map(|ensemble| &ensemble.chains).flatten().collect();
         let points: Vec<Vec<f64>> = kept.iter().map(|kept| values(parameters, &kept.place)).collect();
         let axes = if points.is_empty() { 0 } else { parameters.len() + settings.likelihood.extra() };
         let column = |k: usize| points.iter().map(|point| point[k]).collect::<Vec<f64>>();
@@ -269,7 +260,7 @@ impl Run {
 
     fn evidence(&self) -> Option<(f64, f64)> {
         let n = self.evidences.len() as f64;
-        if self.lost || self.evidences.len() < 2 {
+        if self.evidences.contains(&f64::NEG_INFINITY) || self.evidences.len() < 2 {
             return None;
         }
         // The estimates of the evidence itself are unbiased; their mean is taken, and its spread by the delta method.

@@ -15,8 +15,6 @@ pub(super) struct Tempered {
     pub particles: Vec<Draw>,
     /// Logarithm of the evidence; minus infinity where no particle had a likelihood.
     pub log_evidence: f64,
-    /// How many powers it took.
-    pub stages: usize,
 }
 
 /// Most powers; with the half of the particles kept at each, 200 would do for a likelihood of e^-130 in the prior's mean.
@@ -36,7 +34,7 @@ pub(super) fn temper(
         target.evaluator.stage(format!("from prior to posterior, power {power:.3}"));
         let step = next_step(&particles, power);
         let Some((weights, log_mean)) = weights(&particles, step) else {
-            return Ok(Tempered { particles, log_evidence: f64::NEG_INFINITY, stages });
+            return Ok(Tempered { particles, log_evidence: f64::NEG_INFINITY });
         };
         log_evidence += log_mean;
         power = if power + step >= 1.0 { 1.0 } else { power + step };
@@ -47,7 +45,7 @@ pub(super) fn temper(
         }
         stages += 1;
     }
-    Ok(Tempered { particles, log_evidence, stages })
+    Ok(Tempered { particles, log_evidence })
 }
 
 /// Largest rise of the power at which half of the particles still count.

@@ -10,56 +10,38 @@ use crate::evaluator::Evaluator;
 use crate::forward::{Evaluation, Failure};
 use crate::misfit::{residual_derivatives, residuals};
 use crate::parameter::{Start, shares, values};
-use crate::report::{Found, verify};
-use crate::search::jacobian::{STEP, by_differences, by_shares};
-use crate::search::modern::Status;
-use serde::{Deserialize, Serialize};
-
-/// Where it ended.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Outcome {
-    /// How it ended.
-    pub status: Status,
-    /// Its end, verified.
-    pub found: Option<Found>,
-}
+use crate::search::jacobian::{STEP, by_differences, by_shares, points};
+pub use crate::search::modern::End as Outcome;
+use crate::search::modern::end;
+use crate::watch::Stopped;
 
 /// Goes downhill from a start, for at most so many iterations.
 pub fn search(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64) -> Outcome {
-    match run(evaluator, basis, start, iterations) {
-        Ok((status, found)) => Outcome { status, found: Some(found) },
-        Err(Halt::Stopped) => Outcome { status: Status::Stopped, found: None },
-        Err(Halt::Failed(failure)) => Outcome { status: Status::Failed(failure), found: None },
-    }
+    run(evaluator, basis, start, iterations).unwrap_or_else(Outcome::from)
 }
 
-fn run(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64) -> Result<(Status, Found), Halt> {
+fn run(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64) -> Result<Outcome, Halt> {
     evaluator.begin(None);
     evaluator.stage("gradient search");
     let parameters = evaluator.problem.parameters();
     let begin = shares(parameters, &start.point(parameters));
     let solver = Lbfgsb::<Vec<f64>>::new().with_absolute_projected_gradient_tolerance(1e-7);
     let stopped = Cell::new(false);
-    let sought = Sought::new(evaluator, basis, &stopped);
+    let [zero, one] = [0.0, 1.0].map(|end| vec![end; begin.len()]);
+    let sought = Sought { evaluator: RefCell::new(&mut *evaluator), basis, zero, one, stopped: &stopped };
     let ended = Executor::from_start(sought, solver, begin).max_iter(iterations.max(1)).run();
     if stopped.get() {
         return Err(Halt::Stopped);
     }
-    let end = ended.ok().map(|ended| {
+    let lowest = ended.ok().map(|ended| {
         let converged = ended.report.termination.is_converged();
         (values(parameters, ended.best_param()), ended.best_cost(), converged, format!("{:?}", ended.report.code()))
     });
-    let end = end.filter(|end| end.1.is_finite());
-    let Some((point, cost, converged, ended)) = end else {
+    let Some((point, cost, converged, ended)) = lowest.filter(|lowest| lowest.1.is_finite()) else {
         return Err(Halt::Failed(Failure::new("no-start", "the model fails at the start")));
     };
-    let found = verify(evaluator, basis, parameters, &point, cost.sqrt(), &vec![converged; point.len()])?;
-    Ok((if converged { Status::Converged } else { Status::NotConverged(ended) }, found))
+    end(evaluator, basis, (&point, cost.sqrt()), converged, ended)
 }
-
-/// The onlooker wanted it to end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Broken;
 
 /// The square of the norm over the shares. There is one run and nothing to advance beside it, so that every point is evaluated when it is asked
 /// for: the cost of the search grows with its evaluations and not with their square.
@@ -71,38 +53,30 @@ struct Sought<'s, 'a> {
     stopped: &'s Cell<bool>,
 }
 
-impl<'s, 'a> Sought<'s, 'a> {
-    fn new(evaluator: &'s mut Evaluator<'a>, basis: &'s Basis, stopped: &'s Cell<bool>) -> Self {
-        let n = evaluator.problem.parameters().len();
-        Self { evaluator: RefCell::new(evaluator), basis, zero: vec![0.0; n], one: vec![1.0; n], stopped }
-    }
-
+impl Sought<'_, '_> {
     /// What is read of the answers at some shares, in their order.
     fn answers<T>(
         &self,
         shares: &[Vec<f64>],
         read: impl Fn(&Evaluator, &Evaluation) -> Option<T>,
-    ) -> Result<Vec<Option<T>>, Broken> {
+    ) -> Result<Vec<Option<T>>, Stopped> {
         let mut evaluator = self.evaluator.borrow_mut();
         let parameters = evaluator.problem.parameters();
         let points: Vec<Vec<f64>> = shares.iter().map(|shares| values(parameters, shares)).collect();
         let request = self.basis.request(evaluator.has_sensitivities(&self.basis.samples));
-        let Ok(answers) = evaluator.respond(&points, &request) else {
-            self.stopped.set(true);
-            return Err(Broken);
-        };
+        let answers = evaluator.respond(&points, &request).inspect_err(|_| self.stopped.set(true))?;
         Ok(answers.iter().map(|answer| read(&evaluator, answer)).collect())
     }
 
     /// Residuals; none where the model failed.
-    fn residuals(&self, shares: &[Vec<f64>]) -> Result<Vec<Option<Vec<f64>>>, Broken> {
+    fn residuals(&self, shares: &[Vec<f64>]) -> Result<Vec<Option<Vec<f64>>>, Stopped> {
         self.answers(shares, |evaluator, answer| {
             Some(residuals(evaluator.problem, &self.basis.held, answer.as_ref().ok()?))
         })
     }
 
     /// Columns of derivatives of the residuals; none where the model failed.
-    fn columns(&self, shares: &[f64]) -> Result<Option<Vec<Vec<f64>>>, Broken> {
+    fn columns(&self, shares: &[f64]) -> Result<Option<Vec<Vec<f64>>>, Stopped> {
         let own = self.evaluator.borrow().has_sensitivities(&self.basis.samples);
         if own {
             let found = self.answers(&[shares.to_vec()], |evaluator, answer| {
@@ -112,14 +86,8 @@ impl<'s, 'a> Sought<'s, 'a> {
             });
             return Ok(found?.pop().flatten());
         }
-        // Which points are wanted is asked first, so that they are evaluated in one batch.
-        let wanted = RefCell::new(Vec::new());
-        let _ = by_differences(shares, STEP, |shares| {
-            wanted.borrow_mut().push(shares.to_vec());
-            Ok::<_, ()>(Vec::new())
-        });
-        let found = RefCell::new(self.residuals(&wanted.into_inner())?.into_iter());
-        Ok(by_differences(shares, STEP, |_| found.borrow_mut().next().flatten().ok_or(())).ok())
+        let found: Option<Vec<_>> = self.residuals(&points(shares, STEP))?.into_iter().collect();
+        Ok(found.map(|found| by_differences(shares, STEP, found)))
     }
 }
 
@@ -134,9 +102,9 @@ impl Constraints for Sought<'_, '_> {
 impl CostFunction for Sought<'_, '_> {
     type Param = Vec<f64>;
     type Output = f64;
-    type Error = Broken;
+    type Error = Stopped;
 
-    fn cost(&self, shares: &Vec<f64>) -> Result<f64, Broken> {
+    fn cost(&self, shares: &Vec<f64>) -> Result<f64, Stopped> {
         let found = self.residuals(std::slice::from_ref(shares))?.pop().flatten();
         Ok(found.map_or(f64::INFINITY, |residuals| residuals.iter().map(|r| r * r).sum()))
     }
@@ -145,7 +113,7 @@ impl CostFunction for Sought<'_, '_> {
 impl Gradient for Sought<'_, '_> {
     type Gradient = Vec<f64>;
 
-    fn gradient(&self, shares: &Vec<f64>) -> Result<Vec<f64>, Broken> {
+    fn gradient(&self, shares: &Vec<f64>) -> Result<Vec<f64>, Stopped> {
         let residuals = self.residuals(std::slice::from_ref(shares))?.pop().flatten();
         let (Some(residuals), Some(columns)) = (residuals, self.columns(shares)?) else {
             return Ok(vec![f64::NAN; shares.len()]);

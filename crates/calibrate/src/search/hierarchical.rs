@@ -62,7 +62,9 @@ impl<'e, 'a> Run<'e, 'a> {
         let mut widened = false;
         for number in 1..=self.settings.passes {
             self.pass(number)?;
-            if let Some(limits) = self.settings.widened.clone().filter(|_| self.failed_pair().is_some() && !widened) {
+            if let Some(limits) =
+                self.settings.widened.clone().filter(|_| !widened && self.present().failed_pair.is_some())
+            {
                 widened = true;
                 self.widen(&limits);
                 self.pass(number)?;
@@ -106,7 +108,8 @@ impl<'e, 'a> Run<'e, 'a> {
             };
             carried = self.vary_pair(number, primary, secondary)?;
         }
-        for parameter in self.set_aside() {
+        let set_aside: Vec<usize> = self.present().stages.iter().filter_map(|stage| stage.set_aside).collect();
+        for parameter in set_aside {
             self.sweep_last(number, parameter)?;
         }
         self.end_pass()
@@ -247,14 +250,6 @@ impl<'e, 'a> Run<'e, 'a> {
     fn present(&mut self) -> &mut Pass {
         let last = self.done.len() - 1;
         &mut self.done[last]
-    }
-
-    fn set_aside(&mut self) -> Vec<usize> {
-        self.present().stages.iter().filter_map(|stage| stage.set_aside).collect()
-    }
-
-    fn failed_pair(&self) -> Option<[usize; 2]> {
-        self.done.last().and_then(|pass| pass.failed_pair)
     }
 
     fn step(&mut self, stage: &str, norm: Option<f64>) {

@@ -7,49 +7,42 @@ use crate::parameter::Parameter;
 /// curvature (1e-8 relative for central differences) then disturb the derivative by about one part in a million.
 pub const STEP: f64 = 1e-4;
 
-/// Points about one share at which a difference is taken, and the factors of the residuals there; `None` is the point
-/// itself.
-type Stencil = Vec<(Option<f64>, f64)>;
-
-/// Central inside, one-sided of the second order at the ends of the range.
-fn stencil(share: f64, step: f64) -> Stencil {
+/// Places about one share between which a difference is taken, and the factors of the residuals there: central inside, one-sided
+/// of the second order at the ends of the range.
+fn stencil(share: f64, step: f64) -> Vec<(f64, f64)> {
     if share - step >= 0.0 && share + step <= 1.0 {
-        return vec![(Some(share + step), 0.5 / step), (Some(share - step), -0.5 / step)];
+        return vec![(share + step, 0.5 / step), (share - step, -0.5 / step)];
     }
     let inward = if share < 0.5 { step } else { -step };
-    let there = |k: f64| Some((share + k * inward).clamp(0.0, 1.0));
-    vec![(None, -1.5 / inward), (there(1.0), 2.0 / inward), (there(2.0), -0.5 / inward)]
+    let there = |k: f64| (share + k * inward).clamp(0.0, 1.0);
+    vec![(share, -1.5 / inward), (there(1.0), 2.0 / inward), (there(2.0), -0.5 / inward)]
 }
 
-/// Columns of the Jacobian, one for each share, by differences over a step of that share. `residuals` gives the residuals at
-/// shares, or an error that ends it; all points are asked for before the first error is returned, so that whoever collects them learns of all.
-///
-/// # Errors
-/// The first error of `residuals`.
-pub fn by_differences<E>(
-    shares: &[f64],
-    step: f64,
-    residuals: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
-) -> Result<Vec<Vec<f64>>, E> {
-    let column = |parameter: usize| -> Vec<(f64, Result<Vec<f64>, E>)> {
-        let at = |share: Option<f64>| {
+/// Points at which the residuals are needed for differences over a step of each share.
+pub fn points(shares: &[f64], step: f64) -> Vec<Vec<f64>> {
+    let mut points = Vec::new();
+    for (k, share) in shares.iter().enumerate() {
+        for (there, _) in stencil(*share, step) {
             let mut point = shares.to_vec();
-            point[parameter] = share.unwrap_or(shares[parameter]);
-            residuals(&point)
-        };
-        stencil(shares[parameter], step).into_iter().map(|(share, factor)| (factor, at(share))).collect()
-    };
-    let terms: Vec<_> = (0..shares.len()).map(column).collect();
-    let sum = |terms: Vec<(f64, Result<Vec<f64>, E>)>| {
+            point[k] = there;
+            points.push(point);
+        }
+    }
+    points
+}
+
+/// Columns of the Jacobian, one for each share, by differences of the residuals at [`points`], in their order.
+pub fn by_differences(shares: &[f64], step: f64, residuals: impl IntoIterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
+    let mut residuals = residuals.into_iter();
+    let column = |share: &f64| {
         let mut column: Vec<f64> = Vec::new();
-        for (factor, residuals) in terms {
-            let residuals = residuals?;
+        for ((_, factor), residuals) in stencil(*share, step).into_iter().zip(&mut residuals) {
             column.resize(residuals.len(), 0.0);
             column.iter_mut().zip(&residuals).for_each(|(sum, r)| *sum += factor * r);
         }
-        Ok(column)
+        column
     };
-    terms.into_iter().map(sum).collect()
+    shares.iter().map(column).collect()
 }
 
 /// Turns derivatives with respect to values into such with respect to shares.
@@ -70,9 +63,9 @@ mod tests {
         for share in [0.0, 3e-5, 0.4, 1.0 - 3e-5, 1.0] {
             let cube = |x: &[f64]| {
                 assert!((0.0..=1.0).contains(&x[0]));
-                Ok::<_, ()>(vec![x[0].powi(3), 2.0 * x[0]])
+                vec![x[0].powi(3), 2.0 * x[0]]
             };
-            let columns = by_differences(&[share], STEP, cube).unwrap();
+            let columns = by_differences(&[share], STEP, points(&[share], STEP).iter().map(|x| cube(x)));
             // Error of the one-sided formula: step squared times the third derivative over three, 2e-8, and rounding 1e-12.
             assert!((columns[0][0] - 3.0 * share * share).abs() < 3e-8);
             assert!((columns[0][1] - 2.0).abs() < 1e-10);

@@ -49,6 +49,25 @@ pub enum Status {
     Failed(Failure),
 }
 
+/// Where a search that knows one end alone came to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct End {
+    /// How it ended.
+    pub status: Status,
+    /// Its end, verified.
+    pub found: Option<Found>,
+}
+
+impl From<Halt> for End {
+    fn from(halt: Halt) -> Self {
+        let status = match halt {
+            Halt::Stopped => Status::Stopped,
+            Halt::Failed(failure) => Status::Failed(failure),
+        };
+        Self { status, found: None }
+    }
+}
+
 /// One run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunEnd {
@@ -98,10 +117,7 @@ const SAME: f64 = 1e-3;
 pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
     let mut outcome = Outcome { status: Status::Stopped, runs: Vec::new(), minima: Vec::new(), found: None };
     if let Err(halt) = run(evaluator, basis, settings, &mut outcome) {
-        outcome.status = match halt {
-            Halt::Stopped => Status::Stopped,
-            Halt::Failed(failure) => Status::Failed(failure),
-        };
+        outcome.status = End::from(halt).status;
     }
     outcome
 }
@@ -122,10 +138,23 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &
         return Err(Halt::Failed(Failure::new("no-start", "the model fails at every start")));
     };
     outcome.minima = minima(evaluator, &outcome.runs);
-    let converged = vec![best.converged; best.end.len()];
-    outcome.found = Some(verify(evaluator, basis, evaluator.problem.parameters(), &best.end, best.norm, &converged)?);
-    outcome.status = if best.converged { Status::Converged } else { Status::NotConverged(best.ended) };
+    let End { status, found } = end(evaluator, basis, (&best.end, best.norm), best.converged, best.ended)?;
+    (outcome.status, outcome.found) = (status, found);
     Ok(())
+}
+
+/// Verifies a point and the norm that a search saw there; `ended` says in the solver's words how it came to it.
+pub(super) fn end(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    (point, norm): (&[f64], f64),
+    converged: bool,
+    ended: String,
+) -> Result<End, Halt> {
+    let parameters = evaluator.problem.parameters();
+    let found = verify(evaluator, basis, parameters, point, norm, &vec![converged; point.len()])?;
+    let status = if converged { Status::Converged } else { Status::NotConverged(ended) };
+    Ok(End { status, found: Some(found) })
 }
 
 fn starts(evaluator: &Evaluator, settings: &Settings) -> Vec<Vec<f64>> {

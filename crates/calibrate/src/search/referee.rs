@@ -9,10 +9,10 @@ use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::forward::Failure;
 use crate::parameter::values;
-use crate::report::{Found, verify};
 use crate::search::jacobian::STEP;
-use crate::search::modern::Status;
-use crate::search::replay::{Costs, Known, Sought, count, missing, supply, used};
+pub use crate::search::modern::End as Outcome;
+use crate::search::modern::end;
+use crate::search::replay::{Costs, Known, Sought, count, supply};
 use serde::{Deserialize, Serialize};
 
 /// What the search may do.
@@ -34,25 +34,12 @@ impl Default for Settings {
     }
 }
 
-/// Where it ended.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Outcome {
-    /// How it ended.
-    pub status: Status,
-    /// The best point, verified.
-    pub found: Option<Found>,
-}
-
 /// Searches the whole of the ranges.
 pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
-    match run(evaluator, basis, settings) {
-        Ok((status, found)) => Outcome { status, found: Some(found) },
-        Err(Halt::Stopped) => Outcome { status: Status::Stopped, found: None },
-        Err(Halt::Failed(failure)) => Outcome { status: Status::Failed(failure), found: None },
-    }
+    run(evaluator, basis, settings).unwrap_or_else(Outcome::from)
 }
 
-fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<(Status, Found), Halt> {
+fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Outcome, Halt> {
     let population = settings.population.max(4);
     let width = if settings.width.is_finite() { settings.width.max(0.0) } else { 0.0 };
     evaluator.begin(usize::try_from(settings.generations).ok().map(|g| g.saturating_mul(population + 1)));
@@ -62,7 +49,7 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<
     let mut all_used = BTreeSet::new();
     // The first mean is known before any generation is drawn, so that a generation is all that is ever missing.
     let middle = vec![0.5; parameters.len()];
-    supply(evaluator, basis, vec![values(parameters, &middle)], 1)?;
+    supply(evaluator, basis, &[values(parameters, &middle)])?;
     let mut generation = 1;
     let (best, cost, converged, ended) = loop {
         // A generation is drawn before any of its costs is looked at: all its points are learnt of at once.
@@ -73,10 +60,10 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<
         let begin = PopulationProgress::from_point(middle.clone());
         let sought = Sought::drawing(&known, &costs, population);
         let ended = Executor::new(sought, solver, begin).max_iter(generation).run();
-        all_used.extend(used(&known));
-        if known.lacks() {
-            let missing = missing(&known);
-            supply(evaluator, basis, missing, population)?;
+        all_used.extend(known.used.take());
+        let missing = known.missing.take();
+        if !missing.is_empty() {
+            supply(evaluator, basis, &missing[..missing.len().min(population)])?;
             continue;
         }
         let Ok(ended) = ended else {
@@ -94,6 +81,5 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<
     if !cost.is_finite() {
         return Err(Halt::Failed(Failure::new("no-point", "the model fails wherever the evolution looked")));
     }
-    let found = verify(evaluator, basis, parameters, &best, cost.sqrt(), &vec![converged; best.len()])?;
-    Ok((if converged { Status::Converged } else { Status::NotConverged(ended) }, found))
+    end(evaluator, basis, (&best, cost.sqrt()), converged, ended)
 }

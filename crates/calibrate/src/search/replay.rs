@@ -8,14 +8,14 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use basin::{BoxBounds, Constraints, CostFunction, DenseMatrix, Gradient, Jacobian, Residual};
+use basin::{BoxBounds, Constraints, CostFunction, DenseMatrix, Jacobian, Residual};
 
 use crate::basis::Basis;
 use crate::evaluator::Evaluator;
 use crate::forward::Evaluation;
 use crate::misfit::{residual_count, residual_derivatives, residuals};
 use crate::parameter::values;
-use crate::search::jacobian::{by_differences, by_shares};
+use crate::search::jacobian::{by_differences, by_shares, points};
 use crate::watch::Stopped;
 
 /// The solver asked for something that is not known yet.
@@ -31,8 +31,10 @@ pub(super) struct Known<'e, 'a> {
     basis: &'e Basis,
     step: f64,
     count: usize,
-    missing: RefCell<Vec<Vec<f64>>>,
-    used: RefCell<BTreeSet<Vec<u64>>>,
+    /// What was asked for in vain.
+    pub missing: RefCell<Vec<Vec<f64>>>,
+    /// What was answered, by its bits.
+    pub used: RefCell<BTreeSet<Vec<u64>>>,
 }
 
 impl<'e, 'a> Known<'e, 'a> {
@@ -42,15 +44,10 @@ impl<'e, 'a> Known<'e, 'a> {
         Self { evaluator, basis, step, count, missing, used }
     }
 
-    /// Whether anything was asked for in vain.
-    pub(super) fn lacks(&self) -> bool {
-        !self.missing.borrow().is_empty()
-    }
-
     fn answer<T>(&self, shares: &[f64], read: impl Fn(&Evaluation) -> T) -> Result<T, Missing> {
         let point = values(self.evaluator.problem.parameters(), shares);
         let request = self.basis.request(self.evaluator.has_sensitivities(&self.basis.samples));
-        match self.evaluator.known(&point, &request) {
+        match self.evaluator.log().get(&point, &request) {
             Some(evaluation) => {
                 self.used.borrow_mut().insert(point.iter().map(|value| value.to_bits()).collect());
                 Ok(read(&evaluation))
@@ -74,7 +71,9 @@ impl<'e, 'a> Known<'e, 'a> {
     /// Columns of derivatives with respect to the shares.
     pub(super) fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, Missing> {
         if !self.evaluator.has_sensitivities(&self.basis.samples) {
-            return by_differences(shares, self.step, |shares| self.residuals(shares));
+            // All points are asked for before the first that is missing breaks it off.
+            let found: Vec<_> = points(shares, self.step).iter().map(|at| self.residuals(at)).collect();
+            return Ok(by_differences(shares, self.step, found.into_iter().collect::<Result<Vec<_>, _>>()?));
         }
         let read = |evaluation: &Evaluation| match evaluation {
             Ok(response) => residual_derivatives(self.evaluator.problem, &self.basis.held, response),
@@ -84,34 +83,16 @@ impl<'e, 'a> Known<'e, 'a> {
     }
 }
 
-/// Evaluates what was missing; says whether that was anything. At most `most` points are taken.
-pub(super) fn supply(
-    evaluator: &mut Evaluator,
-    basis: &Basis,
-    missing: Vec<Vec<f64>>,
-    most: usize,
-) -> Result<bool, Stopped> {
+/// Evaluates points as solvers ask for them.
+pub(super) fn supply(evaluator: &mut Evaluator, basis: &Basis, points: &[Vec<f64>]) -> Result<(), Stopped> {
     let request = basis.request(evaluator.has_sensitivities(&basis.samples));
-    let lot = &missing[..missing.len().min(most)];
-    evaluator.respond(lot, &request)?;
-    Ok(!lot.is_empty())
-}
-
-/// Takes the missing points out.
-pub(super) fn missing(known: &Known) -> Vec<Vec<f64>> {
-    known.missing.take()
+    evaluator.respond(points, &request).map(|_| ())
 }
 
 /// Counts what was used as evaluations of the present search, whether or not the log knew it before.
 pub(super) fn count(evaluator: &mut Evaluator, basis: &Basis, used: BTreeSet<Vec<u64>>) -> Result<(), Stopped> {
-    let request = basis.request(evaluator.has_sensitivities(&basis.samples));
     let points: Vec<Vec<f64>> = used.into_iter().map(|bits| bits.into_iter().map(f64::from_bits).collect()).collect();
-    evaluator.respond(&points, &request).map(|_| ())
-}
-
-/// Takes out what was used.
-pub(super) fn used(known: &Known) -> BTreeSet<Vec<u64>> {
-    known.used.take()
+    supply(evaluator, basis, &points)
 }
 
 /// Runs `solve` for each of `runs` until all have ended, whatever they miss supplied in common batches.
@@ -131,9 +112,10 @@ pub(super) fn replay<T>(
                 ends[run] = solve(run, &known).ok();
             }
         }
-        all_used.extend(used(&known));
-        let missing = missing(&known);
-        if !supply(evaluator, basis, missing, usize::MAX)? {
+        all_used.extend(known.used.take());
+        let missing = known.missing.take();
+        supply(evaluator, basis, &missing)?;
+        if missing.is_empty() {
             break;
         }
     }
@@ -194,17 +176,6 @@ impl CostFunction for Sought<'_, '_, '_> {
             Err(Missing) if self.known.missing.borrow().len() < population => Ok(f64::INFINITY),
             Err(Missing) => Err(Missing),
         }
-    }
-}
-
-impl Gradient for Sought<'_, '_, '_> {
-    type Gradient = Vec<f64>;
-
-    fn gradient(&self, shares: &Vec<f64>) -> Result<Vec<f64>, Missing> {
-        let residuals = self.known.residuals(shares)?;
-        let columns = self.known.jacobian(shares)?;
-        let slope = |column: &Vec<f64>| 2.0 * column.iter().zip(&residuals).map(|(a, b)| a * b).sum::<f64>();
-        Ok(columns.iter().map(slope).collect())
     }
 }
 

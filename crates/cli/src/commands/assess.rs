@@ -3,7 +3,7 @@
 mod fleet;
 mod pdf;
 
-use super::source::{Pictures, Source};
+use super::source::Source;
 use crate::args::{Assess as Arguments, STAGES, word_for};
 use crate::clock::Clock;
 use crate::desk::Desk;
@@ -16,8 +16,8 @@ use crate::shelf::{FolderShelf, Resume};
 use crate::signs;
 use crate::status::Status;
 use crate::summary;
-use crate::watcher::{Silent, Spectator};
-use extrados::{AssessOptions, Assessed, Means};
+use crate::watcher::{Silent, watched};
+use extrados::{AssessOptions, Assessed, Disk, Files, Means, WholeDisk};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
@@ -30,12 +30,11 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
         let message = format!("{} is one bridge, and no work that can be cut into shards", arguments.file.display());
         return Err(Failure::input("F146", message, "leave --shard away, or name a folder of bridge files"));
     }
-    let source = Source::open_with(desk, &arguments.file, Pictures::allowed(arguments.allow_outside))?;
+    let source = Source::open_from(desk, &arguments.file, pictures(arguments))?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));
     }
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
-    let folder = source.folder(&out, "assess")?;
+    let folder = source.folder(&folder::named(&arguments.out, &arguments.file), "assess")?;
     let program = program::hash();
     signs::keeps("out", folder.path(), KEPT);
     let Some(done) = assessed(&source, &folder, &program, arguments, desk.screen.quiet)? else {
@@ -46,16 +45,18 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     for [code, message] in pictures_left_out(&done) {
         report.warn(&mut desk.screen, &code, &message);
     }
-    let mut files = files(&done);
+    let mut written = extrados::written::assessed(&done);
+    let mut named = "report.html";
     match pdf::pdf(&done.material()) {
-        Ok(bytes) => files.push(figures::File { name: "report.pdf".to_owned(), bytes }),
+        Ok(bytes) => {
+            written.files.push(figures::File { name: "report.pdf".to_owned(), bytes });
+            named = "report.html, report.pdf";
+        }
         Err([code, message]) => report.warn(&mut desk.screen, &code, &message),
     }
-    let both = files.iter().any(|file| file.name == "report.pdf");
-    let named = if both { "report.html, report.pdf" } else { "report.html" };
     let page = summary::assessment(&done.assessment, named, folder.path(), desk.screen.details);
     report.show(&desk.screen, &page);
-    results::publish(desk, report, &folder, &files)
+    results::publish(desk, report, &folder, written)
 }
 
 /// Photographs that the report does not show, and why.
@@ -71,8 +72,7 @@ const KEPT: &str = "finished stages are kept, and the same command takes them up
 
 /// The answer for scripts.
 pub(super) fn answer(done: &Assessed, source: &Source) -> Report {
-    let mut report =
-        source.report(Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined));
+    let mut report = source.report(Status::of(done.assessment.verdict.status.word()));
     report.finished = done.assessment.verdict.finished;
     report.fields = done.object();
     let stages: Vec<serde_json::Value> = done
@@ -84,9 +84,9 @@ pub(super) fn answer(done: &Assessed, source: &Source) -> Report {
     report.with("stages", stages).with("input_hash", done.appendix.input.as_str())
 }
 
-/// Report and tables.
-pub(super) fn files(done: &Assessed) -> Vec<figures::File> {
-    extrados::written::assessed(done).files
+/// Where pictures of a report may come from: the folder of the bridge file and those below, or wherever the file says.
+fn pictures(arguments: &Arguments) -> &'static dyn Files {
+    if arguments.allow_outside { &WholeDisk } else { &Disk }
 }
 
 /// Makes the chain of one bridge; none where somebody asked to stop.
@@ -104,13 +104,11 @@ fn assessed(
         day: today(),
     };
     let means = Means { shelf: &shelf, clock: &Clock::start(), program };
-    if quiet {
-        return Ok(extrados::assess(&source.project, &options, &means, &mut Silent)?);
-    }
-    let mut spectator = Spectator::new(false);
-    let done = extrados::assess(&source.project, &options, &means, &mut spectator);
-    spectator.finish();
-    Ok(done?)
+    let project = &source.project;
+    Ok(match quiet {
+        true => extrados::assess(project, &options, &means, &mut Silent)?,
+        false => watched(false, |spectator| extrados::assess(project, &options, &means, spectator))?,
+    })
 }
 
 /// The command that makes this bridge's report by itself.

@@ -14,6 +14,7 @@ use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
+use crate::watcher::watched;
 use assess::analysis::AnalysisError;
 use assess::analysis::engine::{dem as by_dem, rigid};
 use bridge::Bridge;
@@ -22,21 +23,22 @@ use mechanics::contact::ContactLength;
 use mechanics::watch::Unwatched;
 use mechanics::{dem, limit, path};
 use repeated::{Repeated, repeated};
-use structure::discretise::discretise;
+use structure::discretise::{Discretised, discretise};
 
 /// Measures.
 pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+    let quiet = desk.screen.quiet || desk.screen.json;
     match arguments.name {
-        BenchName::Disks => disks::run(desk, arguments),
+        BenchName::Disks => disks::run(quiet, arguments),
         BenchName::Arch => bridgemill(arguments, arch),
         BenchName::Limit => bridgemill(arguments, limit),
         BenchName::Path => bridgemill(arguments, path),
         BenchName::Bounds => bounds::run(arguments),
         BenchName::Crossing => crossing::run(arguments),
         BenchName::Factor => factor::run(arguments),
-        BenchName::Footing => footing::run(desk, arguments),
-        BenchName::Passage => passage::run(desk, arguments),
-        BenchName::Update => update::run(desk, arguments),
+        BenchName::Footing => watched(quiet, |onlooker| footing::run(onlooker, arguments)),
+        BenchName::Passage => passage::run(quiet, arguments),
+        BenchName::Update => watched(quiet, |onlooker| update::run(onlooker, arguments)),
     }
 }
 
@@ -44,7 +46,7 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
 
 fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
-    let bridge = case_one()?;
+    let bridge = of_example("bridgemill", "case-1.toml")?;
     let Repeated { least, middle, last: found } = repeated(arguments, || method(&bridge))?;
     let report = Report::new(Status::Completed)
         .with("size", found.blocks)
@@ -106,6 +108,14 @@ struct Found {
     tolerance: f64,
 }
 
+impl Found {
+    /// With the factors on the load by which blocks were shown to stand and to fall.
+    fn of(d: &Discretised, iterations: u64, factors: [Option<f64>; 2], tolerance: f64) -> Found {
+        let [stands, falls] = factors.map(|factor| factor.map(|f| f * d.reference_load));
+        Found { blocks: d.model.blocks.len(), iterations, stands, falls, tolerance }
+    }
+}
+
 /// Case 1 to collapse by discrete elements, from the bridge to the last step; pictures are not part of it.
 fn arch(bridge: &Bridge) -> Result<Found, AnalysisError> {
     by_blocks(bridge, by_dem::settings(bridge))
@@ -122,13 +132,7 @@ fn by_blocks(bridge: &Bridge, settings: dem::Settings) -> Result<Found, Analysis
     let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
     let program = dem::Program { increment: step, limit: 100.0 * step, resolution: None, watched: d.watched };
     let found = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;
-    Ok(Found {
-        blocks: d.model.blocks.len(),
-        iterations: found.iterations_total,
-        stands: found.last_stable_factor.map(|f| f * d.reference_load),
-        falls: found.collapse_factor.map(|f| f * d.reference_load),
-        tolerance: settings.tolerance,
-    })
+    Ok(Found::of(&d, found.iterations_total, [found.last_stable_factor, found.collapse_factor], settings.tolerance))
 }
 
 /// Case 1 on joints with distributed contact, from the bridge to past its largest load.
@@ -138,13 +142,12 @@ fn path(bridge: &Bridge) -> Result<Found, AnalysisError> {
     let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
     let program = path::Program { increment: step, limit: 100.0 * step, watched: d.watched };
     let found = path::collapse(&d.model, &d.loading, (&settings, &program), None, &mut Unwatched)?;
-    Ok(Found {
-        blocks: d.model.blocks.len(),
-        iterations: u64::from(found.iterations),
-        stands: found.last_stable_factor.map(|f| f * d.reference_load),
-        falls: found.collapse_factor.map(|f| f * d.reference_load),
-        tolerance: settings.tolerance,
-    })
+    Ok(Found::of(
+        &d,
+        u64::from(found.iterations),
+        [found.last_stable_factor, found.collapse_factor],
+        settings.tolerance,
+    ))
 }
 
 /// The full ring of case 1 by limit analysis: blocks, program, both bounds, mechanism.
@@ -152,23 +155,12 @@ fn limit(bridge: &Bridge) -> Result<Found, AnalysisError> {
     let d = discretise(bridge)?;
     let settings = limit::Settings { contact_points: limit::ContactPoints::FullRing, ..rigid::settings(bridge) };
     let found = limit::collapse_load(&d.model, &d.loading, &settings)?;
-    Ok(Found {
-        blocks: d.model.blocks.len(),
-        iterations: u64::from(found.iterations),
-        stands: found.lower_bound.map(|f| f * d.reference_load),
-        falls: found.upper_bound.map(|f| f * d.reference_load),
-        tolerance: 1e-6,
-    })
+    Ok(Found::of(&d, u64::from(found.iterations), [found.lower_bound, found.upper_bound], 1e-6))
 }
 
-/// Bridgemill, case 1, as it stands in the examples.
-fn case_one() -> Result<Bridge, Failure> {
-    of_bridgemill("case-1.toml")
-}
-
-/// A file of the example.
-fn of_bridgemill(name: &str) -> Result<Bridge, Failure> {
-    let text = examples::named("bridgemill").and_then(|example| example.files.iter().find(|file| file.name == name));
+/// A file of an example.
+fn of_example(name: &str, file: &str) -> Result<Bridge, Failure> {
+    let text = examples::named(name).and_then(|example| example.files.iter().find(|one| one.name == file));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
-    read.ok_or_else(|| Failure::input("F104", "the example bridgemill cannot be read", "report this"))
+    read.ok_or_else(|| Failure::input("F104", format!("the example {name} cannot be read"), "report this"))
 }

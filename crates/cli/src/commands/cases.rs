@@ -6,9 +6,9 @@ use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use crate::status::Status;
-use crate::watcher::Spectator;
+use crate::watcher::watched;
 use extrados::Cases;
 use findings::visible::cell;
 use std::fmt::Write;
@@ -19,39 +19,22 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
     let choice = arguments.choice.of(bridge.width)?;
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
-    let folder = source.folder(&out, "cases")?;
-    let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = extrados::cases(&source.project, choice, &mut spectator);
-    spectator.finish();
-    let found = found?;
-    let mut report = source.report(status(&found));
+    let folder = source.folder(&folder::named(&arguments.out, &arguments.file), "cases")?;
+    let found = watched(desk.screen.quiet, |spectator| extrados::cases(&source.project, choice, spectator))?;
+    let mut report = source.report(Status::worst_of(found.answers.iter().map(|one| one.collapse.status)));
     report.fields = found.object();
     report.warn_of(&mut desk.screen, &found.warnings());
-    let mut files: Vec<figures::File> = results::tables([("cases", table(&found))]).collect();
-    let mut draw = |name: &str, svg: &str| {
-        files.extend(figures::both(name, svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
-        Ok::<(), Failure>(())
-    };
     let factors: Vec<(String, f64)> =
         found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
-    if let Some(svg) = figures::case_factors(&bridge.name, &factors) {
-        draw("cases", &svg)?;
-    }
+    let bars = figures::case_factors(&bridge.name, &factors).map(|svg| ("cases".to_owned(), svg));
+    let mut drawings: Vec<(String, String)> = bars.into_iter().collect();
     for (k, one) in found.answers.iter().enumerate() {
-        for (figure, svg) in figures::drawings(&one.collapse.picture) {
-            draw(&format!("case-{}/{figure}", k + 1), &svg)?;
-        }
+        let own = figures::drawings(&one.collapse.picture).into_iter();
+        drawings.extend(own.map(|(figure, svg)| (format!("case-{}/{figure}", k + 1), svg)));
     }
     report.summary = summary(&bridge.name, &found, folder.path());
-    results::publish(desk, report, &folder, &files)
-}
-
-/// That of the case that ended worst.
-fn status(found: &Cases) -> Status {
-    let ended = found.answers.iter().map(|one| results::status(one.collapse.status));
-    let worst = ended.max_by_key(|status| status.exit_code()).unwrap_or(Status::Completed);
-    if worst.exit_code() == 0 { Status::Completed } else { worst }
+    let files = results::tables([("cases", table(&found))]).collect();
+    results::publish(desk, report, &folder, Written { drawings, files })
 }
 
 fn table(found: &Cases) -> String {

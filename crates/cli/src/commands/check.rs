@@ -7,9 +7,9 @@ use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use crate::status::Status;
-use assess::analysis::{self, AnalysisError, calibrate, passage};
+use assess::analysis::{self, calibrate, passage};
 use bridge::{Bridge, Strip};
 use findings::words::counted;
 use serde_json::{Value, json};
@@ -24,22 +24,18 @@ pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure>
     }
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
-    let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;
+    let picture = analysis::as_built(bridge)?;
     planned(bridge)?;
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
-    let folder = source.folder(&out, "check")?;
-    let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
-    let mut files: Vec<figures::File> = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?.into();
+    let folder = source.folder(&folder::named(&arguments.out, &arguments.file), "check")?;
+    let mut drawings = vec![("bridge".to_owned(), figures::bridge_as_drawn(&picture))];
+    let mut files = Vec::new();
     let meshed = mesh(bridge);
     if let Some(Ok(meshed)) = &meshed {
         let picture = meshed.picture();
-        let drawing = figures::both("mesh", &figures::mesh(&bridge.name, &picture));
-        files.extend(drawing.map_err(|error| results::not_drawn(folder.path(), &error))?);
+        drawings.push(("mesh".to_owned(), figures::mesh(&bridge.name, &picture)));
         files.push(figures::File { name: "mesh.vtu".into(), bytes: figures::vtk::mesh(&picture).into_bytes() });
     }
-    let pairs: Vec<(&str, &[u8])> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
-    folder.put(&pairs)?;
-    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let names = results::put(&folder, Written { drawings, files })?;
     let shown = folder.path().display().to_string();
     let report = source
         .report(Status::Completed)
@@ -73,10 +69,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure>
 
 /// Refuses what the command that the file is made for would refuse before it computes.
 fn planned(bridge: &Bridge) -> Result<(), Failure> {
-    let refused = |error: &AnalysisError| results::not_set_up(error);
-    analysis::planned(bridge).map_err(|error| refused(&error))?;
+    analysis::planned(bridge)?;
     if bridge.calibration.wanted_modulus.is_some() {
-        calibrate::planned(bridge).map_err(|error| refused(&error))?;
+        calibrate::planned(bridge)?;
     }
     if bridge.passage.is_none() {
         return Ok(());
@@ -88,7 +83,7 @@ fn planned(bridge: &Bridge) -> Result<(), Failure> {
             let error = MeshError::TooFine { nodes, most: MOST_NODES };
             Err(Failure::input("F124", error.to_string(), "give a larger `size` in [mesh]"))
         }
-        _ => passage::setup(bridge).map(|_| ()).map_err(|error| refused(&error)),
+        _ => Ok(passage::setup(bridge).map(|_| ())?),
     }
 }
 
@@ -172,9 +167,9 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
     }
     let layers = bridge.cover.layers.len();
     if layers > 0 {
-        let word = if layers == 1 { "layer" } else { "layers" };
         let least = if bridge.cover.road.is_some() { "at least " } else { "" };
-        let _ = writeln!(page, "  cover {least}{:.3} m above the crown, {layers} {word}", bridge.cover.depth);
+        let _ =
+            writeln!(page, "  cover {least}{:.3} m above the crown, {}", bridge.cover.depth, counted(layers, "layer"));
     } else {
         page += "  no cover: loads act on the extrados\n";
     }

@@ -10,11 +10,11 @@ use crate::folder::{self, Folder};
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
-use crate::watcher::{Spectator, Watcher};
+use crate::watcher::{Watcher, watched};
 use crate::{quantities, summary};
 use extrados::{Choice, CollapseOptions, SweepOptions, Swept, written};
 use outcome::collapse::Collapse;
-use outcome::sweep::Ended;
+use outcome::picture::Picture;
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
 use std::time::Duration;
@@ -29,7 +29,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     let Some(own) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
     let choice = choice(own.width, arguments)?;
     let bridge = extrados::planned(&source.project, &choice)?;
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let out = folder::named(&arguments.out, &arguments.file);
     let folder = source.folder(&out, &kind(&bridge.plan, arguments.sweep.then_some(bridge.sweep.is_some())))?;
     if arguments.sweep {
         return sweep(desk, arguments, &source, choice, &folder);
@@ -89,7 +89,7 @@ pub(super) fn analyse(
     if let Some(failure) = trouble {
         report.warn(&mut desk.screen, failure.code, &failure.message);
     }
-    report.status = results::status(found.status);
+    report.status = Status::of(found.status.word());
     if report.status != Status::Cancelled {
         let report = write(desk, arguments, &found, report, folder)?;
         // Only now is there nothing more to lose.
@@ -115,13 +115,17 @@ fn write(
     report.fields.extend(found.object());
     let page = summary::collapse(found, &folder.path().display().to_string(), desk.screen.details);
     report.show(&desk.screen, &page);
-    let mut files = results::files(folder, written::collapse(found, arguments.displacement_scale))?;
-    let not_drawn = |error| results::not_drawn(folder.path(), &error);
-    for (folder, one) in std::iter::once(("", found)).chain(found.wall_strip.iter().map(|wall| ("wall/", &**wall))) {
-        let moving = figures::animation(&one.picture).map_err(not_drawn)?;
-        files.extend(moving.map(|bytes| figures::File { name: format!("{folder}animation.png"), bytes }));
+    let mut written = written::collapse(found, arguments.displacement_scale);
+    for (below, one) in std::iter::once(("", found)).chain(found.wall_strip.iter().map(|wall| ("wall/", &**wall))) {
+        written.files.extend(animation(folder, below, &one.picture)?);
     }
-    results::publish(desk, report, folder, &files)
+    results::publish(desk, report, folder, written)
+}
+
+/// The run of a picture as it moves, as a file of this folder below that of the results.
+fn animation(folder: &Folder, below: &str, picture: &Picture) -> Result<Option<figures::File>, Failure> {
+    let moving = figures::animation(picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+    Ok(moving.map(|bytes| figures::File { name: format!("{below}animation.png"), bytes }))
 }
 
 /// The vehicles of the file's [sweep] moved over the bridge, or its loads where it has none.
@@ -135,10 +139,8 @@ fn sweep(
     let vehicles = source.bridge().is_some_and(|bridge| bridge.sweep.is_some());
     desk.schema = if vehicles { "extrados.vehicle-sweep/1" } else { "extrados.sweep/1" }.to_owned();
     let step = arguments.sweep_step.as_ref().map(|text| quantities::length("--sweep-step", text)).transpose()?;
-    let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = extrados::sweep(&source.project, &SweepOptions { choice, step }, &mut spectator);
-    spectator.finish();
-    match found? {
+    let options = SweepOptions { choice, step };
+    match watched(desk.screen.quiet, |spectator| extrados::sweep(&source.project, &options, spectator))? {
         Swept::Vehicles(found) => vehicles_moved(desk, source, &found, folder),
         Swept::Loads(found) => loads_moved(desk, source, &found, folder),
     }
@@ -146,35 +148,23 @@ fn sweep(
 
 /// Writes a sweep of vehicles.
 fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder: &Folder) -> Result<Report, Failure> {
-    let mut report = source.report(ended(found.status()));
+    let mut report = source.report(Status::of(found.status().word()));
     report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = found.object();
     report.show(&desk.screen, &summary::vehicles(found, &folder.path().display().to_string()));
-    let mut files = results::files(folder, written::vehicles_moved(found))?;
+    let mut written = written::vehicles_moved(found);
     if let Some(collapse) = &found.collapse {
-        let moving =
-            figures::animation(&collapse.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
-        files.extend(moving.map(|bytes| figures::File { name: "animation.png".to_owned(), bytes }));
+        written.files.extend(animation(folder, "", &collapse.picture)?);
     }
-    results::publish(desk, report, folder, &files)
+    results::publish(desk, report, folder, written)
 }
 
 /// Writes a sweep of the file's loads.
 fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder) -> Result<Report, Failure> {
-    let mut report = source.report(ended(found.ended()));
+    let mut report = source.report(Status::of(found.ended().word()));
     report.warn_of(&mut desk.screen, &found.warnings);
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
     report.fields = found.object(name, width);
     report.show(&desk.screen, &summary::sweep(found, &folder.path().display().to_string()));
-    let files = results::files(folder, written::loads_moved(name, found))?;
-    results::publish(desk, report, folder, &files)
-}
-
-/// How a sweep ended, for the command.
-fn ended(sweep: Ended) -> Status {
-    match sweep {
-        Ended::Completed => Status::Completed,
-        Ended::Undetermined => Status::Undetermined,
-        Ended::Cancelled => Status::Cancelled,
-    }
+    results::publish(desk, report, folder, written::loads_moved(name, found))
 }

@@ -6,11 +6,12 @@ use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use crate::status::Status;
-use crate::watcher::Spectator;
+use crate::watcher::watched;
 use extrados::Compared;
 use findings::visible::cell;
+use findings::words::counted;
 use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -37,10 +38,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     };
     let choice = arguments.choice.of(before.width)?;
     let folder = folder(arguments, &sources)?;
-    let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = extrados::compare(&sources[0].project, project, choice, &mut spectator);
-    spectator.finish();
-    write(desk, arguments, &found?, report, &folder)
+    let before = &sources[0].project;
+    let found = watched(desk.screen.quiet, |spectator| extrados::compare(before, project, choice, spectator))?;
+    write(desk, arguments, &found, report, &folder)
 }
 
 fn folder(arguments: &Arguments, sources: &[Source; 2]) -> Result<Folder, Failure> {
@@ -59,26 +59,20 @@ fn write(
     mut report: Report,
     folder: &Folder,
 ) -> Result<Report, Failure> {
-    let ended = found.answers.each_ref().map(|answer| results::status(answer.status));
-    report.status = ended.into_iter().max_by_key(|status| status.exit_code()).unwrap_or(Status::Completed);
-    if report.status.exit_code() == 0 {
-        report.status = Status::Completed;
-    }
+    report.status = Status::worst_of(found.answers.iter().map(|answer| answer.status));
     let [before, after] = &found.answers;
     let named = [&arguments.before, &arguments.after].map(|file| file.display().to_string());
     report.fields.insert("before_file".into(), json!(named[0]));
     report.fields.insert("after_file".into(), json!(named[1]));
     report.fields.extend(found.object());
-    let mut files: Vec<figures::File> =
-        results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
+    let mut drawings = Vec::new();
     for (name, answer) in [("before", before), ("after", after)] {
-        for (figure, svg) in figures::drawings(&answer.picture) {
-            let drawn = figures::both(&format!("{name}/{figure}"), &svg);
-            files.extend(drawn.map_err(|error| results::not_drawn(folder.path(), &error))?);
-        }
+        let own = figures::drawings(&answer.picture).into_iter();
+        drawings.extend(own.map(|(figure, svg)| (format!("{name}/{figure}"), svg)));
     }
+    let files = results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
     report.summary = summary(found, &named, folder.path());
-    results::publish(desk, report, folder, &files)
+    results::publish(desk, report, folder, Written { drawings, files })
 }
 
 fn differences(found: &Compared) -> String {
@@ -115,7 +109,7 @@ fn summary(found: &Compared, named: &[String; 2], folder: &Path) -> String {
         let _ = writeln!(page, "  {:<30} {:>14} {:>14} {change:>10}", one.name, shown(one.before), shown(one.after));
     }
     let count = found.differences.len();
-    let _ = writeln!(page, "\n  {count} {} of input", if count == 1 { "difference" } else { "differences" });
+    let _ = writeln!(page, "\n  {} of input", counted(count, "difference"));
     for one in found.differences.iter().take(SHOWN) {
         let said = |value: &Option<String>| value.clone().unwrap_or_else(|| "(not there)".to_owned());
         let _ = writeln!(page, "    {}: {} -> {}", one.path, said(&one.before), said(&one.after));

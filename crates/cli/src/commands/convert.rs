@@ -11,15 +11,15 @@ use crate::folder;
 use crate::quantities;
 use crate::render::{self, Paint};
 use crate::report::Report;
-use crate::results;
 use crate::status::Status;
+use assess::analysis::AnalysisError;
 use drawing::{Drawing, Item, Options, Sheet};
 use extrados::files::LONGEST_DRAWING;
 use findings::words::counted;
 use outcome::picture::{Motion, Picture, Shape, Snapshot};
 use std::f64::consts::TAU;
 use std::path::Path;
-use structure::blocks::{Scene, Skeleton, of_bridge, skeleton, toml};
+use structure::blocks::{Scene, of_bridge, skeleton, toml};
 
 /// What was read: a model that can be analysed, or the bare geometry of a drawing.
 enum Content {
@@ -44,7 +44,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failur
     let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let bytes = match (&content, to.as_str()) {
         (Content::Model(scene), "toml") => toml(scene).into_bytes(),
-        (Content::Drawing(drawing), "toml") => skeleton(&Skeleton { name: &name, drawing }).into_bytes(),
+        (Content::Drawing(drawing), "toml") => skeleton(&name, drawing).into_bytes(),
         (_, "dxf") => sheet(&content).dxf(),
         _ => vtu(&name, &content).unwrap_or_default().into_bytes(),
     };
@@ -103,7 +103,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
     }
     let source = Source::open(desk, &arguments.from)?;
     let Some(bridge) = source.bridge() else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
-    let cut = structure::discretise::discretise(bridge).map_err(|error| results::not_set_up(&error.into()))?;
+    let cut = structure::discretise::discretise(bridge).map_err(AnalysisError::from)?;
     let scene = Box::new(of_bridge(bridge, &cut));
     Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))
 }

@@ -56,7 +56,7 @@ fn all() -> Vec<Entry> {
     let plain = |card: &Card| Entry::new(card.code, card.title, card.text);
     let file = bridge::explain::cards().map(|card| Entry::new(card.code, card.title, of_file(card)));
     let analysis = outcome::warning::CARDS.iter().map(plain);
-    let check = assess::checks::cards().map(|card| {
+    let check = assess::checks::CHECKS.iter().map(|card| {
         let text = format!("{}\n\nClause: {}\n\nSource: {}", card.text, card.clause, card.source);
         Entry::new(card.code, card.title, text)
     });

@@ -1,6 +1,6 @@
 //! `extrados merge`: the shards of a command put together, as if it had run alone.
 
-use super::answer::{Answer, refused};
+use super::answer::refused;
 use super::obey;
 use crate::args::{Arguments, Command, Merge};
 use crate::desk::Desk;
@@ -16,10 +16,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Checks that the shards are all there and belong together, then lets their command find every piece finished.
-pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Answer, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Report, Failure> {
     let shards = match gathered(&arguments.dirs) {
         Ok(shards) => shards,
-        Err(refusals) => return Ok(refused(desk, Report::new(Status::UnusableInput), refusals).into()),
+        Err(refusals) => return Ok(refused(desk, Report::new(Status::UnusableInput), refusals)),
     };
     let first = &shards[0].1;
     let (identity, words) = (first.identity.clone(), first.words.clone());

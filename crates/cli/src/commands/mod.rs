@@ -1,4 +1,4 @@
-//! One file per command. Each gives a [`Report`](crate::report::Report) or says why it could not; it is shown once, by `answer.rs`.
+//! One file per command. Each gives a [`Report`] or says why it could not; it is shown once, by `answer.rs`.
 
 mod answer;
 mod assess;
@@ -30,10 +30,11 @@ use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::host::{self, Ended};
 use crate::render::{self, Paint};
+use crate::report::Report;
 use crate::screen::Screen;
 use crate::signs;
 use crate::status::Status;
-use answer::{Answer, failed, speak};
+use answer::{failed, speak};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
 use std::ffi::OsString;
@@ -67,16 +68,15 @@ pub(crate) fn run(words: Vec<OsString>) -> u8 {
         Ended::Whole(done) => done,
         Ended::CutOff => {
             let desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema, words: Vec::new() };
-            (desk, Ok(host::cut_off().into()))
+            (desk, Ok(host::cut_off()))
         }
         Ended::Broken => return BROKEN,
     };
     let code = match answer {
-        Ok(answer) => speak(&mut desk, answer),
+        Ok(answer) => speak(&mut desk, &answer),
         Err(failure) => {
             desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-            let answer = failed(&failure);
-            if desk.screen.json { speak(&mut desk, answer.into()) } else { failure.status.exit_code() }
+            if desk.screen.json { speak(&mut desk, &failed(&failure)) } else { failure.status.exit_code() }
         }
     };
     match desk.screen.failed() {
@@ -92,28 +92,28 @@ pub(crate) fn run(words: Vec<OsString>) -> u8 {
 /// The exit code of a program that broke, as Rust's own.
 const BROKEN: u8 = 101;
 
-fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
+fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Failure> {
     match command {
-        Command::New(arguments) => new::run(arguments).map(Answer::from),
-        Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
-        Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
-        Command::Cases(arguments) => cases::run(desk, arguments).map(Answer::from),
-        Command::Compare(arguments) => compare::run(desk, arguments).map(Answer::from),
-        Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
-        Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
-        Command::Respond(arguments) => respond::run(desk, arguments).map(Answer::from),
-        Command::Assess(arguments) => assess::run(desk, arguments).map(Answer::from),
-        Command::Update(arguments) => update::run(desk, arguments).map(Answer::from),
-        Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
+        Command::New(arguments) => new::run(arguments),
+        Command::Check(arguments) => check::run(desk, arguments),
+        Command::Collapse(arguments) => collapse::run(desk, arguments),
+        Command::Cases(arguments) => cases::run(desk, arguments),
+        Command::Compare(arguments) => compare::run(desk, arguments),
+        Command::Convert(arguments) => convert::run(desk, arguments),
+        Command::Vary(arguments) => vary::run(desk, arguments),
+        Command::Respond(arguments) => respond::run(desk, arguments),
+        Command::Assess(arguments) => assess::run(desk, arguments),
+        Command::Update(arguments) => update::run(desk, arguments),
+        Command::CalibrateFill(arguments) => calibrate::run(desk, arguments),
         Command::Merge(arguments) => merge::run(desk, arguments),
-        Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
-        Command::Vehicles(arguments) => vehicles::run(arguments).map(Answer::from),
-        Command::Materials(arguments) => materials::run(arguments).map(Answer::from),
+        Command::Explain(arguments) => explain::run(arguments),
+        Command::Vehicles(arguments) => vehicles::run(arguments),
+        Command::Materials(arguments) => materials::run(arguments),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
-        Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
-        Command::Validate(arguments) => validate::run(desk, arguments).map(Answer::from),
-        Command::Workbench(arguments) => workbench::run(desk, arguments).map(Answer::from),
-        Command::Bench(arguments) => bench::run(desk, arguments).map(Answer::from),
+        Command::Verify(arguments) => verify::run(desk, arguments),
+        Command::Validate(arguments) => validate::run(desk, arguments),
+        Command::Workbench(arguments) => workbench::run(desk, arguments),
+        Command::Bench(arguments) => bench::run(desk, arguments),
     }
 }
 
@@ -134,9 +134,8 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     let message = lines.join(" ").trim_start_matches("error: ").to_owned();
     let failure = Failure::input("F107", message, "extrados --help lists commands and options");
     if json {
-        let answer = failed(&failure).into();
         let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned(), words: Vec::new() };
-        return speak(&mut desk, answer);
+        return speak(&mut desk, &failed(&failure));
     }
     failure.status.exit_code()
 }

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::render::{self, Paint};
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use crate::status::Status;
 use crate::watcher::Watcher;
 use bridge::blocks::Role;
@@ -59,13 +59,9 @@ pub(super) fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Failur
     let (Some(scene), Some(picture)) = (model.0.scene(), model.0.as_built()) else {
         return Ok(model.report(Status::UnusableInput));
     };
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
-    let folder = model.folder(&out, "check")?;
-    let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
-    let files = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?;
-    let pairs: Vec<(&str, &[u8])> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
-    folder.put(&pairs)?;
-    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let folder = model.folder(&folder::named(&arguments.out, &arguments.file), "check")?;
+    let drawings = vec![("bridge".to_owned(), figures::bridge_as_drawn(&picture))];
+    let names = results::put(&folder, Written { drawings, ..Written::default() })?;
     let shown = folder.path().display().to_string();
     let report = model
         .report(Status::Completed)
@@ -86,23 +82,14 @@ fn counts(scene: &Scene) -> BTreeMap<(String, String, &'static str), usize> {
     let mut counts = BTreeMap::new();
     let material = |k: usize| scene.materials[k].name.clone();
     for body in &scene.bodies {
-        let role = word(if body.held { Role::Support } else { Role::Block });
-        *counts.entry((body.layer.clone(), material(body.material), role)).or_insert(0) += 1;
+        let role = if body.held { Role::Support } else { Role::Block };
+        *counts.entry((body.layer.clone(), material(body.material), role.word())).or_insert(0) += 1;
     }
     for particle in &scene.particles {
-        let key = (particle.layer.clone(), material(particle.material), word(Role::Particles));
+        let key = (particle.layer.clone(), material(particle.material), Role::Particles.word());
         *counts.entry(key).or_insert(0) += 1;
     }
     counts
-}
-
-fn word(role: Role) -> &'static str {
-    match role {
-        Role::Block => "block",
-        Role::Support => "support",
-        Role::Particles => "particles",
-        Role::Ignore => "ignore",
-    }
 }
 
 fn layers(scene: &Scene) -> Vec<Value> {
@@ -141,7 +128,7 @@ pub(super) fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, 
     }
     let choice = super::collapse::choice(scene.width, arguments)?;
     let scene = model.0.planned(&CollapseOptions { choice, resume: None })?;
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let out = folder::named(&arguments.out, &arguments.file);
     let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
     let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
         Ok(collapse_of_blocks(&model.0, &CollapseOptions { choice, resume }, watcher)?)

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
-use extrados::examples::{self, Example};
+use extrados::examples::{self, Example, File};
 use std::fmt::Write;
 use std::fs;
 use std::io;
@@ -56,12 +56,8 @@ fn write(example: &Example, dir: &Path) -> Result<(), Failure> {
 }
 
 fn fill(example: &Example, dir: &Path) -> io::Result<()> {
-    for file in example.files {
-        let path = dir.join(file.name);
-        path.parent().map_or(Ok(()), fs::create_dir_all)?;
-        folder::write_whole(&path, file.text.as_bytes())?;
-    }
-    Ok(())
+    let write = |file: &File| folder::write_whole(folder::with_room(&dir.join(file.name))?, file.text.as_bytes());
+    example.files.iter().try_for_each(write)
 }
 
 fn unknown(name: &str) -> Failure {

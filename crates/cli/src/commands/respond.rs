@@ -7,11 +7,11 @@ use super::source::Source;
 use crate::args::Respond as Arguments;
 use crate::desk::Desk;
 use crate::failure::Failure;
-use crate::folder::{self, Folder};
+use crate::folder;
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
-use crate::watcher::Watcher;
+use crate::watcher::watched;
 use crate::{quantities, summary};
 use extrados::{RespondOptions, written};
 use outcome::passage::{Passage, PassageStatus};
@@ -25,13 +25,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     }
     let options = options(arguments)?;
     let recorder = Recorder::new(arguments)?;
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
-    let folder = source.folder(&out, "respond")?;
-    let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
-    let found = extrados::respond(&source.project, &options, &mut watcher);
-    watcher.finish();
-    let found = found?;
-    let mut report = source.report(Status::named(found.status.word()).unwrap_or(Status::NotConverged));
+    let folder = source.folder(&folder::named(&arguments.out, &arguments.file), "respond")?;
+    let found = watched(desk.screen.quiet, |spectator| extrados::respond(&source.project, &options, spectator))?;
+    let mut report = source.report(Status::of(found.status.word()));
     if found.status == PassageStatus::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }
@@ -41,7 +37,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     if let Some(recorder) = recorder {
         keep(&recorder, &found, &mut report)?;
     }
-    write(desk, &found, report, &folder)
+    results::publish(desk, report, &folder, written::passage(&found))
 }
 
 /// Writes the record of a train that has crossed; half a passage would pass for a whole one.
@@ -50,9 +46,10 @@ fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(),
         report.summary += "  no synthetic record was written: the train did not cross\n";
         return Ok(());
     }
-    let written = recorder.write(found)?;
-    report.summary += &written.words();
-    let object = json!({ "file": written.path, "synthetic": written.label(), "samples": written.run.times.len() });
+    let run = recorder.write(found)?;
+    let (path, label) = (recorder.path.display().to_string(), run.synthetic.as_deref().unwrap_or_default());
+    report.summary += &format!("synthetic record in {path}: {label}\n");
+    let object = json!({ "file": path, "synthetic": label, "samples": run.times.len() });
     report.fields.insert("records".to_owned(), object);
     Ok(())
 }
@@ -61,8 +58,4 @@ fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(),
 fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
     let speed = arguments.speed.as_ref().map(|text| quantities::speed("--speed", text));
     Ok(RespondOptions { speed: speed.transpose()?, analysis: arguments.analysis, path: arguments.path })
-}
-
-fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
-    results::publish(desk, report, folder, &results::files(folder, written::passage(found))?)
 }

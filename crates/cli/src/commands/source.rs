@@ -7,24 +7,8 @@ use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::status::Status;
 use extrados::files::{self, LONGEST_TEXT};
-use extrados::{Disk, Files, Project, WholeDisk};
+use extrados::{Disk, Files, Project};
 use std::path::Path;
-
-/// Where pictures of a report may come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Pictures {
-    /// The folder of the bridge file, and those below.
-    Beside,
-    /// Wherever the file says.
-    Anywhere,
-}
-
-impl Pictures {
-    /// As the command line allows.
-    pub(super) fn allowed(anywhere: bool) -> Pictures {
-        if anywhere { Pictures::Anywhere } else { Pictures::Beside }
-    }
-}
 
 /// A bridge file that was read, with what it takes from other files.
 pub(super) struct Source {
@@ -34,12 +18,12 @@ pub(super) struct Source {
 impl Source {
     /// Reads a file and shows what was found in it.
     pub(super) fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
-        Source::open_with(desk, path, Pictures::Beside)
+        Source::open_from(desk, path, &Disk)
     }
 
-    /// Reads a file, with pictures from where they may come, and shows what was found in it.
-    pub(super) fn open_with(desk: &mut Desk, path: &Path, pictures: Pictures) -> Result<Source, Failure> {
-        let source = Source::read_with(path, pictures)?;
+    /// Reads a file, with pictures of a report from where these files have them, and shows what was found in it.
+    pub(super) fn open_from(desk: &mut Desk, path: &Path, files: &dyn Files) -> Result<Source, Failure> {
+        let source = Source::read(path, files)?;
         if source.bridge().is_none() || desk.screen.tells_each() {
             let (project, paint) = (&source.project, Paint::for_stderr());
             desk.screen.remark(&render::findings(project.name(), project.text(), project.findings(), &paint));
@@ -48,16 +32,7 @@ impl Source {
     }
 
     /// Reads a file and says nothing.
-    pub(super) fn read(path: &Path) -> Result<Source, Failure> {
-        Source::read_with(path, Pictures::Beside)
-    }
-
-    /// The same, with pictures from where they may come.
-    pub(super) fn read_with(path: &Path, pictures: Pictures) -> Result<Source, Failure> {
-        let files: &dyn Files = match pictures {
-            Pictures::Beside => &Disk,
-            Pictures::Anywhere => &WholeDisk,
-        };
+    pub(super) fn read(path: &Path, files: &dyn Files) -> Result<Source, Failure> {
         Ok(Source { project: Project::read(path, files)? })
     }
 

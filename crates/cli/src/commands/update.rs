@@ -12,7 +12,7 @@ use crate::results;
 use crate::shelf::{FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
-use crate::watcher::Spectator;
+use crate::watcher::watched;
 use extrados::{Means, UpdateOptions, written};
 use outcome::update::{Update, UpdateStatus};
 use serde_json::json;
@@ -24,21 +24,20 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
         return Ok(source.report(Status::UnusableInput));
     }
     extrados::can_update(&source.project)?;
-    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let out = folder::named(&arguments.out, &arguments.file);
     let folder = source.folder(&out, if arguments.records_only { "update-records" } else { "update" })?;
     if arguments.records_only {
         return judged(desk, &source, &folder);
     }
     let shelf = FolderShelf::new(&folder, if arguments.resume { Resume::Asked } else { Resume::No });
     let means = Means { shelf: &shelf, clock: &desk.clock, program: &program::hash() };
-    let mut spectator = Spectator::new(desk.screen.quiet);
     let options = UpdateOptions { search: arguments.search, variant: arguments.variant, start: arguments.start };
-    let found = extrados::update(&source.project, &options, &means, &mut spectator);
-    spectator.finish();
+    let project = &source.project;
+    let found = watched(desk.screen.quiet, |spectator| extrados::update(project, &options, &means, spectator));
     let trouble = shelf.trouble();
     // Where the log could not be opened, its own failure says more than the refusal.
     let found = found.map_err(|refusal| trouble.clone().unwrap_or_else(|| refusal.into()))?;
-    let mut report = source.report(Status::named(found.status.word()).unwrap_or(Status::NotConverged));
+    let mut report = source.report(Status::of(found.status.word()));
     if let Some(failure) = trouble {
         report.warn(&mut desk.screen, failure.code, &failure.message);
     }
@@ -52,16 +51,13 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     report.fields = found.object();
     report.fields.insert("evaluations_taken_up".to_owned(), json!(shelf.taken_up()));
     report.summary = summary::update(&found, &folder.path().display().to_string());
-    write(desk, &found, report, &folder)
+    results::publish(desk, report, &folder, written::update(&found))
 }
 
 /// The records alone, beside one passage of the start model. Exit code 1 where somebody should look at them.
 fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, Failure> {
     let means = Means { clock: &desk.clock, ..Means::default() };
-    let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = extrados::judge(&source.project, &means, &mut spectator);
-    spectator.finish();
-    let found = found?;
+    let found = watched(desk.screen.quiet, |spectator| extrados::judge(&source.project, &means, spectator))?;
     if found.status == UpdateStatus::Cancelled {
         return Ok(source.report(Status::Cancelled).saying("interrupted; nothing was written\n"));
     }
@@ -71,7 +67,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, F
     doubts(desk, &found, &mut report);
     report.fields = found.object();
     report.summary = summary::records(&found, &folder.path().display().to_string());
-    write(desk, &found, report, folder)
+    results::publish(desk, report, folder, written::update(&found))
 }
 
 /// Shows what a reader of the records should look at, each with its file, line and column.
@@ -81,8 +77,4 @@ fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
             report.warn_at(&mut desk.screen, file, finding);
         }
     }
-}
-
-fn write(desk: &mut Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {
-    results::publish(desk, report, folder, &results::files(folder, written::update(found))?)
 }

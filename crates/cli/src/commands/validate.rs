@@ -6,15 +6,14 @@ use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::program;
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use crate::shards;
 use crate::shelf::{self, FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
-use crate::watcher;
+use crate::watcher::{self, Silent};
 use extrados::Means;
 use extrados::shard::Shard;
-use mechanics::watch::{Progress, Watch, Wish};
 use outcome::published;
 use outcome::validation::{Predictor, Validation};
 use rayon::prelude::*;
@@ -47,14 +46,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failu
     if let Some(merged) = &arguments.sharing.merged {
         merged.bring(&identity, &folder)?;
     }
-    let own: Vec<(&Job, &String)> = jobs.iter().zip(&keys).collect();
-    let own: Vec<(&Job, &String)> = match shard {
-        Some(shard) => {
-            own.into_iter().enumerate().filter(|(place, _)| shard.makes(*place)).map(|(_, one)| one).collect()
-        }
-        None => own,
-    };
-    let bar = watcher::count(desk.screen.quiet, own.iter().map(|(job, _)| job.effort()).sum());
+    let all: Vec<(&Job, &String)> = jobs.iter().zip(&keys).collect();
+    let own: Vec<&(&Job, &String)> = shards::own(&all, shard).collect();
+    let bar = watcher::bar(desk.screen.quiet, own.iter().map(|(job, _)| job.effort()).sum());
     let made: Vec<Result<Option<(Job, Answer)>, Failure>> = own
         .par_iter()
         .map(|(job, key)| {
@@ -92,7 +86,7 @@ fn answered(means: &Means<'_>, corpus: &Corpus, job: &Job, key: &str) -> io::Res
     if watcher::asked_to_stop() {
         return Ok(None);
     }
-    let answer = predict(corpus, job, &mut Stops);
+    let answer = predict(corpus, job, &mut Silent);
     // One that was stopped on its way is no answer.
     if watcher::asked_to_stop() {
         return Ok(None);
@@ -121,25 +115,16 @@ fn unusable(error: CorpusError) -> Failure {
     }
 }
 
-/// Hears Ctrl-C in the middle of a run.
-struct Stops;
-
-impl Watch for Stops {
-    fn look(&mut self, _: &Progress) -> Wish {
-        if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
-    }
-}
-
 fn write(desk: &mut Desk, found: &Validation, folder: &Folder, root: &Path) -> Result<Report, Failure> {
     let any = found.statistics.iter().any(|one| one.tests > 0);
     let mut report = Report::new(if any { Status::Completed } else { Status::Undetermined });
     report.fields = found.object();
     report.fields.insert("folder".to_owned(), json!(root.display().to_string()));
     report.summary = summary::validation(found, &folder.path().display().to_string());
-    let mut files = figures::validation(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    let table = published::validation_table(found).into_bytes();
-    files.push(figures::File { name: "validation.csv".to_owned(), bytes: table });
-    let record = published::record(found).map(String::into_bytes);
-    files.extend(record.map(|bytes| figures::File { name: "record.json".to_owned(), bytes }));
-    results::publish(desk, report, folder, &files)
+    let drawings = figures::validation(found).map(|svg| ("validation".to_owned(), svg)).into_iter().collect();
+    let table = ("validation.csv", published::validation_table(found));
+    let record = published::record(found).map(|record| ("record.json", record));
+    let files = [table].into_iter().chain(record);
+    let files = files.map(|(name, text)| figures::File { name: name.to_owned(), bytes: text.into_bytes() }).collect();
+    results::publish(desk, report, folder, Written { drawings, files })
 }

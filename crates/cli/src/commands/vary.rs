@@ -17,7 +17,7 @@ use crate::shelf::{self, FolderShelf, Resume};
 use crate::signs;
 use crate::status::Status;
 use crate::summary;
-use crate::watcher::Spectator;
+use crate::watcher::watched;
 use extrados::shard::Shard;
 use extrados::{Means, Portion, Studied, VaryOptions, VaryPlan, written};
 use outcome::study::Study;
@@ -67,18 +67,13 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
             Err(refusals) => return Ok(refused(desk, report, refusals)),
         }
     }
-    let mut spectator = Spectator::new(desk.screen.quiet);
     if let Some(shard) = shard {
-        let found = plan.share(shard, &means, &mut spectator);
-        spectator.finish();
-        return match found {
+        return match watched(desk.screen.quiet, |spectator| plan.share(shard, &means, spectator)) {
             Ok(found) => share(desk, report, shard, found, &folder),
             Err(refusals) => Ok(refused(desk, report, refusals)),
         };
     }
-    let found = plan.run(&means, &mut spectator);
-    spectator.finish();
-    let found = match found {
+    let found = match watched(desk.screen.quiet, |spectator| plan.run(&means, spectator)) {
         Ok(found) => found,
         Err(mut refusals) if refusals.len() == 1 && ALONE.contains(&refusals[0].code) => {
             return Err(refusals.remove(0).into());
@@ -146,6 +141,5 @@ fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) ->
     let settings = std::mem::replace(&mut report.fields, study.object());
     report.fields.extend(settings);
     report.summary = summary::vary(study, &folder.path().display().to_string());
-    let files = results::files(folder, written::study(study))?;
-    results::publish(desk, report, folder, &files)
+    results::publish(desk, report, folder, written::study(study))
 }

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use assess::vehicles::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
+use findings::words::counted;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -95,9 +96,9 @@ fn compared_with(model: &LoadModel) -> String {
         (0, 0) => "nothing".to_owned(),
         (0, checked) => format!("no published table; {checked} numbers worked out by hand from the same loads"),
         (published, checked) => {
-            let (count, s) = (model.published.len(), if model.published.len() == 1 { "" } else { "s" });
+            let tables = counted(model.published.len(), "table");
             let by_hand = if checked > 0 { format!("; {checked} worked out by hand") } else { String::new() };
-            format!("{published} published numbers in {count} table{s}{by_hand}")
+            format!("{published} published numbers in {tables}{by_hand}")
         }
     }
 }

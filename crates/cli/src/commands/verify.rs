@@ -33,7 +33,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
     let cases = read(&arguments.folder)?;
     let (chosen, left): (Vec<Case>, Vec<Case>) =
         cases.into_iter().partition(|case| arguments.slow || case.class == Class::Quick);
-    let bar = watcher::count(desk.screen.quiet, chosen.len() as u64);
+    let bar = watcher::bar(desk.screen.quiet, chosen.len() as u64);
     let judged: Vec<Option<Judged>> = chosen
         .par_iter()
         .map(|case| {

@@ -18,7 +18,7 @@ const BUILD: &str = "build the page and the program with `.ci/workbench build`, 
 
 /// This program was built without the page.
 #[cfg(not(feature = "workbench"))]
-pub fn run(_: &mut Desk, _: &Workbench) -> Result<Report, Failure> {
+pub(super) fn run(_: &mut Desk, _: &Workbench) -> Result<Report, Failure> {
     Err(Failure::input("F140", "this program was built without the workbench", BUILD))
 }
 

@@ -2,7 +2,7 @@
 //! taken away first.
 
 use super::list::List;
-use super::{SEAL, files_in, list, remove};
+use super::{SEAL, files_in, list, remove, with_room};
 use serde_json::Value;
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -84,17 +84,12 @@ pub(super) fn into_place(from: &Path, target: &Path, files: &[String]) -> io::Re
     let mut list = List::read(target);
     let all: Vec<String> = files.iter().cloned().chain([SEAL.to_owned()]).collect();
     remove(&target.join(SEAL))?;
-    let stale: Vec<String> = list.last.iter().filter(|name| !all.contains(name)).cloned().collect();
-    for name in stale.iter().filter(|name| list.holds(target, name)).cloned().collect::<Vec<_>>() {
+    for name in list.stale(target, &all) {
         remove(&target.join(&name))?;
         list.forget(&name);
     }
     for name in files.iter().filter(|name| from.join(name).is_file()) {
-        let place = target.join(name);
-        if let Some(parent) = place.parent() {
-            fs::create_dir_all(parent)?;
-        }
-        fs::rename(from.join(name), place)?;
+        fs::rename(from.join(name), with_room(&target.join(name))?)?;
     }
     File::open(from.join(SEAL))?.sync_all()?;
     fs::rename(from.join(SEAL), target.join(SEAL))?;

@@ -1,7 +1,7 @@
 //! An answer of another run is kept: its files are moved into a folder of their own before the new answer takes their place.
 
 use super::list::List;
-use super::{SEAL, remove};
+use super::{SEAL, remove, with_room};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -24,11 +24,7 @@ pub(super) fn keep(folder: &Path, list: &mut List) -> io::Result<Option<PathBuf>
     }
     // The seal goes last: what is half moved is taken up by the next run.
     for name in there.iter().filter(|name| *name != SEAL).chain(there.iter().filter(|name| *name == SEAL)) {
-        let target = place.join(name);
-        if let Some(parent) = target.parent() {
-            fs::create_dir_all(parent)?;
-        }
-        fs::rename(folder.join(name), target)?;
+        fs::rename(folder.join(name), with_room(&place.join(name))?)?;
         list.forget(name);
     }
     list.last.clear();
@@ -48,10 +44,7 @@ fn free(earlier: &Path, kind: &str, whole: &List) -> io::Result<PathBuf> {
     for number in 1.. {
         let name = if number == 1 { kind.to_owned() } else { format!("{kind}-{number}") };
         let place = earlier.join(name);
-        if fs::symlink_metadata(&place).is_err() {
-            return Ok(place);
-        }
-        if half_moved(&place, whole) {
+        if fs::symlink_metadata(&place).is_err() || half_moved(&place, whole) {
             return Ok(place);
         }
         let list = List::read(&place);

@@ -80,6 +80,11 @@ impl List {
         plain && (hashes.is_empty() || hash(&path).is_ok_and(|hash| hashes.contains(&hash)))
     }
 
+    /// Files of the last result that are as the command made them and no part of a new one.
+    pub(super) fn stale(&self, folder: &Path, all: &[String]) -> Vec<String> {
+        self.last.iter().filter(|name| !all.contains(name) && self.holds(folder, name)).cloned().collect()
+    }
+
     /// Whether a file of this name was made, whatever became of it.
     pub(super) fn knows(&self, name: &str) -> bool {
         self.made.contains_key(name)

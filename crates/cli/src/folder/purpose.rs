@@ -13,7 +13,7 @@ pub(crate) struct Purpose {
     /// Every file that it reads.
     inputs: Vec<PathBuf>,
     /// Stems of the files that it may write; `*` at the end stands for anything.
-    stems: [&'static [&'static str]; 2],
+    stems: &'static [&'static str],
     /// Names of its figures, or how they begin.
     figures: Vec<&'static str>,
 }
@@ -24,43 +24,43 @@ const ENDINGS: [&str; 10] = ["json", "csv", "xlsx", "svg", "png", "dxf", "vtu", 
 /// Folders below the folder of results whose files are all results.
 pub(super) const BELOW: [&str; 5] = ["paraview", "wall", "wall/paraview", "before", "after"];
 
-/// What a collapse and a sweep share beside their figures.
-const SHARED: &[&str] = &["result", "animation"];
-const COLLAPSE: &[&str] =
-    &["model", "deformed", "path", "hinges", "blocks", "contacts", "particles", "particle-contacts"];
-const SWEEP: &[&str] = &["envelope", "adequacy", "sweep", "vehicles", "sections"];
+/// Stems of the files of two commands that have many.
+const COLLAPSE: &[&str] = &[
+    "result",
+    "animation",
+    "model",
+    "deformed",
+    "path",
+    "hinges",
+    "blocks",
+    "contacts",
+    "particles",
+    "particle-contacts",
+];
 const RESPOND: &[&str] =
     &["result", "records", "influence-lines", "moment-*", "influence", "channels", "log", "joints", "thrust-lines"];
-const UPDATE: &[&str] = &["result", "sweeps", "samples"];
-const VARY: &[&str] = &["result", "tornado", "curve-*", "heat-map", "vary"];
-const ASSESS: &[&str] = &["result", "report", "checks"];
-const FLEET: &[&str] = &["result", "fleet"];
-const VALIDATE: &[&str] = &["result", "validation"];
-const CALIBRATE: &[&str] = &["result", "stress-strain", "moduli", "sample", "curve"];
-const CASES: &[&str] = &["result", "cases"];
-const COMPARE: &[&str] = &["result", "differences", "answers"];
-const CHECK: &[&str] = &["bridge", "mesh"];
 
 impl Purpose {
     /// A run of this kind on a file, which reads these files too. The kind begins with the command.
     pub(crate) fn new(kind: &str, file: &Path, inputs: &[PathBuf]) -> Purpose {
-        let stems = match kind.split('-').next().unwrap_or_default() {
-            "collapse" => [SHARED, COLLAPSE],
-            "sweep" => [SHARED, SWEEP],
-            "respond" => [RESPOND, &[]],
-            "update" => [UPDATE, &[]],
-            "vary" => [VARY, &[]],
-            "assess" => [ASSESS, &[]],
-            "fleet" => [FLEET, &[]],
-            "validate" => [VALIDATE, &[]],
-            "calibrate" => [CALIBRATE, &[]],
-            "cases" => [CASES, &[]],
-            "compare" => [COMPARE, &[]],
-            _ => [CHECK, &[]],
+        let command = kind.split('-').next().unwrap_or_default();
+        let stems: &[&str] = match command {
+            "collapse" => COLLAPSE,
+            "sweep" => &["result", "animation", "envelope", "adequacy", "sweep", "vehicles", "sections"],
+            "respond" => RESPOND,
+            "update" => &["result", "sweeps", "samples"],
+            "vary" => &["result", "tornado", "curve-*", "heat-map", "vary"],
+            "assess" => &["result", "report", "checks"],
+            "fleet" => &["result", "fleet"],
+            "validate" => &["result", "validation"],
+            "calibrate" => &["result", "stress-strain", "moduli", "sample", "curve"],
+            "cases" => &["result", "cases"],
+            "compare" => &["result", "differences", "answers"],
+            _ => &["bridge", "mesh"],
         };
-        let figures = match kind.split('-').next() {
-            Some("collapse" | "sweep") => FIGURES.iter().map(|figure| figure.name).collect(),
-            Some("update") => UPDATE_FIGURES.iter().map(|(kind, _)| *kind).collect(),
+        let figures = match command {
+            "collapse" | "sweep" => FIGURES.iter().map(|figure| figure.name).collect(),
+            "update" => UPDATE_FIGURES.iter().map(|(kind, _)| *kind).collect(),
             _ => Vec::new(),
         };
         let mut all: Vec<PathBuf> = inputs.iter().filter_map(|input| input.canonicalize().ok()).collect();
@@ -79,7 +79,7 @@ impl Purpose {
             && (stem.contains('/')
                 || name == crate::workbook::NAME
                 || self.figures.iter().any(|known| stem.strip_prefix(known).is_some_and(numbered))
-                || self.stems.iter().copied().flatten().any(|known| fits(known)))
+                || self.stems.iter().any(|known| fits(known)))
     }
 
     /// Whether a file is one that the run reads.

@@ -57,7 +57,7 @@ fn digest(a: &Assessment) -> String {
 }
 
 /// The comparison that governs.
-fn governs(a: &Assessment) -> Option<(&Checked, &Comparison)> {
+pub(crate) fn governs(a: &Assessment) -> Option<(&Checked, &Comparison)> {
     let (check, finding) = governing(&a.checked)?;
     let check = &a.checked[check];
     Some((check, check.outcome.as_ref().ok()?.get(finding)?))

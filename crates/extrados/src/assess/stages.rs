@@ -161,6 +161,14 @@ impl Stages<'_> {
         Stage::LeftOut { stage: name.to_owned(), why }
     }
 
+    /// A stage that is not made: for this reason, or since the command leaves it out.
+    fn unmade<T>(&mut self, stage: StageName, name: &str, why: Option<&str>) -> Option<Stage<T>> {
+        match why {
+            Some(why) => Some(self.not_asked(name, why)),
+            None => self.skipped(stage).then(|| self.left_out(name, "")),
+        }
+    }
+
     /// The update where records are given: its facts, and bridge and text with what it found.
     fn updated(&mut self, own: &Bridge) -> Result<(Stage<UpdateFacts>, Bridge, Document), Halt> {
         let whole = self.project.document(&[])?;
@@ -193,11 +201,9 @@ impl Stages<'_> {
     }
 
     fn service(&mut self, bridge: &Bridge, asked: &bridge::assess::Assess) -> Result<Stage<ServiceFacts>, Halt> {
-        if bridge.passage.is_none() {
-            return Ok(self.not_asked("service", "the file has no [train] that crosses"));
-        }
-        if self.skipped(StageName::Service) {
-            return Ok(self.left_out("service", ""));
+        let why = bridge.passage.is_none().then_some("the file has no [train] that crosses");
+        if let Some(none) = self.unmade(StageName::Service, "service", why) {
+            return Ok(none);
         }
         let limits = &asked.limits;
         let input = (bridge, &asked.service_loads, &limits.rule, limits.loaded_length, limits.cushion);
@@ -221,11 +227,9 @@ impl Stages<'_> {
     }
 
     fn ultimate(&mut self, bridge: &Bridge) -> Result<Stage<UltimateFacts>, Halt> {
-        if bridge.loads.is_empty() {
-            return Ok(self.not_asked("collapse", "the file describes no [[load]]"));
-        }
-        if self.skipped(StageName::Collapse) {
-            return Ok(self.left_out("collapse", ""));
+        let why = bridge.loads.is_empty().then_some("the file describes no [[load]]");
+        if let Some(none) = self.unmade(StageName::Collapse, "collapse", why) {
+            return Ok(none);
         }
         self.stage("collapse", bridge, |watch| match chain::ultimate(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
@@ -238,11 +242,9 @@ impl Stages<'_> {
     }
 
     fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
-        if bridge.sweep.is_none() {
-            return Ok(self.not_asked("vehicles", "the file has no [sweep] of vehicles"));
-        }
-        if self.skipped(StageName::Vehicles) {
-            return Ok(self.left_out("vehicles", ""));
+        let why = bridge.sweep.is_none().then_some("the file has no [sweep] of vehicles");
+        if let Some(none) = self.unmade(StageName::Vehicles, "vehicles", why) {
+            return Ok(none);
         }
         self.stage("vehicles", bridge, |watch| match chain::vehicles(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
@@ -255,11 +257,9 @@ impl Stages<'_> {
 
     /// The file's named cases, with what an update found.
     fn cases(&mut self, document: &Document) -> Result<Stage<CasesFacts>, Halt> {
-        if self.project.meaning().cases.is_empty() {
-            return Ok(self.not_asked("cases", "the file has no [[case]]"));
-        }
-        if self.skipped(StageName::Cases) {
-            return Ok(self.left_out("cases", ""));
+        let why = self.project.meaning().cases.is_empty().then_some("the file has no [[case]]");
+        if let Some(none) = self.unmade(StageName::Cases, "cases", why) {
+            return Ok(none);
         }
         let project = self.project.reworded(document.text().into_bytes());
         self.stage("cases", &document.text(), |watch| match crate::cases(&project, Choice::default(), watch) {
@@ -274,11 +274,9 @@ impl Stages<'_> {
 
     fn movement(&mut self, bridge: &Bridge) -> Result<Stage<MovementFacts>, Halt> {
         const NAME: &str = "support-movement";
-        if bridge.plan.support_movement.is_none() {
-            return Ok(self.not_asked(NAME, "the file describes no [support_movement]"));
-        }
-        if self.skipped(StageName::SupportMovement) {
-            return Ok(self.left_out(NAME, ""));
+        let why = bridge.plan.support_movement.is_none().then_some("the file describes no [support_movement]");
+        if let Some(none) = self.unmade(StageName::SupportMovement, NAME, why) {
+            return Ok(none);
         }
         self.stage(NAME, bridge, |watch| match chain::movement(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
@@ -303,7 +301,7 @@ impl Stages<'_> {
         let Some((worst, _)) = governing(checked) else {
             return Ok(self.not_asked(NAME, "no check could be made, so that none governs"));
         };
-        if CHECKS[worst].probe() == Probe::Whole {
+        if CHECKS[worst].probe == Probe::Whole {
             let why = "every value takes a whole analysis of the support movement: make them with extrados vary";
             return Ok(self.not_asked(NAME, why));
         }

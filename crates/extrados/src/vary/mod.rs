@@ -111,7 +111,7 @@ pub fn vary(
 /// # Errors
 /// Every setting that is no range of a quantity of the file (B501 to B503).
 pub fn settings<S: AsRef<str>>(project: &Project, texts: &[S]) -> Result<Vec<Request>, Vec<Refusal>> {
-    let document = project.document_without_ranges().map_err(|refusal| vec![refusal])?;
+    let document = project.document_without_ranges()?;
     let mut refusals = Vec::new();
     let read = texts.iter().map(|text| parse_setting(&document, text.as_ref()));
     let requests = read.filter_map(|request| request.map_err(|slip| refusals.push(refused(slip))).ok()).collect();
@@ -128,10 +128,9 @@ impl<'a> VaryPlan<'a> {
         requests: &[Request],
         options: &VaryOptions,
     ) -> Result<VaryPlan<'a>, Vec<Refusal>> {
-        let one = |refusal: Refusal| vec![refusal];
-        let analysis = options.analysis().map_err(one)?;
-        let own = project.bridge().map_err(one)?;
-        let document = project.document_without_ranges().map_err(one)?;
+        let analysis = options.analysis()?;
+        let own = project.bridge()?;
+        let document = project.document_without_ranges()?;
         let mut refusals = Vec::new();
         if requests.is_empty() {
             let help =
@@ -178,13 +177,9 @@ impl<'a> VaryPlan<'a> {
     /// Too many runs (F115), values that only go together badly (F114), a bridge that the analysis cannot be made of (F108), a number
     /// that no run found (F117).
     pub fn run(self, means: &Means<'_>, watch: &mut dyn Watch) -> Result<Studied, Vec<Refusal>> {
-        let one = |refusal: Refusal| vec![refusal];
         let runs = self.runs(means, watch)?;
-        let found = Work { analysis: &self.analysis, means }.all(&runs, watch).map_err(one)?;
-        let study = match found.rows {
-            Some(rows) => Some(self.study(runs, rows).map_err(one)?),
-            None => None,
-        };
+        let found = Work { analysis: &self.analysis, means }.all(&runs, watch)?;
+        let study = found.rows.map(|rows| self.study(runs, rows)).transpose()?;
         Ok(Studied { study, finished: found.finished, runs: found.runs, trouble: found.trouble })
     }
 
@@ -226,7 +221,7 @@ impl<'a> VaryPlan<'a> {
         let count = self.count().unwrap_or(usize::MAX);
         if count > self.most_runs {
             let own = self.source.alone(&self.analysis, means);
-            let found = Work { analysis: &self.analysis, means }.all(&own, watch).map_err(|refusal| vec![refusal])?;
+            let found = Work { analysis: &self.analysis, means }.all(&own, watch)?;
             let seconds = found.rows.and_then(|rows| rows.first().map(|row| row.seconds));
             return Err(vec![too_many(count, self.most_runs, seconds.filter(|seconds| *seconds > 0.0))]);
         }

@@ -3,12 +3,12 @@
 use super::scene;
 use crate::bar::{Scale, quantile};
 use crate::colour::{blue_for_much, red_for_much};
-use crate::elevation::{self as draw};
+use crate::elevation as draw;
 use crate::geometry::{View, round_down};
 use crate::sheet::{MARGIN, Sheet, Spot, WIDTH};
+use crate::stress::most_compressive;
 use crate::words;
-use outcome::passage::Moment;
-use outcome::passage::Passage;
+use outcome::passage::{Moment, Passage};
 use outcome::picture::Point;
 
 /// Shades along a scale: neighbours differ by less than the eye sees.
@@ -42,18 +42,16 @@ pub(super) fn stress(passage: &Passage, index: usize) -> Option<String> {
     if moment.stresses.len() != mesh.quads.len() || moment.displacements.len() != mesh.nodes.len() {
         return None;
     }
-    let values: Vec<f64> = moment.stresses.iter().map(|stress| 1e-6 * compression(stress).max(0.0)).collect();
+    let values: Vec<f64> = moment
+        .stresses
+        .iter()
+        .map(|stress| 1e-6 * most_compressive([stress[0], stress[1], stress[2]]).max(0.0))
+        .collect();
     let end = quantile(values.iter().copied(), COVERED).max(1e-6);
     let largest = values.iter().copied().fold(0.0, f64::max);
     let scale = Scale::upto("largest compression, self-weight included [MPa]", [end, largest], 6, red_for_much);
     let moved = movement(passage, index, moment);
     drawn(passage, index, ["stress", "Compression"], &moved, &values, &scale)
-}
-
-/// Largest compression of a plane stress state [Pa].
-fn compression(stress: &[f64; 4]) -> f64 {
-    let [xx, yy, xy, _] = *stress;
-    (0.5 * (xx - yy)).hypot(xy) - 0.5 * (xx + yy)
 }
 
 fn movement(passage: &Passage, index: usize, moment: &Moment) -> Vec<Point> {
@@ -72,9 +70,9 @@ fn drawn(
     let extent = scene::extent(mesh)?;
     let largest = displacements.iter().map(|by| by[0].hypot(by[1])).filter(|size| size.is_finite()).fold(0.0, f64::max);
     let times = if largest > 0.0 { round_down(LARGEST * extent.size()[0] / largest).max(1.0) } else { 1.0 };
-    let mut sheet = Sheet::new(&format!("moment-{index}-{name}"));
-    let top = sheet.title(&passage.bridge, &scene::second_line(passage, moment, what)) + scene::AXLES;
-    let (_, view) = draw::fit(extent, top, draw::TALLEST);
+    let second = scene::second_line(passage, moment, what);
+    let (mut sheet, top) = Sheet::titled(&format!("moment-{index}-{name}"), &passage.bridge, &second);
+    let (_, view) = draw::fit(extent, top + scene::AXLES, draw::TALLEST);
     let nodes = scene::moved(mesh, displacements, times);
     let window = view.area(extent).taller(4.0);
     sheet.open_clipped("field", "window", window);

@@ -6,8 +6,7 @@ mod ring;
 mod scene;
 mod vtu;
 
-use crate::file::{File, written};
-use crate::raster::RasterError;
+use crate::file::File;
 use outcome::passage::Passage;
 
 /// Most moments that are drawn; ParaView files have all.
@@ -34,20 +33,10 @@ pub fn passage_records(passage: &Passage) -> Option<String> {
 
 /// The ring at one moment that is kept.
 pub fn passage_ring(passage: &Passage, moment: usize) -> Option<String> {
-    if moment < passage.moments.len() { ring::ring(passage, moment) } else { None }
+    ring::ring(passage, moment)
 }
 
 /// The ParaView files of a passage.
 pub fn passage_paraview(passage: &Passage) -> Vec<File> {
     vtu::files(passage)
-}
-
-/// Every figure and ParaView file of a passage.
-///
-/// # Errors
-/// A drawing of which no PNG can be made.
-pub fn passage(passage: &Passage) -> Result<Vec<File>, RasterError> {
-    let mut files = written(passage_drawings(passage))?;
-    files.extend(vtu::files(passage));
-    Ok(files)
 }

@@ -6,8 +6,7 @@ use crate::geometry::{Extent, View};
 use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, Sheet, Spot, Style, THICK};
 use crate::words;
 use outcome::mesh::MadeOf;
-use outcome::passage::Passage;
-use outcome::passage::{Moment, PairState, Row, RowKind};
+use outcome::passage::{Moment, PairState, Passage, Row, RowKind};
 use outcome::picture::Point;
 
 /// Colours of the states, told apart in grey print by their size and fill.
@@ -22,10 +21,9 @@ pub(super) fn ring(passage: &Passage, index: usize) -> Option<String> {
     joints().next()?;
     let mesh = &passage.mesh;
     let extent = scene::extent(mesh)?;
-    let mut sheet = Sheet::new(&format!("moment-{index}-ring"));
-    let top =
-        sheet.title(&passage.bridge, &scene::second_line(passage, moment, "Line of thrust and joints")) + scene::AXLES;
-    let (_, view) = draw::fit(extent, top, 230.0);
+    let second = scene::second_line(passage, moment, "Line of thrust and joints");
+    let (mut sheet, top) = Sheet::titled(&format!("moment-{index}-ring"), &passage.bridge, &second);
+    let (_, view) = draw::fit(extent, top + scene::AXLES, 230.0);
     let window = view.area(extent).taller(2.0);
     sheet.open_clipped("bridge", "whole", window);
     stones(&mut sheet, &view, passage);

@@ -5,8 +5,7 @@ use crate::geometry::{Extent, View};
 use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, Sheet, Spot, Style};
 use crate::words;
 use outcome::mesh::MeshPicture;
-use outcome::passage::Moment;
-use outcome::passage::Passage;
+use outcome::passage::{Moment, Passage};
 use outcome::picture::Point;
 use std::collections::BTreeMap;
 

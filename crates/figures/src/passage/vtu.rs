@@ -2,8 +2,7 @@
 
 use crate::file::File;
 use crate::vtk::{Array, Cells, Grid, over_time};
-use outcome::passage::Passage;
-use outcome::passage::{Moment, Pair, PairState, RowKind};
+use outcome::passage::{Moment, Pair, PairState, Passage, RowKind};
 
 /// One VTU a moment for the mesh and one for the joints, and their series over time.
 pub(super) fn files(passage: &Passage) -> Vec<File> {

@@ -19,12 +19,9 @@ impl Sheet {
     }
     /// Discs of one radius and one colour as one path: dots of a round pen, a quarter of the size of circles.
     pub(crate) fn dots(&mut self, spots: &[Spot], radius: f64, colour: &str) {
-        let mut path = String::new();
-        for at in spots.iter().filter(|s| s.iter().all(|c| c.is_finite())) {
-            // Not every viewer draws a line without length.
-            let _ = write!(path, "M{} {}h.01", number(at[0]), number(at[1]));
-        }
-        if !path.is_empty() && radius.is_finite() {
+        // Not every viewer draws a line without length.
+        let path = path(spots.iter().map(std::slice::from_ref), "", "h.01");
+        if let Some(path) = path.filter(|_| radius.is_finite()) {
             let width = number(2.0 * radius);
             let _ = writeln!(
                 self.body,
@@ -34,42 +31,37 @@ impl Sheet {
     }
     /// Lines of one width in the colour of the group that they are in, as one path.
     pub(crate) fn strokes(&mut self, lines: &[[Spot; 2]], width: f64) {
-        let mut path = String::new();
-        for [from, to] in lines.iter().filter(|l| l.iter().flatten().all(|c| c.is_finite())) {
-            let [a, b, c, d] = [from[0], from[1], to[0], to[1]].map(number);
-            let _ = write!(path, "M{a} {b}L{c} {d}");
-        }
-        if !path.is_empty() {
+        if let Some(path) = path(lines.iter().map(|line| &line[..]), "L", "") {
             let _ = writeln!(self.body, "<path d=\"{path}\" stroke-width=\"{}\"/>", number(width));
         }
     }
     /// Quadrilaterals of one colour as one path; a hair of the same colour closes the seams between neighbours.
     pub(crate) fn areas(&mut self, quads: &[[Spot; 4]], colour: &str) {
-        let mut path = String::new();
-        for quad in quads.iter().filter(|q| q.iter().flatten().all(|c| c.is_finite())) {
-            for (k, spot) in quad.iter().enumerate() {
-                let _ = write!(path, "{}{} {}", if k == 0 { "M" } else { "L" }, number(spot[0]), number(spot[1]));
-            }
-            path.push('Z');
-        }
-        if !path.is_empty() {
+        if let Some(path) = path(quads.iter().map(|quad| &quad[..]), "L", "Z") {
             let _ =
                 writeln!(self.body, "<path d=\"{path}\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.3\"/>");
         }
     }
     /// Closed chains of points as one path; chains with a coordinate that is not finite are left out.
     pub(crate) fn loops(&mut self, loops: &[Vec<Spot>], pen: Pen) {
-        let mut path = String::new();
-        for chain in loops.iter().filter(|c| c.len() > 2 && c.iter().flatten().all(|x| x.is_finite())) {
-            for (k, spot) in chain.iter().enumerate() {
-                let _ = write!(path, "{}{} {}", if k == 0 { "M" } else { " " }, number(spot[0]), number(spot[1]));
-            }
-            path.push('Z');
-        }
-        if !path.is_empty() {
+        let chains = loops.iter().filter(|chain| chain.len() > 2);
+        if let Some(path) = path(chains.map(Vec::as_slice), " ", "Z") {
             let _ = write!(self.body, "<path d=\"{path}\"");
             pen.write(&mut self.body);
             self.body.push_str(" stroke-linejoin=\"round\"/>\n");
         }
     }
+}
+
+/// Chains of points as the data of a path, with something between points and behind each chain; chains with a coordinate that is not
+/// finite are left out.
+fn path<'s>(chains: impl Iterator<Item = &'s [Spot]>, between: &str, behind: &str) -> Option<String> {
+    let mut path = String::new();
+    for chain in chains.filter(|chain| chain.iter().flatten().all(|c| c.is_finite())) {
+        for (k, spot) in chain.iter().enumerate() {
+            let _ = write!(path, "{}{} {}", if k == 0 { "M" } else { between }, number(spot[0]), number(spot[1]));
+        }
+        path.push_str(behind);
+    }
+    (!path.is_empty()).then_some(path)
 }

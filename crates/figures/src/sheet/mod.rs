@@ -66,6 +66,10 @@ impl Area {
             bottom: a.bottom.max(p[1]),
         }))
     }
+    /// A square around a spot, so far to each side.
+    pub(crate) fn about(at: Spot, by: f64) -> Area {
+        Area { left: at[0] - by, top: at[1] - by, right: at[0] + by, bottom: at[1] + by }
+    }
     /// A rectangle larger by `by` above and below.
     pub(crate) fn taller(&self, by: f64) -> Area {
         Area { top: self.top - by, bottom: self.bottom + by, ..*self }
@@ -152,8 +156,13 @@ impl Sheet {
     /// A sheet with a title over a lighter second line, and the y below them.
     pub(crate) fn titled(name: &str, title: &str, second: &str) -> (Sheet, f64) {
         let mut sheet = Sheet::new(name);
-        let top = sheet.title(title, second);
-        (sheet, top)
+        let limit = WIDTH - 2.0 * MARGIN;
+        let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
+        let mut y = sheet.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
+        if !second.is_empty() {
+            y = sheet.paragraph(MARGIN, y, limit, second, Style { colour: GREY_TEXT, ..Style::default() });
+        }
+        (sheet, y + 8.0)
     }
 
     /// An open or closed chain of points. Shapes with a coordinate that is not finite are left out.
@@ -284,16 +293,6 @@ impl Sheet {
         }
         y
     }
-    /// Title at the top of the sheet, over a lighter second line; returns the y below it.
-    pub(crate) fn title(&mut self, title: &str, second: &str) -> f64 {
-        let limit = WIDTH - 2.0 * MARGIN;
-        let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
-        let mut y = self.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
-        if !second.is_empty() {
-            y = self.paragraph(MARGIN, y, limit, second, Style { colour: GREY_TEXT, ..Style::default() });
-        }
-        y + 8.0
-    }
     /// Small print at the foot of the sheet; returns the y below it.
     pub(crate) fn caption(&mut self, top: f64, text: &str) -> f64 {
         self.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, text, Style::grey())
@@ -311,7 +310,7 @@ impl Sheet {
             for k in 0..=parts {
                 let t = k as f64 / parts as f64;
                 let at = [pair[0][0] + t * way[0], pair[0][1] + t * way[1]];
-                self.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(4.0));
+                self.avoid(Area::about(at, 4.0));
             }
         }
     }
@@ -386,15 +385,7 @@ impl Style {
         self.anchor = anchor;
         self
     }
-    /// Width of a text.
-    pub(crate) fn width(&self, text: &str) -> f64 {
-        font::width(text, self.size, self.weight)
-    }
-    /// Lines of a text no wider than a limit.
-    pub(crate) fn wrap(&self, text: &str, limit: f64) -> Vec<String> {
-        font::wrap(text, self.size, self.weight, limit)
-    }
-    /// The first of these lines.
+    /// The first line of a text no wider than a limit.
     pub(crate) fn first_line(&self, text: &str, limit: f64) -> String {
         self.wrap(text, limit).into_iter().next().unwrap_or_default()
     }
@@ -456,8 +447,7 @@ mod tests {
 
     #[test]
     fn any_title_gives_well_formed_xml() {
-        let mut sheet = Sheet::new("try");
-        let y = sheet.title("a<b> & \"c\" \u{7}\u{fffe} ∑", "");
+        let (sheet, y) = Sheet::titled("try", "a<b> & \"c\" \u{7}\u{fffe} ∑", "");
         let svg = sheet.finish(y);
         let tree = roxmltree::Document::parse(&svg).unwrap();
         let text = tree.descendants().find(|n| n.has_tag_name("text")).and_then(|n| n.text()).unwrap();

@@ -98,7 +98,7 @@ impl Sheet {
         let dot = |k: i32| {
             let t = f64::from(k) / 6.0;
             let at = [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])];
-            Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(1.0)
+            Area::about(at, 1.0)
         };
         let text = |dot: &Area| f64::from(self.texts.iter().any(|a| a.overlap(dot) > 0.0));
         let over = |dot: &Area| {

@@ -3,19 +3,11 @@
 use super::{loops, of, on_sheet};
 use crate::colour::blue_for_much;
 use crate::elevation::INK;
-use crate::figure::Figure;
 use crate::geometry::View;
-use crate::mechanism::{Ground, drawn};
+use crate::mechanism::drawn;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, Sheet, Style};
 use outcome::picture::Picture;
 use outcome::soil::SoilPicture;
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure = Figure {
-    name: "soil-mechanism",
-    caption: "Mechanism of blocks and fill, with the power that the fill dissipates.",
-    draw: soil_mechanism,
-};
 
 /// Classes of dissipation, each of one colour.
 const CLASSES: usize = 12;
@@ -26,8 +18,8 @@ const FIRST: f64 = 0.14;
 
 /// The mechanism with the fill moved along and coloured by its dissipation. None without soil, or without a mechanism.
 pub fn soil_mechanism(picture: &Picture) -> Option<String> {
-    of(picture).filter(|soil| soil.dissipation.len() == soil.triangles.len())?;
-    drawn(picture, Ground::Dissipating)
+    let soil = of(picture).filter(|soil| soil.dissipation.len() == soil.triangles.len())?;
+    drawn(picture, Some(soil))
 }
 
 /// The class of a triangle, from 1; 0 where it dissipates next to nothing.

@@ -2,17 +2,12 @@
 
 use super::of;
 use crate::elevation::{self as draw, INK, PRESSURE, Sign};
-use crate::figure::Figure;
 use crate::geometry::{Extent, View, as_built, round_down};
 use crate::sheet::place::Room;
 use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, font};
 use crate::{soil, words};
 use outcome::picture::{Picture, Point};
 use outcome::soil::SoilPressure;
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "soil-pressure", caption: "Pressure of the fill on the ring.", draw: soil_pressure };
 
 /// Share of the larger dimension of the bridge that the largest pressure is drawn with.
 const SHARE: f64 = 0.1;

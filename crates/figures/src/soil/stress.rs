@@ -3,7 +3,6 @@
 use super::of;
 use crate::bar::quantile;
 use crate::elevation::{self as draw, INK, Sign, TENSION};
-use crate::figure::Figure;
 use crate::geometry::{View, as_built, round_down};
 use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, Sheet, Spot, Style, THIN};
 use crate::thrust;
@@ -11,10 +10,6 @@ use crate::{soil, words};
 use outcome::picture::{Picture, Point};
 use outcome::soil::SoilPicture;
 use std::collections::BTreeMap;
-
-/// See [`Figure`].
-pub(crate) const FIGURE: Figure =
-    Figure { name: "soil-stress", caption: "Principal stresses in the fill, and the thrust line.", draw: soil_stress };
 
 /// Side of the squares over which stresses are averaged, on the sheet; each has one cross.
 const CELL: f64 = 12.0;

@@ -11,8 +11,6 @@ mod style;
 mod surface;
 mod words;
 
-use crate::file::{File, written};
-use crate::raster::RasterError;
 use outcome::update::{PaperSearch, Update};
 
 /// Kinds of figures of an update: how their names begin, and what stands under them.
@@ -25,15 +23,7 @@ pub const UPDATE_FIGURES: [(&str, &str); 6] = [
     ("correlation", "Correlation of the parameters."),
 ];
 
-/// Every figure of an update that there is material for.
-///
-/// # Errors
-/// A drawing of which no PNG can be made.
-pub fn update(update: &Update) -> Result<Vec<File>, RasterError> {
-    written(update_drawings(update))
-}
-
-/// The same as SVG: name without extension, and drawing.
+/// Every figure of an update that there is material for, as SVG: name without extension, and drawing.
 pub fn update_drawings(update: &Update) -> Vec<(String, String)> {
     let mut drawings: Vec<(String, String)> = Vec::new();
     let mut put = |name: String, svg: Option<String>| drawings.extend(svg.map(|svg| (name, svg)));

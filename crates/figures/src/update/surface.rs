@@ -190,7 +190,7 @@ fn least(sheet: &mut Sheet, update: &Update, surface: &Surface, axes: &Axes) {
         sheet.line([at[0] - ARM, at[1]], [at[0] + ARM, at[1]], Pen::line(colour, width));
         sheet.line([at[0], at[1] - ARM], [at[0], at[1] + ARM], Pen::line(colour, width));
     }
-    sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(ARM));
+    sheet.avoid(Area::about(at, ARM));
     let unit = |side: usize| update.problem.parameters()[surface.parameters[side]].unit.as_str();
     let text = format!(
         "least norm {} at {}, {}",

@@ -42,7 +42,7 @@ fn found(loads: &[Option<f64>]) -> Validation {
 
 #[test]
 fn a_prediction_stands_at_its_place_and_what_carries_nothing_goes_beyond_the_axis() {
-    let svg = validation_drawing(&found(&[Some(60e3), Some(150e3), None])).unwrap();
+    let svg = validation(&found(&[Some(60e3), Some(150e3), None])).unwrap();
     roxmltree::Document::parse(&svg).unwrap();
     // Two tests with two methods, both medians, and two marks in the key.
     assert_eq!(svg.matches("class=\"prediction\"").count(), 4 + 2 + 2);
@@ -53,6 +53,6 @@ fn a_prediction_stands_at_its_place_and_what_carries_nothing_goes_beyond_the_axi
 
 #[test]
 fn without_a_number_there_is_no_figure() {
-    assert_eq!(validation_drawing(&found(&[None])), None);
-    assert_eq!(validation_drawing(&Validation::default()), None);
+    assert_eq!(validation(&found(&[None])), None);
+    assert_eq!(validation(&Validation::default()), None);
 }

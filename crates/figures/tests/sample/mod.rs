@@ -10,6 +10,15 @@ use std::f64::consts::PI;
 
 type Joint = [Point; 2];
 
+/// Every file of a collapse analysis.
+pub(crate) fn all(picture: &Picture) -> Result<Vec<figures::File>, figures::RasterError> {
+    let mut files = figures::written(&figures::drawings(picture))?;
+    let moving = figures::animation(picture)?;
+    files.extend(moving.map(|bytes| figures::File { name: "animation.png".into(), bytes }));
+    files.extend(figures::paraview(picture));
+    Ok(files)
+}
+
 fn shape(outline: Vec<Point>, role: &str, held: bool) -> Shape {
     Shape { outline, role: role.into(), held }
 }

@@ -65,9 +65,9 @@ pub fn energy(model: &Model, state: &State) -> Energy {
         loads += state.factor * model.variable[i].work(model.built[i], &pose);
         elastic -= half * (0..3).map(|c| f[c] * v[c] * model.bodies[i].free[c]).sum::<f64>();
     }
-    let particles = state.particles.energy(&model.particles, half);
-    gravity += particles.gravity;
-    elastic += particles.elastic;
+    let of_particles = state.particles.energy(&model.particles, half);
+    gravity += of_particles[0];
+    elastic += of_particles[1];
     Energy {
         initial: state.initial_energy,
         gravity,

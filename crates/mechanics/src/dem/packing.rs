@@ -190,15 +190,13 @@ fn strew(region: &[Vec2], full: &[f64], recipe: &Recipe) -> Result<Vec<Vec2>, Pa
     let columns = ((high.x - low.x) / side) as usize + 1;
     let rows = ((high.y - low.y) / side) as usize + 1;
     let mut cells: Vec<Vec<u32>> = vec![Vec::new(); columns * rows];
-    let mut places: Vec<Vec2> = Vec::with_capacity(full.len());
     // The largest first: the small ones find room between.
     let mut order: Vec<usize> = (0..full.len()).collect();
     order.sort_by(|&i, &j| full[j].total_cmp(&full[i]).then(i.cmp(&j)));
-    let mut of_particle = vec![Vec2::ZERO; full.len()];
-    let mut radii: Vec<f64> = Vec::with_capacity(full.len());
+    let mut places = vec![Vec2::ZERO; full.len()];
     for i in order {
         let mut tries = 0;
-        let place = loop {
+        places[i] = loop {
             tries += 1;
             if tries > 100_000 {
                 return Err(PackingError::NoRoom(full.len()));
@@ -212,20 +210,17 @@ fn strew(region: &[Vec2], full: &[f64], recipe: &Recipe) -> Result<Vec<Vec2>, Pa
                 (cx.saturating_sub(1)..(cx + 2).min(columns)).map(move |column| row * columns + column)
             });
             let free = near.flat_map(|cell| &cells[cell]).all(|&k| {
-                let sum = STREWN * (full[i] + radii[k as usize]);
+                let sum = STREWN * (full[i] + full[k as usize]);
                 let apart = places[k as usize] - p;
                 apart.dot(apart) >= sum * sum
             });
             if free {
-                cells[cy.min(rows - 1) * columns + cx.min(columns - 1)].push(places.len() as u32);
+                cells[cy.min(rows - 1) * columns + cx.min(columns - 1)].push(i as u32);
                 break p;
             }
         };
-        places.push(place);
-        radii.push(full[i]);
-        of_particle[i] = place;
     }
-    Ok(of_particle)
+    Ok(places)
 }
 
 /// The walls with the strewn particles, all held, slippery and weightless.
@@ -345,21 +340,13 @@ impl Growth<'_> {
         while taken < most {
             self.run(LOOK);
             taken += LOOK;
-            let (pressed, _) = self.contact_sums();
+            // Sum of the contact forces [N/m].
+            let mut pressed = 0.0;
+            self.state.particles.each_force(|compression, _, _| pressed += compression);
             if self.state.particles.unbalanced() <= SETTLED * pressed {
                 break;
             }
         }
-    }
-
-    /// Sum of the contact forces [N/m], and of force times distance between centres [N].
-    fn contact_sums(&self) -> (f64, f64) {
-        let (mut force, mut virial) = (0.0, 0.0);
-        self.state.particles.each_force(|compression, branch, _| {
-            force += compression;
-            virial += compression * branch;
-        });
-        (force, virial)
     }
 
     fn packed(&self) -> Packed {

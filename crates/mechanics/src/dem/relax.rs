@@ -57,7 +57,7 @@ const STALLED_WINDOWS: u32 = 4;
 const DRIFT: f64 = 0.1;
 
 /// What a stage remembers while it settles.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(super) struct Stage {
     /// Iterations of a window.
     pub window: u64,
@@ -83,10 +83,9 @@ impl Stage {
             first_step: state.steps,
             window_least: f64::INFINITY,
             best: f64::INFINITY,
-            idle_windows: 0,
-            window_displacement: 0.0,
             ratio: f64::INFINITY,
             next_picture: 0.125,
+            ..Stage::default()
         }
     }
 }

@@ -27,7 +27,7 @@ const RAMP: u64 = 2_000;
 const SUPPORT_SPEED: f64 = 0.01;
 
 /// A run and all it has found so far; what a checkpoint holds.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(super) struct Run {
     pub state: State,
     pub stage: Stage,
@@ -140,42 +140,29 @@ fn drive(
             continue;
         }
         record(model, &mut run, settled, program);
-        if let Some(status) = decide(model, &mut run, settled, program, settings) {
+        if let Some(status) = decide(model, &mut run, settled, program) {
             return Ok((run, status));
         }
     }
 }
 
 pub(super) fn start(model: &Model, state: State, settings: &Settings) -> Run {
-    let critical = reported_critical_time_step(model, &state, settings);
+    let exact = model.particles.len() <= EXACT_UP_TO;
     Run {
         stage: Stage::new(model, &state),
-        stable: None,
-        low: None,
-        high: None,
-        increments: 0,
-        path: Vec::new(),
-        frames: Vec::new(),
-        last_stable_frame: None,
-        max_stress: 0.0,
-        given_up: 0,
-        stalled: false,
-        critical_time_step: critical,
+        critical_time_step: if exact {
+            exact_critical_time_step(model, &state)
+        } else {
+            critical_time_step(model, &state, settings)
+        },
         single_mass_time_step: stiffness::single_mass_time_step(model, &state),
         state,
+        ..Run::default()
     }
 }
 
 /// Most particles for which the critical time step is reported from the eigenvalue; the bound is reported above.
 const EXACT_UP_TO: usize = 20_000;
-
-fn reported_critical_time_step(model: &Model, state: &State, settings: &Settings) -> f64 {
-    if model.particles.len() <= EXACT_UP_TO {
-        exact_critical_time_step(model, state)
-    } else {
-        critical_time_step(model, state, settings)
-    }
-}
 
 /// Runs the present stage for so many steps at the most. The numbers do not depend on how many.
 pub(super) fn advance(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings, most: u64) -> Settled {
@@ -290,13 +277,7 @@ pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &P
 }
 
 /// What comes next: the next factor, or the end.
-pub(super) fn decide(
-    model: &Model,
-    run: &mut Run,
-    settled: Settled,
-    program: &Program,
-    _settings: &Settings,
-) -> Option<Status> {
+pub(super) fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program) -> Option<Status> {
     match settled {
         Settled::AtRest => {
             run.low = Some(run.state.factor);

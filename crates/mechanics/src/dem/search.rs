@@ -1,11 +1,12 @@
 //! Which pairs may touch, and with which features. Pairs come and go; what their contact points remember stays.
 
 use super::model::Model;
+use super::particles::bounds;
 use super::state::State;
 use super::touch::{Memory, Touch};
 use crate::contact::{Bond, ContactLength};
-use crate::ids::{BlockId, Id};
-use crate::plane::{Pose, Vec2, meet};
+use crate::ids::BlockId;
+use crate::plane::{Core, Pose, Vec2, meet};
 
 /// Distance by which boxes are grown in the search, as a share of the mean block size. A search is due when a block
 /// may have moved half of it.
@@ -50,12 +51,10 @@ pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: Conta
     let mut old = old.into_iter().peekable();
     let mut added = false;
     for (a, b) in pairs {
-        while old.peek().is_some_and(|t| t.ids() < (a, b)) {
-            let mut gone = old.next().expect("peeked");
+        while let Some(mut gone) = old.next_if(|t| t.ids() < (a, b)) {
             state.dissipated += gone.forget();
         }
-        let touch = if old.peek().is_some_and(|t| t.ids() == (a, b)) {
-            let mut touch = old.next().expect("peeked");
+        let touch = if let Some(mut touch) = old.next_if(|t| t.ids() == (a, b)) {
             let (lost, longer) = look_again(model, &state.poses, &mut touch, contact_length);
             state.dissipated += lost;
             added |= longer;
@@ -74,7 +73,8 @@ pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: Conta
 
 /// Pairs of which at least one can move and whose boxes, grown by `skin` [m] in all, overlap; sorted. Sweeps along x.
 pub(super) fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
-    let boxes: Vec<(Vec2, Vec2)> = (0..model.len()).map(|i| bounds(model, poses, i, 0.5 * skin)).collect();
+    let one = |(core, pose): (&Core, &Pose)| bounds(core, pose, core.radius + 0.5 * skin);
+    let boxes: Vec<(Vec2, Vec2)> = model.cores.iter().zip(poses).map(one).collect();
     let mut order: Vec<u32> = (0..model.len() as u32).collect();
     order.sort_by(|&i, &j| boxes[i as usize].0.x.total_cmp(&boxes[j as usize].0.x).then(i.cmp(&j)));
     let mut pairs = Vec::with_capacity(3 * model.len());
@@ -95,26 +95,12 @@ pub(super) fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32,
     pairs
 }
 
-fn bounds(model: &Model, poses: &[Pose], i: usize, margin: f64) -> (Vec2, Vec2) {
-    let core = &model.cores[BlockId::new(i)];
-    let grow = core.radius + margin;
-    let (mut low, mut high) = (poses[i].position, poses[i].position);
-    for &v in &core.vertices {
-        let p = poses[i].place(v);
-        low = Vec2 { x: low.x.min(p.x), y: low.y.min(p.y) };
-        high = Vec2 { x: high.x.max(p.x), y: high.y.max(p.y) };
-    }
-    (Vec2 { x: low.x - grow, y: low.y - grow }, Vec2 { x: high.x + grow, y: high.y + grow })
-}
-
 /// A touch of a pair that was not close before.
 pub(super) fn make(model: &Model, poses: &[Pose], (a, b): (u32, u32), contact_length: ContactLength) -> Touch {
     let mut touch = build(model, poses, (a, b), None);
-    let lengths = initial_lengths(model, poses, &touch, contact_length);
-    for (memory, length) in touch.memory.iter_mut().zip(lengths) {
-        *memory = Memory { length, ..Memory::default() };
-    }
-    touch.half_joint = lengths[0];
+    let length = initial_length(model, poses, &touch, contact_length);
+    touch.memory = [Memory { length, ..Memory::default() }; 2];
+    touch.half_joint = length;
     touch
 }
 
@@ -135,14 +121,14 @@ fn build(model: &Model, poses: &[Pose], (a, b): (u32, u32), previous: Option<&To
     touch
 }
 
-fn initial_lengths(model: &Model, poses: &[Pose], touch: &Touch, contact_length: ContactLength) -> [f64; 2] {
+/// Length that each point of a new touch stands for [m].
+fn initial_length(model: &Model, poses: &[Pose], touch: &Touch, contact_length: ContactLength) -> f64 {
     let (one, two) = (touch.one as usize, touch.two as usize);
     let law = model.laws.between(model.groups[one], model.groups[two]);
-    let length = match (contact_length, law.fixed_length) {
+    match (contact_length, law.fixed_length) {
         (ContactLength::Fixed, Some(length)) => length,
         _ => half_joint(poses, touch),
-    };
-    [length; 2]
+    }
 }
 
 /// Half the distance between the two points now, at least the least length [m].
@@ -186,7 +172,7 @@ fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), cont
         return 0.0;
     }
     let mut next = build(model, poses, ids, Some(touch));
-    let lengths = initial_lengths(model, poses, &next, contact_length);
+    let length = initial_length(model, poses, &next, contact_length);
     let before = touch.points(&poses[touch.one as usize], &poses[touch.two as usize]);
     let after = next.points(&poses[next.one as usize], &poses[next.two as usize]);
     let centres = (poses[touch.one as usize].position, poses[next.one as usize].position);
@@ -204,7 +190,7 @@ fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), cont
                 cracks[k] = Some(touch.bond.lost[j]);
                 touch.memory[j]
             }
-            _ => Memory { length: lengths[k], ..Memory::default() },
+            _ => Memory { length, ..Memory::default() },
         };
     }
     if let [Some(first), Some(second)] = cracks {

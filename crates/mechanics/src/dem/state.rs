@@ -10,7 +10,7 @@ use crate::plane::{Pose, Vec2};
 use serde::{Deserialize, Serialize};
 
 /// Everything that changes during a run.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct State {
     /// Where each block is.
     pub poses: Vec<Pose>,

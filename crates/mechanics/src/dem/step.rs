@@ -50,20 +50,8 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
         velocities: vec![[0.0; 3]; n],
         contact_forces: vec![[0.0; 3]; n],
         previous_forces: vec![[0.0; 3]; n],
-        touches: Vec::new(),
         particles: model.particles.begin(),
-        factor: 0.0,
-        support_factor: 0.0,
-        steps: 0,
-        time_step: 0.0,
-        travel: 0.0,
-        feature_travel: 0.0,
-        viscosity: 0.0,
-        initial_energy: 0.0,
-        load_work: 0.0,
-        support_work: 0.0,
-        dissipated: 0.0,
-        damped: 0.0,
+        ..State::default()
     };
     find_pairs(model, &mut state, settings.contact_length);
     state.particles.search(&model.particles, model.blocks(&state.poses), &mut Cells::default(), 0);
@@ -129,19 +117,21 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
     work.act(model, state.factor);
     // From half a step behind to half a step ahead.
     let between = 0.5 * (behind + state.time_step);
-    let report = match settings.damping {
+    match settings.damping {
+        Damping::Adaptive => adapt(model, state, behind),
+        Damping::None => state.viscosity = 0.0,
+        Damping::Local(_) | Damping::Viscous(_) => {}
+    }
+    let moved = match settings.damping {
         Damping::Local(share) => integrate::<true>(model, state, work, share, between),
-        Damping::Viscous(_) => integrate::<false>(model, state, work, 0.0, between),
-        Damping::Adaptive => {
-            adapt(model, state, behind);
-            integrate::<false>(model, state, work, 0.0, between)
-        }
-        Damping::None => {
-            state.viscosity = 0.0;
-            integrate::<false>(model, state, work, 0.0, between)
-        }
+        _ => integrate::<false>(model, state, work, 0.0, between),
     };
-    integrate_particles(state, settings.damping, StepReport { searched, ..report }, between)
+    let steps = (between, state.time_step);
+    let (particles_moved, damped) = state.particles.integrate(settings.damping, state.viscosity, steps);
+    state.damped += damped;
+    // How far they went bounds the next search.
+    state.particles.travel += particles_moved.max(moved);
+    StepReport { moved, particles_moved, searched }
 }
 
 /// Gives the particles the inertia that suits their springs; what their motion gains by it is booked with the damping.
@@ -150,15 +140,6 @@ fn scale_inertia(model: &Model, state: &mut State) {
     let squares = stiffness::squares(model, state, true);
     let gained = state.particles.scale_inertia(&before, &squares[model.len()..]);
     state.damped -= gained;
-}
-
-/// Moves the particles on; how far they went bounds the next search.
-fn integrate_particles(state: &mut State, damping: Damping, report: StepReport, between: f64) -> StepReport {
-    let steps = (between, state.time_step);
-    let (moved, damped) = state.particles.integrate(damping, state.viscosity, steps);
-    state.damped += damped;
-    state.particles.travel += moved.max(report.moved);
-    StepReport { particles_moved: moved, ..report }
 }
 
 /// Contact forces from where the blocks are and how they got there, gathered per block in the fixed order of the
@@ -184,8 +165,9 @@ fn resist(state: &mut State, dt: f64, one: impl Fn(&mut Touch, (&Pose, &Pose), V
 }
 
 /// Newton's law, damped; positions follow the new velocities (central differences). `dt` [s] is the time between the old
-/// and the new velocities; it differs from the time step where that has just changed.
-fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64, dt: f64) -> StepReport {
+/// and the new velocities; it differs from the time step where that has just changed. Returns a bound on how far any point moved [m],
+/// not finite if a number broke.
+fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64, dt: f64) -> f64 {
     let (ahead, viscosity) = (state.time_step, state.viscosity);
     let half = 0.5 * viscosity * dt;
     // Central differences with damping at mid-step: v' (1 + h) = v (1 - h) + a dt, h = viscosity dt / 2.
@@ -229,7 +211,7 @@ fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspa
     state.travel += moved;
     state.feature_travel += moved;
     state.steps += 1;
-    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0, searched: false }
+    if f64::is_finite(check) { moved } else { f64::NAN }
 }
 
 /// Sets the viscosity to critical at the frequency of the present motion, its Rayleigh quotient (Underwood 1983,

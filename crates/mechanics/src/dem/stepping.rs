@@ -2,8 +2,7 @@
 
 use super::account::frame;
 use super::model::Model;
-use super::outcome::PathPoint;
-use super::outcome::{Frame, Outcome, Status};
+use super::outcome::{Frame, Outcome, PathPoint, Status};
 use super::relax::Settled;
 use super::run::{Run, advance, decide, finish, record, start};
 use super::settings::{Program, Settings};
@@ -61,7 +60,7 @@ impl Stepping {
             let settled = advance(&self.model, &mut self.run, &mut self.work, &self.settings, most);
             if settled != Settled::Going {
                 record(&self.model, &mut self.run, settled, &self.program);
-                self.status = decide(&self.model, &mut self.run, settled, &self.program, &self.settings);
+                self.status = decide(&self.model, &mut self.run, settled, &self.program);
             }
         }
         self.status.as_ref()

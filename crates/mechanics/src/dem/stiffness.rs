@@ -287,14 +287,13 @@ fn conjugate_gradients(springs: &[Spring], b: &[[f64; 3]], most: usize) -> Vec<[
 /// Critical time step of the stiffest single body on all its springs, the others held [s]: `2 sqrt(m / k)` over the
 /// three motions of every block (after Morikawa and others 1993). Not a bound; the eigenvalue is.
 pub(super) fn single_mass_time_step(model: &Model, state: &State) -> f64 {
-    let springs = springs(model, state, false);
     let mut sums = vec![[0.0; 3]; model.len() + model.particles.len()];
-    for s in &springs {
+    each_spring(model, state, false, |s| {
         for c in 0..3 {
             sums[s.one][c] += s.row_one[c] * s.row_one[c];
             sums[s.two][c] += s.row_two[c] * s.row_two[c];
         }
-    }
+    });
     let largest = sums.iter().flatten().copied().fold(0.0, f64::max);
     if largest > 0.0 { 2.0 / largest.sqrt() } else { f64::INFINITY }
 }

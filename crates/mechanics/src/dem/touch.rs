@@ -480,9 +480,7 @@ impl Touch {
         let each = closed.map(|m| 0.5 * (of_points(m) + m.shear * m.shear / self.shear_stiffness) / m.length);
         self.stored.unwrap_or(0.0) + each.sum::<f64>()
     }
-}
 
-impl Touch {
     /// Opens both points for good; returns the elastic shear energy lost with them [J/m].
     pub(super) fn forget(&mut self) -> f64 {
         self.open(0) + self.open(1)

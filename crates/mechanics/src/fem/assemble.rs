@@ -2,31 +2,26 @@
 
 use super::dofs::HELD;
 use super::element::{self, Angle, Kept, Sample, sample, turned};
-use super::mesh::Quad;
 use super::model::Model;
 use super::settings::Kinematics;
 use super::state::{Point, State};
-use super::workspace::{Trial, Workspace};
-use crate::ids::{Id, NodeId, QuadId};
+use super::workspace::Workspace;
+use crate::ids::{Id, QuadId};
 use crate::plane::Vec2;
 
-/// An element whose law or frame has no answer: the step was too long.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Broken;
-
 /// Computes internal forces, tangent and memories at the displacements that are tried, from the memories of `state`
-/// (equations 1 and 2).
-pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Broken> {
+/// (equations 1 and 2); `None` where the law or the frame of an element has no answer: the step was too long.
+pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Option<()> {
     work.values.fill(0.0);
     work.skew.fill(0.0);
     work.skewed = false;
     work.loose = 0.0;
     work.internal.fill(0.0);
     work.fresh = false;
-    for (id, quad) in model.mesh.quads.pairs() {
-        let answer = quadrilateral(model, &mut work.trial, id, quad, state).ok_or(Broken)?;
+    for id in model.mesh.quads.ids() {
+        let components = model.components(id);
+        let answer = quadrilateral(model, work, id, &components, state)?;
         work.loose = work.loose.hypot(answer.loose);
-        let components: [usize; 8] = std::array::from_fn(|i| 2 * quad.nodes[i / 2].index() + i % 2);
         let symmetric = model.section(id).solid.material.symmetric();
         add(model, work, id.index(), &components, (&answer.force, &answer.tangent), symmetric);
     }
@@ -34,17 +29,21 @@ pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Re
 }
 
 /// One quadrilateral, in its own turned frame where displacements are large.
-fn quadrilateral(model: &Model, trial: &mut Trial, id: QuadId, quad: &Quad, state: &State) -> Option<element::Answer> {
-    let corners = model.corners(id);
-    let index = id.index();
-    let section = model.section(id);
-    let u = moved(&trial.displacements, &quad.nodes);
+fn quadrilateral(
+    model: &Model,
+    work: &mut Workspace,
+    id: QuadId,
+    components: &[usize; 8],
+    state: &State,
+) -> Option<element::Answer> {
+    let (corners, section, index, trial) = (model.corners(id), model.section(id), id.index(), &mut work.trial);
+    let u = components.map(|component| trial.displacements[component]);
     let old: &[Point] = &state.points[4 * index..4 * index + 4];
     let kept = Kept {
         points: &mut trial.points[4 * index..4 * index + 4],
         modes: &mut trial.modes[index],
         from: state.modes[index],
-        misses: &mut trial.misses[index],
+        misses: &mut work.misses[index],
     };
     let incompatible = model.incompatible(id);
     let samples = sample(&corners);
@@ -57,11 +56,6 @@ fn quadrilateral(model: &Model, trial: &mut Trial, id: QuadId, quad: &Quad, stat
             Some(answer)
         }
     }
-}
-
-/// Displacements of an element's corners.
-pub(super) fn moved(displacements: &[f64], nodes: &[NodeId; 4]) -> [f64; 8] {
-    std::array::from_fn(|i| displacements[2 * nodes[i / 2].index() + i % 2])
 }
 
 /// The frame of an element: it turns by the rotation of the deformation gradient at the centre (equation 9).
@@ -98,13 +92,12 @@ impl Frame {
     }
 }
 
-fn springs(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Broken> {
+fn springs(model: &Model, work: &mut Workspace, state: &State) -> Option<()> {
     let first = model.mesh.quads.len();
     let large = model.kinematics == Kinematics::Large;
     for (index, spring) in model.springs().iter().enumerate() {
         let law = &model.joints[spring.kind];
-        let pull =
-            spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index]).ok_or(Broken)?;
+        let pull = spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index])?;
         let mut components = [0; 12];
         for (n, node) in spring.nodes().enumerate() {
             (components[2 * n], components[2 * n + 1]) = (2 * node.index(), 2 * node.index() + 1);
@@ -113,7 +106,7 @@ fn springs(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Bro
         work.trial.bonds[index] = pull.bond;
         add(model, work, first + index, &components[..count], (&pull.force, &pull.tangent), law.symmetric());
     }
-    Ok(())
+    Some(())
 }
 
 /// Adds an element's forces and tangent to those of the whole.
@@ -142,7 +135,7 @@ fn add<const M: usize>(
         for (j, slot) in (0..=i).zip(&mut slot) {
             let skew = 0.5 * (tangent[i][j] - tangent[j][i]);
             if skew != 0.0 {
-                let (a, b) = (model.dofs().equation(*one), model.dofs().equation(components[j]));
+                let (a, b) = (model.dofs.equation(*one), model.dofs.equation(components[j]));
                 if a != HELD && b != HELD {
                     work.skew[*slot as usize] += if a > b { skew } else { -skew };
                     work.skewed = true;

@@ -34,6 +34,11 @@ impl Dofs {
         &self.free
     }
 
+    /// Values of the free components among those of all, by equation.
+    pub(super) fn of_free(&self, all: &[f64]) -> Vec<f64> {
+        self.free.iter().map(|component| all[*component as usize]).collect()
+    }
+
     /// Equation of a component, [`HELD`] if it has none.
     #[inline]
     pub(super) fn equation(&self, dof: usize) -> u32 {

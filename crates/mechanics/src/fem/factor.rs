@@ -1,6 +1,6 @@
 //! Factorisation of the tangent: found symbolically once, computed anew for each tangent.
 
-use super::gmres::{self, Refined};
+use super::gmres;
 use super::many::{self, WIDEST, WIDTHS};
 use super::pattern::Pattern;
 use super::unsymmetric::Whole;
@@ -114,9 +114,10 @@ impl Block {
         self.width
     }
 
-    /// Equations that have solutions.
-    pub(super) fn equations(&self) -> u32 {
-        (self.lanes.len() / self.width.max(1)) as u32
+    /// One of the solutions, by equations.
+    pub(super) fn solution(&self, lane: usize) -> Vec<f64> {
+        let equations = self.lanes.len() / self.width.max(1);
+        (0..equations as u32).map(|equation| self.of(equation)[lane]).collect()
     }
 
     /// Goes on beyond the last of `count` solutions, which are on a way, by so many steps like the last few. What is found takes the place of another solution.
@@ -139,15 +140,6 @@ impl Block {
 /// Parts of the factor that solutions at some equations need; none where all are gone through anyway.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Asked(Vec<bool>);
-
-/// Solves in place with a factor.
-fn inverse(symbolic: &SymbolicCholesky<u32>, values: &[f64], kind: Kind, right: MatMut<'_, f64>, stack: &mut MemStack) {
-    match kind {
-        Kind::Nothing => {}
-        Kind::Definite => LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack),
-        Kind::Indefinite => LdltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack),
-    }
-}
 
 impl Solver {
     /// Orders the equations (AMD) and finds the pattern of the factor.
@@ -215,10 +207,14 @@ impl Solver {
 
     /// `x` becomes the inverse of the factorised symmetric part times `x`.
     pub(super) fn apply(&mut self, x: &mut [f64]) {
-        let rows = x.len();
+        let (rows, stack) = (x.len(), MemStack::new(&mut self.memory));
         let right = MatMut::from_column_major_slice_mut(x, rows, 1);
-        let stack = MemStack::new(&mut self.memory);
-        inverse(&self.symbolic, &self.values, self.kind, right, stack);
+        let (symbolic, values, par) = (&self.symbolic, &self.values[..], Par::Seq);
+        match self.kind {
+            Kind::Nothing => {}
+            Kind::Definite => LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, par, stack),
+            Kind::Indefinite => LdltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, par, stack),
+        }
     }
 
     /// Solves for sparse right-hand sides, each a list of equation and value, at most the largest of [`WIDTHS`] at once; overwrites `block`.
@@ -260,7 +256,7 @@ impl Solver {
             }
             _ => {
                 for lane in 0..count {
-                    let mut x: Vec<f64> = (0..self.symbolic.nrows() as u32).map(|e| block.of(e)[lane]).collect();
+                    let mut x = block.solution(lane);
                     self.apply(&mut x);
                     x.iter().enumerate().for_each(|(equation, value)| block.at(equation as u32)[lane] = *value);
                 }
@@ -293,7 +289,7 @@ impl Solver {
         if self.kind == Kind::Definite || skew.is_empty() {
             let goal = if skew.is_empty() { 1e-10 } else { accuracy };
             let matrix = |x: &[f64], out: &mut [f64]| pattern.multiply(values, skew, x, out);
-            let Refined { x, residual } = gmres::solve(matrix, |x| self.apply(x), right, goal);
+            let (x, residual) = gmres::solve(matrix, |x| self.apply(x), right, goal);
             if residual <= LARGEST_RESIDUAL.max(goal) && sound(&x) {
                 return Ok(x);
             }
@@ -311,9 +307,7 @@ impl Solver {
             None => Err(FactorError::Singular),
         }
     }
-}
 
-impl Solver {
     /// A pivot that is nothing but rounding passes for positive; it shows in the residual. What is left of the right-hand side where the
     /// matrix is nearly singular is solved for again; where it has no inverse that does not help.
     fn direct(&mut self, pattern: &Pattern, values: &[f64], right: &[f64]) -> Result<Vec<f64>, FactorError> {

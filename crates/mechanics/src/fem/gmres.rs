@@ -6,23 +6,17 @@
 /// Most vectors: each costs about a quarter of a factorisation.
 const LIMIT: usize = 40;
 
-/// A solution.
-pub(super) struct Refined {
-    pub x: Vec<f64>,
-    /// Norm of the residual over that of the right-hand side.
-    pub residual: f64,
-}
-
-/// Solves `matrix x = right` to `goal`; both functions act on vectors, the first adds to its second argument.
+/// Solves `matrix x = right` to `goal`; both functions act on vectors, the first adds to its second argument. The norm of the residual over
+/// that of the right-hand side comes with the solution.
 pub(super) fn solve(
     matrix: impl Fn(&[f64], &mut [f64]),
     mut inverse: impl FnMut(&mut [f64]),
     right: &[f64],
     goal: f64,
-) -> Refined {
+) -> (Vec<f64>, f64) {
     let size = norm(right);
     if !(size > 0.0) {
-        return Refined { x: vec![0.0; right.len()], residual: 0.0 };
+        return (vec![0.0; right.len()], 0.0);
     }
     let mut basis = vec![right.iter().map(|r| r / size).collect::<Vec<f64>>()];
     // Columns of the Hessenberg matrix, turned into a triangle by the rotations as they come.
@@ -69,7 +63,7 @@ pub(super) fn solve(
     let mut rest = vec![0.0; right.len()];
     matrix(&x, &mut rest);
     rest.iter_mut().zip(right).for_each(|(rest, right)| *rest = right - *rest);
-    Refined { residual: norm(&rest) / size, x }
+    (x, norm(&rest) / size)
 }
 
 /// Back substitution, then the sum of the basis vectors.

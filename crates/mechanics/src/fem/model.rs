@@ -33,8 +33,9 @@ pub struct Model {
     /// What displacements do to geometry.
     pub kinematics: Kinematics,
     springs: Vec<Spring>,
-    dofs: Dofs,
-    size: f64,
+    pub(super) dofs: Dofs,
+    /// Length of an element, in the mean [m].
+    pub(super) size: f64,
 }
 
 /// Why there is no model.
@@ -121,18 +122,15 @@ impl Model {
         &self.springs
     }
 
-    /// Length of an element, in the mean [m].
-    pub(super) fn size(&self) -> f64 {
-        self.size
-    }
-
-    pub(super) fn dofs(&self) -> &Dofs {
-        &self.dofs
-    }
-
     /// Corners of a quadrilateral before anything moves [m].
     pub fn corners(&self, quad: QuadId) -> [Vec2; 4] {
         self.mesh.quads[quad].nodes.map(|node| self.mesh.nodes[node])
+    }
+
+    /// Displacement components of a quadrilateral's corners.
+    pub(super) fn components(&self, quad: QuadId) -> [usize; 8] {
+        let nodes = self.mesh.quads[quad].nodes;
+        std::array::from_fn(|i| dof(nodes[i / 2], i % 2))
     }
 
     /// Section of a quadrilateral.

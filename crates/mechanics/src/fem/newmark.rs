@@ -1,11 +1,10 @@
 //! Steps through time: Newmark's method and that of Hilber, Hughes and Taylor.
 
-use super::assemble::assemble;
 use super::dofs::{HELD, dof};
 use super::element::mass;
 use super::factor::FactorError;
 use super::model::Model;
-use super::newton::{Aim, End, balance};
+use super::newton::{Aim, balance};
 use super::outcome::{Outcome, Status};
 use super::settings::Settings;
 use super::state::State;
@@ -25,9 +24,6 @@ pub struct Integration {
 }
 
 impl Integration {
-    /// Constant average acceleration: no numerical damping, stable at any step for linear systems.
-    pub const AVERAGE: Integration = Integration { beta: 0.25, gamma: 0.5, alpha: 0.0 };
-
     /// Damps what the step cannot resolve and keeps second order; `alpha` between -1/3 and 0.
     pub fn hilber_hughes_taylor(alpha: f64) -> Integration {
         let alpha = alpha.clamp(-1.0 / 3.0, 0.0);
@@ -74,8 +70,7 @@ impl Motion {
         step: f64,
     ) -> Result<Motion, FactorError> {
         let rest = State::new(model);
-        work.take(&rest);
-        assemble(model, work, &rest).map_err(|_| FactorError::Singular)?;
+        work.stiffness(model, &rest)?;
         let entries = work.pattern.entries();
         let mass = masses(model, work);
         let mix = mass.iter().zip(&work.values[..entries]);
@@ -90,7 +85,7 @@ impl Motion {
 
     /// Kinetic energy [J/m].
     pub fn kinetic_energy(&self, model: &Model, work: &Workspace, state: &State) -> f64 {
-        let velocities = free(model, &state.velocities);
+        let velocities = model.dofs.of_free(&state.velocities);
         let mut momentum = vec![0.0; velocities.len()];
         work.pattern.multiply(&self.mass, &[], &velocities, &mut momentum);
         0.5 * super::gmres::dot(&velocities, &momentum)
@@ -101,8 +96,8 @@ impl Motion {
     fn inertia(&self, model: &Model, work: &Workspace, state: &State, internal: &[f64], forces: &[f64]) -> Inertia {
         let Integration { beta, gamma, alpha } = self.integration;
         let h = self.step;
-        let (u, v, a) =
-            (free(model, &state.displacements), free(model, &state.velocities), free(model, &state.accelerations));
+        let [u, v, a] =
+            [&state.displacements, &state.velocities, &state.accelerations].map(|all| model.dofs.of_free(all));
         let weight = 1.0 + alpha;
         let by_mass = 1.0 / (beta * h * h);
         let by_damping = weight * gamma / (beta * h);
@@ -113,7 +108,7 @@ impl Motion {
         let seen: Vec<f64> = (0..u.len()).map(|i| weight * coasting(i) - alpha * v[i]).collect();
         let mut constant = vec![0.0; u.len()];
         work.pattern.multiply(&self.damping, &[], &seen, &mut constant);
-        for (i, component) in model.dofs().free().iter().enumerate() {
+        for (i, component) in model.dofs.free().iter().enumerate() {
             let component = *component as usize;
             // Internal forces and loads of the step's start, weighted with -alpha.
             constant[i] = -constant[i] + alpha * (internal[component] - forces[component]);
@@ -125,7 +120,7 @@ impl Motion {
     fn update(&self, model: &Model, before: &[f64], state: &mut State) {
         let Integration { beta, gamma, .. } = self.integration;
         let h = self.step;
-        for component in model.dofs().free() {
+        for component in model.dofs.free() {
             let i = *component as usize;
             let (v, a) = (state.velocities[i], state.accelerations[i]);
             let moved = state.displacements[i] - before[i];
@@ -156,16 +151,12 @@ impl Inertia {
     /// What is out of balance at the free components, inertia and damping counted.
     pub(super) fn unbalanced(&self, model: &Model, work: &Workspace, forces: &[f64]) -> Vec<f64> {
         let mut right = work.unbalanced(model, forces);
-        let u = free(model, &work.trial.displacements);
+        let u = model.dofs.of_free(&work.trial.displacements);
         let moved: Vec<f64> = self.ahead.iter().zip(&u).map(|(ahead, u)| ahead - u).collect();
         right.iter_mut().zip(&self.constant).for_each(|(right, constant)| *right = self.weight * *right + constant);
         work.pattern.multiply(&self.matrix, &[], &moved, &mut right);
         right
     }
-}
-
-fn free(model: &Model, all: &[f64]) -> Vec<f64> {
-    model.dofs().free().iter().map(|component| all[*component as usize]).collect()
 }
 
 /// The consistent mass in the places of the pattern.
@@ -178,7 +169,7 @@ fn masses(model: &Model, work: &Workspace) -> Vec<f64> {
         for i in 0..8 {
             for (j, slot) in (0..=i).zip(&mut slots) {
                 let (one, two) = (dof(quad.nodes[i / 2], i % 2), dof(quad.nodes[j / 2], j % 2));
-                let both = model.dofs().equation(one) != HELD && model.dofs().equation(two) != HELD;
+                let both = model.dofs.equation(one) != HELD && model.dofs.equation(two) != HELD;
                 if i % 2 == j % 2 && both {
                     values[*slot as usize] += density * mass[i / 2][j / 2];
                 }
@@ -200,10 +191,9 @@ pub fn at_rest(
     motion: &Motion,
     forces: &[f64],
 ) -> Result<(), FactorError> {
-    work.take(state);
-    assemble(model, work, state).map_err(|_| FactorError::Singular)?;
+    work.stiffness(model, state)?;
     let mut right = work.unbalanced(model, forces);
-    let velocities = free(model, &state.velocities);
+    let velocities = model.dofs.of_free(&state.velocities);
     let mut damped = vec![0.0; right.len()];
     work.pattern.multiply(&motion.damping, &[], &velocities, &mut damped);
     right.iter_mut().zip(&damped).for_each(|(right, damped)| *right -= damped);
@@ -212,7 +202,7 @@ pub fn at_rest(
     work.skewed = false;
     work.factorise()?;
     let accelerations = work.solve(&right, 1e-12)?;
-    for (component, acceleration) in model.dofs().free().iter().zip(&accelerations) {
+    for (component, acceleration) in model.dofs.free().iter().zip(&accelerations) {
         state.accelerations[*component as usize] = *acceleration;
     }
     state.forces.copy_from_slice(forces);
@@ -231,8 +221,7 @@ pub fn transient(
 ) -> Outcome {
     let mut asking = Asking::new(watch);
     let mut outcome = Outcome { status: Status::Completed, reached: 0.0, iterations: 0, steps: Vec::new() };
-    work.take(state);
-    if assemble(model, work, state).is_err() {
+    if work.stiffness(model, state).is_err() {
         outcome.status = Status::NotConverged;
         return outcome;
     }
@@ -250,8 +239,8 @@ pub fn transient(
         outcome.iterations += u64::from(attempt.iterations);
         let reached = (step + 1) as f64 / steps as f64;
         outcome.steps.push(attempt.step(model, work, reached));
-        if attempt.end != End::Balanced {
-            outcome.status = attempt.end.status();
+        if attempt.end != Status::Completed {
+            outcome.status = attempt.end;
             return outcome;
         }
         let before = state.displacements.clone();

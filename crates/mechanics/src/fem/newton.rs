@@ -56,12 +56,12 @@ pub fn advance(
         let attempt = balance(model, state, work, (&aim, None), settings, &mut asking);
         outcome.iterations += u64::from(attempt.iterations);
         outcome.steps.push(attempt.step(model, work, path.next()));
-        if attempt.end == End::Balanced {
+        if attempt.end == Status::Completed {
             work.keep(state, &aim.forces);
             path.accept(attempt.iterations);
             outcome.reached = path.reached;
-        } else if !path.cut(work) || attempt.end == End::Cancelled {
-            outcome.status = attempt.end.status();
+        } else if !path.cut(work) || attempt.end == Status::Cancelled {
+            outcome.status = attempt.end;
             return outcome;
         }
     }
@@ -135,31 +135,11 @@ impl Path {
     }
 }
 
-/// How an attempt ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
-    Balanced,
-    Diverged,
-    Singular,
-    Cancelled,
-}
-
-impl End {
-    /// How a run ends with such an attempt.
-    pub(super) fn status(self) -> Status {
-        match self {
-            End::Balanced => Status::Completed,
-            End::Diverged => Status::NotConverged,
-            End::Singular => Status::Singular,
-            End::Cancelled => Status::Cancelled,
-        }
-    }
-}
-
 /// One attempt at balance.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Attempt {
-    pub end: End,
+    /// How it ended: completed where there is balance.
+    pub end: Status,
     pub iterations: u32,
     pub unbalanced: f64,
     pub line_searches: u32,
@@ -186,10 +166,10 @@ impl Attempt {
             line_searches: self.line_searches,
             indefinite: self.indefinite,
             yielding: work.trial.points.iter().filter(|point| point.yields).count(),
-            locking: model.locking(&work.trial.points, |quad| held(work.trial.misses[quad.index()])),
+            locking: model.locking(&work.trial.points, |quad| held(work.misses[quad.index()])),
             open,
             sliding,
-            kept: self.end == End::Balanced,
+            kept: self.end == Status::Completed,
         }
     }
 }
@@ -221,7 +201,7 @@ pub(super) fn balance(
 ) -> Attempt {
     let mut broken = Vec::new();
     let mut attempt = seek(&Equations { model, state, aim, inertia }, work, settings, Begin::State, asking);
-    while attempt.end == End::Balanced {
+    while attempt.end == Status::Completed {
         let breaking = weakest(overstressed(model, &work.trial.bonds));
         if breaking.is_empty() {
             return attempt;
@@ -260,8 +240,13 @@ fn seek(
     asking: &mut Asking<'_>,
 ) -> Attempt {
     let model = equations.model;
-    let mut attempt =
-        Attempt { end: End::Diverged, iterations: 0, unbalanced: f64::INFINITY, line_searches: 0, indefinite: 0 };
+    let mut attempt = Attempt {
+        end: Status::NotConverged,
+        iterations: 0,
+        unbalanced: f64::INFINITY,
+        line_searches: 0,
+        indefinite: 0,
+    };
     let begins = match begin {
         Begin::State => equations.predict(work),
         Begin::Trial => equations.evaluate(work).map(|()| (equations.unbalanced(work), false)),
@@ -271,7 +256,7 @@ fn seek(
     let mut damping = 0.0;
     while attempt.iterations < settings.iteration_limit.max(1) {
         if asking.stops() {
-            attempt.end = End::Cancelled;
+            attempt.end = Status::Cancelled;
             return attempt;
         }
         attempt.iterations += 1;
@@ -283,7 +268,7 @@ fn seek(
             }
             Err(FactorError::IllConditioned) => return attempt,
             Err(_) => {
-                attempt.end = End::Singular;
+                attempt.end = Status::Singular;
                 return attempt;
             }
         };
@@ -293,7 +278,7 @@ fn seek(
             equations.impose(work);
         }
         let whole = equations.go(work, &direction, 1.0);
-        let found = if !settings.line_search || (first && imposes) {
+        let found = if first && imposes {
             whole
         } else if skewed {
             equations.shorten(work, &direction, before, whole, &mut attempt.line_searches)
@@ -314,7 +299,7 @@ fn seek(
         let stalled = attempt.iterations > best.1 + PATIENCE;
         let rounded = stalled && attempt.unbalanced <= ROUNDED && left <= work.rounding(model);
         if attempt.unbalanced <= settings.tolerance || rounded {
-            attempt.end = End::Balanced;
+            attempt.end = Status::Completed;
             return attempt;
         }
         if attempt.unbalanced < 0.9 * best.0 {
@@ -394,7 +379,7 @@ impl Equations<'_> {
     }
 
     fn impose(&self, work: &mut Workspace) {
-        let dofs = self.model.dofs();
+        let dofs = &self.model.dofs;
         for component in (0..dofs.count()).filter(|component| dofs.held(*component)) {
             work.trial.displacements[component] = self.aim.displacements[component];
         }
@@ -402,7 +387,7 @@ impl Equations<'_> {
 
     /// Moves the free components and computes what is then out of balance.
     fn go(&self, work: &mut Workspace, direction: &[f64], share: f64) -> Option<Vec<f64>> {
-        for (component, step) in self.model.dofs().free().iter().zip(direction) {
+        for (component, step) in self.model.dofs.free().iter().zip(direction) {
             work.trial.displacements[*component as usize] += share * step;
         }
         self.evaluate(work)?;
@@ -410,7 +395,7 @@ impl Equations<'_> {
     }
 
     fn evaluate(&self, work: &mut Workspace) -> Option<()> {
-        assemble(self.model, work, self.state).ok()?;
+        assemble(self.model, work, self.state)?;
         if let Some(inertia) = self.inertia {
             inertia.stiffen(work);
         }
@@ -429,11 +414,7 @@ impl Equations<'_> {
         let applied = work.applied(self.model, &self.aim.forces);
         match self.inertia {
             None => applied,
-            Some(_) => {
-                let free = self.model.dofs().free().iter();
-                let internal: Vec<f64> = free.map(|component| work.internal[*component as usize]).collect();
-                applied.max(norm(&internal))
-            }
+            Some(_) => applied.max(norm(&self.model.dofs.of_free(&work.internal))),
         }
     }
 

@@ -25,10 +25,10 @@ impl Pattern {
         let springs = model.springs().iter().map(|spring| spring.nodes().collect());
         let elements: Vec<Vec<NodeId>> = quads.chain(springs).collect();
         let neighbours = neighbours(model.mesh.nodes.len(), &elements);
-        let (columns, rows) = triangle(model.dofs(), &neighbours);
+        let (columns, rows) = triangle(&model.dofs, &neighbours);
         let mut pattern = Pattern { columns, rows, coupling: Vec::new(), slots: Vec::new(), starts: vec![0] };
         for nodes in &elements {
-            pattern.place(model.dofs(), nodes);
+            pattern.place(&model.dofs, nodes);
         }
         pattern.close();
         pattern
@@ -95,27 +95,24 @@ impl Pattern {
 
     /// `out += S x + A x`: the symmetric part in the lower triangle of `values`, and what is skew in that of `skew`, if anything is.
     pub(super) fn multiply(&self, values: &[f64], skew: &[f64], x: &[f64], out: &mut [f64]) {
+        self.multiply_triangle::<false>(values, x, out);
+        if !skew.is_empty() {
+            self.multiply_triangle::<true>(skew, x, out);
+        }
+    }
+
+    fn multiply_triangle<const SKEW: bool>(&self, values: &[f64], x: &[f64], out: &mut [f64]) {
         for column in 0..x.len() {
             let range = self.column(column);
             let (xc, mut sum) = (x[column], 0.0);
-            out[column] += values[range.start] * xc;
+            if !SKEW {
+                out[column] += values[range.start] * xc;
+            }
             for k in range.start + 1..range.end {
                 let row = self.rows[k] as usize;
                 out[row] += values[k] * xc;
-                sum += values[k] * x[row];
-            }
-            out[column] += sum;
-        }
-        if skew.is_empty() {
-            return;
-        }
-        for column in 0..x.len() {
-            let range = self.column(column);
-            let (xc, mut sum) = (x[column], 0.0);
-            for k in range.start + 1..range.end {
-                let row = self.rows[k] as usize;
-                out[row] += skew[k] * xc;
-                sum -= skew[k] * x[row];
+                let mirrored = values[k] * x[row];
+                sum += if SKEW { -mirrored } else { mirrored };
             }
             out[column] += sum;
         }

@@ -21,13 +21,11 @@ pub struct Settings {
     pub iteration_limit: u32,
     /// How often a step may be halved before the run gives up.
     pub cut_limit: u32,
-    /// Whether a search along the direction of Newton's method is made where its full length serves badly.
-    pub line_search: bool,
 }
 
 impl Default for Settings {
     /// Ten load steps, 100 iterations each, as in the railway paper; out-of-balance force to 1e-6 where the paper had 1e-3.
     fn default() -> Settings {
-        Settings { tolerance: 1e-6, load_steps: 10, iteration_limit: 100, cut_limit: 10, line_search: true }
+        Settings { tolerance: 1e-6, load_steps: 10, iteration_limit: 100, cut_limit: 10 }
     }
 }

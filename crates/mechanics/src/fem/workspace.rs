@@ -1,12 +1,12 @@
 //! Scratch of a model: pattern, factorisation, and what an iteration tries.
 
 use super::assemble::assemble;
-use super::factor::{Asked, Block, FactorError, Solver};
+use super::factor::{FactorError, Solver};
 use super::gmres::norm;
 use super::model::Model;
 use super::pattern::Pattern;
 use super::settings::Kinematics;
-use super::state::{Bond, Point, State};
+use super::state::State;
 
 /// Scratch; made once for a model and used for all of its states.
 #[derive(Debug)]
@@ -24,20 +24,11 @@ pub struct Workspace {
     /// Internal forces on all components.
     pub(super) internal: Vec<f64>,
     /// What the state would be if it were kept.
-    pub(super) trial: Trial,
+    pub(super) trial: State,
+    /// How often in this attempt the modes of each element found no balance.
+    pub(super) misses: Vec<u8>,
     /// Whether `values` are the tangent with which the last kept step ended.
     pub(super) fresh: bool,
-}
-
-/// A state that is tried.
-#[derive(Debug, Default)]
-pub(super) struct Trial {
-    pub displacements: Vec<f64>,
-    pub points: Vec<Point>,
-    pub modes: Vec<[f64; 4]>,
-    /// How often in this attempt the modes of an element found no balance.
-    pub misses: Vec<u8>,
-    pub bonds: Vec<Bond>,
 }
 
 impl Workspace {
@@ -54,21 +45,15 @@ impl Workspace {
     /// # Errors
     /// A factor that does not fit into memory.
     pub fn with_pattern(model: &Model, pattern: Pattern) -> Result<Workspace, FactorError> {
-        let state = State::new(model);
         Ok(Workspace {
             solver: Solver::new(&pattern)?,
             values: vec![0.0; pattern.places()],
             skew: if model.symmetric() { Vec::new() } else { vec![0.0; pattern.places()] },
             skewed: false,
             loose: 0.0,
-            internal: vec![0.0; model.dofs().count()],
-            trial: Trial {
-                misses: vec![0; state.modes.len()],
-                displacements: state.displacements,
-                points: state.points,
-                modes: state.modes,
-                bonds: state.bonds,
-            },
+            internal: vec![0.0; model.dofs.count()],
+            trial: State::new(model),
+            misses: vec![0; model.mesh.quads.len()],
             pattern,
             fresh: false,
         })
@@ -80,7 +65,7 @@ impl Workspace {
     /// An element or a spring that has no answer to the state.
     pub fn stiffness(&mut self, model: &Model, state: &State) -> Result<(), FactorError> {
         self.take(state);
-        assemble(model, self, state).map_err(|_| FactorError::Singular)
+        assemble(model, self, state).ok_or(FactorError::Singular)
     }
 
     /// Factorises the tangent at hand; tells whether its symmetric part is positive definite.
@@ -139,7 +124,7 @@ impl Workspace {
     pub(super) fn take(&mut self, state: &State) {
         self.trial.displacements.copy_from_slice(&state.displacements);
         self.trial.modes.copy_from_slice(&state.modes);
-        self.trial.misses.fill(0);
+        self.misses.fill(0);
     }
 
     /// Keeps what was tried: memories are exchanged, not copied.
@@ -152,29 +137,9 @@ impl Workspace {
         self.fresh = true;
     }
 
-    /// Solves with the positive definite tangent factorised last for right-hand sides given by their entries.
-    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], block: &mut Block) {
-        self.solver.solve_block(right, None, block);
-    }
-
-    /// The same for right-hand sides that `load` adds to an empty block.
-    pub(super) fn solve_loaded(&mut self, count: usize, block: &mut Block, load: impl FnOnce(&mut Block)) {
-        self.solver.solve_loaded(count, block, load);
-    }
-
-    /// The same, for what is asked for alone.
-    pub(super) fn solve_block_at(&mut self, right: &[Vec<(u32, f64)>], asked: &Asked, block: &mut Block) {
-        self.solver.solve_block(right, Some(asked), block);
-    }
-
-    /// Solutions at these equations are asked for, too.
-    pub(super) fn ask(&self, asked: &mut Asked, equations: impl Iterator<Item = u32>) {
-        self.solver.ask(asked, equations);
-    }
-
     /// What is out of balance at the free components: loads less internal forces [N/m].
     pub(super) fn unbalanced(&self, model: &Model, forces: &[f64]) -> Vec<f64> {
-        let free = model.dofs().free().iter();
+        let free = model.dofs.free().iter();
         free.map(|component| forces[*component as usize] - self.internal[*component as usize]).collect()
     }
 
@@ -183,20 +148,20 @@ impl Workspace {
     pub(super) fn rounding(&self, model: &Model) -> f64 {
         let places = match model.kinematics {
             Kinematics::Small => 0.0,
-            Kinematics::Large => model.size(),
+            Kinematics::Large => model.size,
         };
         let of = |(equation, component): (usize, &u32)| {
             let moved = self.trial.displacements[*component as usize].abs() + places;
             self.values[self.pattern.column(equation).start] * moved
         };
-        let terms: Vec<f64> = model.dofs().free().iter().enumerate().map(of).collect();
+        let terms: Vec<f64> = model.dofs.free().iter().enumerate().map(of).collect();
         4.0 * f64::EPSILON * norm(&terms)
     }
 
     /// Size of what is applied: loads on free components, or reactions, whichever are larger [N/m].
     pub(super) fn applied(&self, model: &Model, forces: &[f64]) -> f64 {
-        let dofs = model.dofs();
-        let loads: Vec<f64> = dofs.free().iter().map(|component| forces[*component as usize]).collect();
+        let dofs = &model.dofs;
+        let loads = dofs.of_free(forces);
         let held = || (0..dofs.count()).filter(|component| dofs.held(*component));
         // Supports that stay where they are answer the loads; only where they are moved do their reactions load the body.
         if held().all(|component| self.trial.displacements[component] == 0.0) {
@@ -205,4 +170,17 @@ impl Workspace {
         let reactions: Vec<f64> = held().map(|component| self.internal[component] - forces[component]).collect();
         norm(&loads).max(norm(&reactions))
     }
+}
+
+/// Forces [N/m] that the supports exert, by component; zero at free components, and not numbers where an element has no answer.
+pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64> {
+    if work.stiffness(model, state).is_err() {
+        return vec![f64::NAN; state.forces.len()];
+    }
+    let dofs = &model.dofs;
+    let of = |component: usize| match dofs.held(component) {
+        true => work.internal[component] - state.forces[component],
+        false => 0.0,
+    };
+    (0..dofs.count()).map(of).collect()
 }

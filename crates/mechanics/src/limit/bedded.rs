@@ -22,18 +22,12 @@ pub(super) struct Bedded {
 
 impl Bedded {
     /// From states of self-stress; none where their energies cannot be told apart.
-    pub(super) fn new(
-        model: &BlockModel,
-        equilibrium: &Equilibrium,
-        joints: &[Joint],
-        states: &[Vec<f64>],
-    ) -> Option<Bedded> {
+    pub(super) fn new(model: &BlockModel, equilibrium: &Equilibrium, states: &[Vec<f64>]) -> Option<Bedded> {
         let own = equilibrium.joint_columns();
         let of_joints = |state: &&Vec<f64>| state[own..].iter().all(|force| force.abs() < NOTHING);
         let states: Vec<Vec<f64>> = states.iter().filter(of_joints).cloned().collect();
-        let lengths: Vec<f64> = joints.iter().map(|joint| spacing(model, joint)).collect();
-        let weighed: Vec<Vec<f64>> =
-            states.iter().map(|state| compliances(equilibrium, joints, &lengths, state)).collect();
+        let lengths: Vec<f64> = equilibrium.joints.iter().map(|joint| spacing(model, joint)).collect();
+        let weighed: Vec<Vec<f64>> = states.iter().map(|state| compliances(equilibrium, &lengths, state)).collect();
         let energies: Vec<Vec<f64>> = states
             .iter()
             .map(|a| weighed.iter().map(|b| a.iter().zip(b).map(|(x, y)| x * y).sum()).collect())
@@ -66,10 +60,10 @@ fn spacing(model: &BlockModel, joint: &Joint) -> f64 {
 }
 
 /// Deformations `F f` of joints under their forces: compression that varies in a straight line along the joint, and shear.
-fn compliances(equilibrium: &Equilibrium, joints: &[Joint], lengths: &[f64], forces: &[f64]) -> Vec<f64> {
+fn compliances(equilibrium: &Equilibrium, lengths: &[f64], forces: &[f64]) -> Vec<f64> {
     let mut found = vec![0.0; forces.len()];
-    for ((joint, &c), length) in joints.iter().zip(&equilibrium.first_column).zip(lengths) {
-        let f = length / joint.length.max(f64::MIN_POSITIVE);
+    for (joint, length) in equilibrium.joints.iter().zip(lengths) {
+        let (c, f) = (joint.column, length / joint.length.max(f64::MIN_POSITIVE));
         // A single point has no depth: its force follows from balance.
         if joint.points.len() == 2 {
             found[c] = f * (4.0 * forces[c] - 2.0 * forces[c + 1]);

@@ -2,7 +2,7 @@
 
 use super::compliance::{Resistance, Stiffness};
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength};
+use super::joints::Strength;
 
 /// A load factor and how far what it rests on misses being admissible.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,22 +23,17 @@ pub(super) fn lower(equilibrium: &Equilibrium, forces: &[f64]) -> Bound {
 }
 
 /// Largest force by which a joint exceeds its strength, or an answer to movement its bounds, scaled.
-pub(super) fn yield_violation(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    forces: &[f64],
-) -> f64 {
+pub(super) fn yield_violation(equilibrium: &Equilibrium, forces: &[f64]) -> f64 {
     let answers = equilibrium.restraints.iter().map(|r| (-forces[r.column]).max(forces[r.column] - r.most));
-    answers.fold((-room(equilibrium, joints, strengths, forces)).max(0.0), f64::max)
+    answers.fold((-room(equilibrium, forces)).max(0.0), f64::max)
 }
 
 /// The least force that is left to any limit of any joint, scaled; negative where one is exceeded.
-pub(super) fn room(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength], forces: &[f64]) -> f64 {
+pub(super) fn room(equilibrium: &Equilibrium, forces: &[f64]) -> f64 {
     let unit = equilibrium.force;
     let mut room = f64::INFINITY;
-    for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
-        let n = joint.points.len();
+    for joint in &equilibrium.joints {
+        let (c, n, strength) = (joint.column, joint.points.len(), &joint.strength);
         let tension = strength.tension / unit;
         let total: f64 = forces[c..c + n].iter().sum();
         let curvature = strength.curvature(n) * unit;
@@ -56,25 +51,20 @@ pub(super) fn room(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Str
 /// The work equation: `factor p . u = -w . u + dissipation`, with the largest dissipation that each joint's strength
 /// allows for the way it moves (associated flow). `violation` is the largest velocity that would dissipate without
 /// bound. A motion in which the loads do no work bounds nothing, and its factor is infinite.
-pub(super) fn upper(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength], velocities: &[f64]) -> Bound {
-    let work = resistance(equilibrium, joints, strengths, velocities);
+pub(super) fn upper(equilibrium: &Equilibrium, velocities: &[f64]) -> Bound {
+    let work = resistance(equilibrium, velocities);
     let variable: f64 = equilibrium.variable.iter().zip(velocities).map(|(p, u)| p * u).sum();
     let factor = if variable > 0.0 { work.factor / variable } else { f64::INFINITY };
     Bound { factor, ..work }
 }
 
 /// What a motion needs of variable loads: what it dissipates less the work of the permanent loads, and the violation, as in [`upper`].
-pub(super) fn resistance(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    velocities: &[f64],
-) -> Bound {
+pub(super) fn resistance(equilibrium: &Equilibrium, velocities: &[f64]) -> Bound {
     let dot = |a: &[f64]| a.iter().zip(velocities).map(|(x, y)| x * y).sum::<f64>();
     let deformations = equilibrium.deformations(velocities);
     let (mut work, mut violation) = (-dot(&equilibrium.permanent), 0.0f64);
-    for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
-        let (d, v) = dissipation(strength, equilibrium.force, &deformations[c..c + joint.forces()]);
+    for joint in &equilibrium.joints {
+        let (d, v) = dissipation(&joint.strength, equilibrium.force, &deformations[joint.columns()]);
         work += d;
         violation = violation.max(v);
     }
@@ -123,24 +113,17 @@ fn dissipation(strength: &Strength, unit: f64, motion: &[f64]) -> (f64, f64) {
 
 /// The lower of the upper bounds of the velocities as they are and repaired; where joints cannot crush, the one that
 /// obeys the flow rule better. Its violation is relative to the fastest velocity.
-pub(super) fn least_upper(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    forces: &[f64],
-    velocities: &[f64],
-) -> Bound {
+pub(super) fn least_upper(equilibrium: &Equilibrium, forces: &[f64], velocities: &[f64]) -> Bound {
     let of = |velocities: &[f64]| {
         let fastest = velocities.iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
-        let bound = upper(equilibrium, joints, strengths, velocities);
+        let bound = upper(equilibrium, velocities);
         Bound { violation: bound.violation / fastest, ..bound }
     };
     let raw = of(velocities);
-    let crush = strengths.iter().any(|s| s.crushing.is_finite());
-    if !crush && raw.violation < ADMISSIBLE {
+    if !equilibrium.crushes() && raw.violation < ADMISSIBLE {
         return raw;
     }
-    let Some(repaired) = repair(equilibrium, joints, strengths, forces, velocities) else { return raw };
+    let Some(repaired) = repair(equilibrium, forces, velocities) else { return raw };
     let repaired = of(&repaired);
     let better =
         repaired.violation < raw.violation || (repaired.violation <= raw.violation && repaired.factor < raw.factor);
@@ -156,28 +139,14 @@ const REACHED: f64 = 1e-6;
 
 /// Velocities near the given ones whose joints move only along the normals of the limits that their forces reach, as
 /// the flow rule demands. What is taken out is the error of the solver. `None` where that cannot be done.
-pub(super) fn repair(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    forces: &[f64],
-    velocities: &[f64],
-) -> Option<Vec<f64>> {
-    let unit = equilibrium.force;
-    let each = joints.iter().zip(strengths).zip(&equilibrium.first_column);
-    let forbidden: Vec<Resistance> =
-        each.map(|((joint, strength), &c)| forbidden(strength, unit, &forces[c..c + joint.forces()])).collect();
-    let mut stiffness = Stiffness::new(equilibrium, joints, &forbidden)?;
+fn repair(equilibrium: &Equilibrium, forces: &[f64], velocities: &[f64]) -> Option<Vec<f64>> {
+    let each = equilibrium.joints.iter();
+    let forbidden = each.map(|joint| forbidden(&joint.strength, equilibrium.force, &forces[joint.columns()]));
+    let mut stiffness = Stiffness::new(equilibrium, forbidden.collect())?;
     let mut repaired = velocities.to_vec();
     // Each pass takes out all but about 1e-12 over the stiffness of what the flow rule forbids.
     for _ in 0..3 {
-        let wrong = stiffness.forces(&repaired);
-        let mut out_of_balance = vec![0.0; equilibrium.rows];
-        for (column, f) in equilibrium.columns.iter().zip(&wrong) {
-            for &(i, v) in column {
-                out_of_balance[i] += v * f;
-            }
-        }
+        let out_of_balance = equilibrium.balance(vec![0.0; equilibrium.rows], &stiffness.forces(&repaired));
         for (u, d) in repaired.iter_mut().zip(stiffness.solve(&out_of_balance)) {
             *u -= d;
         }

@@ -1,10 +1,12 @@
 //! Equilibrium of the free blocks, in scaled form.
 
-use super::joints::Joint;
-use crate::blocks::{BlockModel, Loading, PointForce};
+use super::joints::{Joint, Strength, joints};
+use super::settings::Settings;
+use crate::blocks::{Block, BlockModel, Interface, Loading, ModelError, PointForce, Restraint};
 use crate::ids::{BlockId, Table};
 use crate::plane::{Vec2, vec2};
 use crate::watch::CancelToken;
+use std::ops::Range;
 
 /// One entry of a column: equation and coefficient.
 pub(super) type Entry = (usize, f64);
@@ -15,12 +17,14 @@ pub(super) type Entry = (usize, f64);
 pub(super) struct Equilibrium {
     /// Number of equations.
     pub rows: usize,
+    /// The joints and their strength.
+    pub joints: Vec<Joint>,
     /// Equation of each motion (x, y, rotation) of each block; `None` where it is prevented.
     pub row: Table<BlockId, [Option<usize>; 3]>,
+    /// Where moments are taken about [m].
+    pub centroids: Table<BlockId, Vec2>,
     /// Columns of `B`: those of a joint are its compressions, then its shear.
     pub columns: Vec<Vec<Entry>>,
-    /// First column of each joint.
-    pub first_column: Vec<usize>,
     /// Forces that answer movement, in columns after those of all joints. What is there anyway is a permanent load.
     pub restraints: Vec<Restrained>,
     /// Scaled permanent loads.
@@ -47,95 +51,108 @@ pub(super) struct Restrained {
 }
 
 impl Equilibrium {
-    /// Sets up the equations of the blocks as built.
-    pub(super) fn new(model: &BlockModel, loading: &Loading, joints: &[Joint]) -> Equilibrium {
-        let centroids = model.blocks.iter().map(|b| b.outline.centroid()).collect();
-        Equilibrium::placed(model, &centroids, loading, joints)
+    /// Sets up the equations of blocks of which some are free, and finds their joints.
+    pub(super) fn of_free(
+        model: &BlockModel,
+        loading: &Loading,
+        settings: &Settings,
+    ) -> Result<(Vec<Interface>, Equilibrium), ModelError> {
+        if model.blocks.iter().all(|b| b.held.is_fixed()) {
+            return Err(ModelError::NothingFree);
+        }
+        Equilibrium::new(model, loading, settings)
+    }
+
+    /// Sets up the equations of the blocks as built, and finds their joints.
+    pub(super) fn new(
+        model: &BlockModel,
+        loading: &Loading,
+        settings: &Settings,
+    ) -> Result<(Vec<Interface>, Equilibrium), ModelError> {
+        let (interfaces, joints) = joints(model, settings)?;
+        Ok((interfaces, Equilibrium::placed(model, model.centroids(), loading, joints)))
     }
 
     /// Sets up the equations of blocks whose centroids, forces and joints have moved to where they are given.
     pub(super) fn placed(
         model: &BlockModel,
-        centroids: &Table<BlockId, Vec2>,
+        centroids: Table<BlockId, Vec2>,
         loading: &Loading,
-        joints: &[Joint],
+        joints: Vec<Joint>,
     ) -> Equilibrium {
         let mut rows = 0;
-        let row: Table<BlockId, [Option<usize>; 3]> = model
-            .blocks
-            .iter()
-            .map(|b| {
-                [b.held.x, b.held.y, b.held.rotation].map(|held| {
-                    (!held).then(|| {
-                        rows += 1;
-                        rows - 1
-                    })
-                })
+        let mut number = |held: bool| {
+            (!held).then(|| {
+                rows += 1;
+                rows - 1
             })
-            .collect();
-        let length = unit_of_length(model, joints);
+        };
+        let row = model.blocks.iter().map(|b| [b.held.x, b.held.y, b.held.rotation].map(&mut number)).collect();
         let mut this = Equilibrium {
             rows,
             token: CancelToken::default(),
             row,
+            centroids,
             columns: Vec::with_capacity(3 * joints.len()),
-            first_column: Vec::with_capacity(joints.len()),
             restraints: Vec::new(),
-            permanent: vec![0.0; rows],
-            variable: vec![0.0; rows],
+            permanent: Vec::new(),
+            variable: Vec::new(),
             force: 1.0,
-            length,
+            length: unit_of_length(model, &joints),
             factor_scale: 1.0,
+            joints: Vec::new(),
         };
-        for joint in joints {
-            this.first_column.push(this.columns.len());
-            let unit_forces =
-                joint.points.iter().map(|&at| (at, joint.normal)).chain([(joint.points[0], joint.tangent())]);
-            for (at, force) in unit_forces {
-                let mut column = Vec::with_capacity(6);
-                this.act(joint.second, at - centroids[joint.second], force, |i, v| column.push((i, v)));
-                this.act(joint.first, at - centroids[joint.first], -force, |i, v| column.push((i, v)));
-                this.columns.push(column);
+        for joint in &joints {
+            let units = joint.points.iter().map(|&at| (at, joint.normal)).chain([(joint.points[0], joint.tangent())]);
+            for (at, force) in units {
+                let on_both = [(joint.second, force), (joint.first, -force)];
+                let on_both = on_both.map(|(block, force)| PointForce { block, at, force });
+                this.columns.push(on_both.into_iter().flat_map(|f| this.act(f)).collect());
             }
         }
         for r in loading.restraints.iter().filter(|r| r.most > r.least) {
-            let mut column = Vec::with_capacity(6);
-            this.act(r.block, r.at - centroids[r.block], r.direction, |i, v| column.push((i, v)));
-            if let Some((block, at)) = r.against {
-                this.act(block, at - centroids[block], -r.direction, |i, v| column.push((i, v)));
-            }
             this.restraints.push(Restrained { column: this.columns.len(), most: r.most - r.least });
-            this.columns.push(column);
+            this.columns.push(answering(r, 1.0).flat_map(|f| this.act(f)).collect());
         }
-        let mut permanent = vec![0.0; rows];
-        for (id, block) in model.blocks.pairs() {
-            this.act(id, Vec2::ZERO, model.gravity * block.mass(), |i, v| permanent[i] += v);
-        }
-        let add = |forces: &[PointForce], to: &mut Vec<f64>| {
-            for f in forces {
-                this.act(f.block, f.at - centroids[f.block], f.force, |i, v| to[i] += v);
-            }
+        let weight = |(block, b): (BlockId, &Block)| {
+            let force = model.gravity * b.mass();
+            PointForce { block, at: this.centroids[block], force }
         };
-        add(&loading.permanent, &mut permanent);
-        for r in &loading.restraints {
-            this.act(r.block, r.at - centroids[r.block], r.direction * r.least, |i, v| permanent[i] += v);
-            if let Some((block, at)) = r.against {
-                this.act(block, at - centroids[block], -r.direction * r.least, |i, v| permanent[i] += v);
-            }
-        }
-        let mut variable = vec![0.0; rows];
-        add(&loading.variable, &mut variable);
-        this.scale(permanent, variable, least_strength(joints));
+        let permanent = model.blocks.pairs().map(weight).chain(loading.permanent.iter().copied());
+        let permanent = this.of_loads(permanent.chain(loading.restraints.iter().flat_map(|r| answering(r, r.least))));
+        let variable = this.of_loads(loading.variable.iter().copied());
+        this.scale(permanent, variable, least_strength(&joints));
+        this.joints = joints;
         let force = this.force;
         this.restraints.iter_mut().for_each(|r| r.most = (r.most / force).max(0.0));
         this
     }
 
-    /// The same with nothing that answers movement.
-    pub(super) fn unrestrained(&self) -> Equilibrium {
+    /// The same with other strengths of all joints.
+    pub(super) fn with_strengths(&self, of: impl Fn(&Strength) -> Strength) -> Equilibrium {
         let mut this = self.clone();
-        this.restraints.iter_mut().for_each(|r| r.most = 0.0);
+        this.joints.iter_mut().for_each(|joint| joint.strength = of(&joint.strength));
         this
+    }
+
+    /// The equations that some columns take part in, and the part of each of these columns, three at most.
+    pub(super) fn parts(&self, columns: Range<usize>) -> Vec<(usize, [f64; 3])> {
+        let mut parts: Vec<(usize, [f64; 3])> = Vec::with_capacity(6);
+        for (k, column) in self.columns[columns].iter().enumerate() {
+            for &(row, value) in column {
+                let at = parts.iter().position(|part| part.0 == row).unwrap_or_else(|| {
+                    parts.push((row, [0.0; 3]));
+                    parts.len() - 1
+                });
+                parts[at].1[k] += value;
+            }
+        }
+        parts
+    }
+
+    /// Whether any joint can crush.
+    pub(super) fn crushes(&self) -> bool {
+        self.joints.iter().any(|joint| joint.strength.crushing.is_finite())
     }
 
     /// Number of columns of joints.
@@ -143,14 +160,18 @@ impl Equilibrium {
         self.columns.len() - self.restraints.len()
     }
 
-    /// Adds a force on a block to the equations of that block.
-    fn act(&self, block: BlockId, arm: Vec2, force: Vec2, mut add: impl FnMut(usize, f64)) {
-        let values = [force.x, force.y, arm.cross(force) / self.length];
-        for (row, value) in self.row[block].iter().zip(values) {
-            if let Some(i) = row {
-                add(*i, value);
-            }
-        }
+    /// What a force on a block adds to the equations of that block.
+    pub(super) fn act(&self, f: PointForce) -> impl Iterator<Item = Entry> {
+        let moment = (f.at - self.centroids[f.block]).cross(f.force) / self.length;
+        let values = self.row[f.block].into_iter().zip([f.force.x, f.force.y, moment]);
+        values.filter_map(|(row, value)| Some((row?, value)))
+    }
+
+    /// What loads add to the equations, in newtons per metre.
+    pub(super) fn of_loads(&self, forces: impl Iterator<Item = PointForce>) -> Vec<f64> {
+        let mut sums = vec![0.0; self.rows];
+        forces.flat_map(|f| self.act(f)).for_each(|(i, v)| sums[i] += v);
+        sums
     }
 
     fn scale(&mut self, permanent: Vec<f64>, variable: Vec<f64>, strength: Option<f64>) {
@@ -168,25 +189,24 @@ impl Equilibrium {
         self.variable = variable.iter().map(|x| x * self.factor_scale / self.force).collect();
     }
 
-    /// What a load adds to the equations, in newtons per metre.
-    pub(super) fn of_load(&self, model: &BlockModel, load: &[PointForce]) -> Vec<f64> {
-        let mut p = vec![0.0; self.rows];
-        for f in load {
-            let centroid = model.blocks[f.block].outline.centroid();
-            self.act(f.block, f.at - centroid, f.force, |i, v| p[i] += v);
+    /// `factor p + w`.
+    pub(super) fn loads(&self, factor: f64) -> Vec<f64> {
+        self.permanent.iter().zip(&self.variable).map(|(w, p)| w + factor * p).collect()
+    }
+
+    /// `B f` added to loads, for scaled forces.
+    pub(super) fn balance(&self, mut loads: Vec<f64>, forces: &[f64]) -> Vec<f64> {
+        for (column, f) in self.columns.iter().zip(forces) {
+            for &(i, v) in column {
+                loads[i] += v * f;
+            }
         }
-        p
+        loads
     }
 
     /// `B f + factor p + w` for scaled forces.
     pub(super) fn residual(&self, forces: &[f64], factor: f64) -> Vec<f64> {
-        let mut r: Vec<f64> = self.permanent.iter().zip(&self.variable).map(|(w, p)| w + factor * p).collect();
-        for (column, f) in self.columns.iter().zip(forces) {
-            for &(i, v) in column {
-                r[i] += v * f;
-            }
-        }
-        r
+        self.balance(self.loads(factor), forces)
     }
 
     /// `B^T u`: how the velocities `u` open and shear every joint.
@@ -204,6 +224,13 @@ impl Equilibrium {
             })
             .collect()
     }
+}
+
+/// A force of this size against a movement, and the opposite one on what bears it.
+fn answering(r: &Restraint, size: f64) -> impl Iterator<Item = PointForce> + use<> {
+    let force = r.direction * size;
+    let against = r.against.map(|(block, at)| PointForce { block, at, force: -force });
+    [Some(PointForce { block: r.block, at: r.at, force }), against].into_iter().flatten()
 }
 
 /// Half the mean joint length [m], or the mean block size where no joint has a length.

@@ -2,23 +2,18 @@
 
 use super::bedded::Bedded;
 use super::collapse::{Carried, carried};
-use super::compliance::Resistance;
+use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength, joints};
-use super::reduced::{Elastic, Row, alike, rows, self_stress};
+use super::reduced::{Row, rows, self_stress};
 use super::rows::Rows;
 use super::settings::Settings;
 use super::simplex::{Member, Start};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
-use std::borrow::Cow;
 
 /// What all loads have in common.
-pub struct Ground<'a> {
-    pub(super) model: Cow<'a, BlockModel>,
+pub struct Ground {
+    pub(super) model: BlockModel,
     pub(super) interfaces: Vec<Interface>,
-    pub(super) joints: Vec<Joint>,
-    pub(super) strengths: Vec<Strength>,
-    pub(super) resistances: Vec<Resistance>,
     pub(super) equilibrium: Equilibrium,
     pub(super) stands: Carried,
     pub(super) reduced: Option<Reduced>,
@@ -55,11 +50,12 @@ pub(super) struct Reduced {
 }
 
 impl Reduced {
-    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, limits: Vec<Row>, stands: &Carried) -> Option<Reduced> {
+    fn new(elastic: &mut Stiffness, stands: &Carried) -> Option<Reduced> {
+        let limits = rows(elastic.equilibrium);
         let states = self_stress(elastic)?;
-        let mut start = stands.forces().to_vec();
+        let mut start = stands.solution.forces.clone();
         // What the proof leaves out of balance is taken out.
-        let left = equilibrium.residual(&start, 0.0);
+        let left = elastic.equilibrium.residual(&start, 0.0);
         for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
             *f += d;
         }
@@ -150,44 +146,22 @@ impl Effect {
     }
 }
 
-impl<'a> Ground<'a> {
+impl Ground {
     /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
     ///
     /// # Errors
     /// Nothing that is free to move, particles, or a block whose rounding leaves nothing of an edge.
-    pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
-        Ground::of(Cow::Borrowed(model), loading, settings)
-    }
-
-    /// The same of a model that it keeps.
-    ///
-    /// # Errors
-    /// Those of [`new`](Self::new).
-    pub fn owning(model: BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'static>, ModelError> {
-        Ground::of(Cow::Owned(model), loading, settings)
-    }
-
-    fn of<'m>(model: Cow<'m, BlockModel>, loading: &Loading, settings: &Settings) -> Result<Ground<'m>, ModelError> {
-        if model.blocks.iter().all(|b| b.held.is_fixed()) {
-            return Err(ModelError::NothingFree);
-        }
-        let (interfaces, joints) = joints(&model, settings)?;
+    pub fn new(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground, ModelError> {
         let permanent = Loading { variable: Vec::new(), ..loading.clone() };
-        let equilibrium = Equilibrium::new(&model, &permanent, &joints);
-        let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
-        let stands = carried(&equilibrium, &joints, &strengths);
-        let resistances = alike(&joints);
-        let limits = rows(&equilibrium, &joints, &strengths);
-        let resting = Elastic::new(&equilibrium, &joints, &resistances)
-            .and_then(|mut elastic| elastic.balance(&equilibrium.permanent));
-        let reduced = match stands.is_carried() {
-            true => Elastic::new(&equilibrium, &joints, &resistances)
-                .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
-            false => None,
-        };
-        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(&model, &equilibrium, &joints, &reduced.states));
+        let (interfaces, equilibrium) = Equilibrium::of_free(model, &permanent, settings)?;
+        let stands = carried(&equilibrium);
+        let mut elastic = Stiffness::alike(&equilibrium);
+        let resting = elastic.as_mut().and_then(|elastic| elastic.balance(&equilibrium.permanent));
+        let reduced = elastic.as_mut().filter(|_| stands.is_carried());
+        let reduced = reduced.and_then(|elastic| Reduced::new(elastic, &stands));
+        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(model, &equilibrium, &reduced.states));
         let resting = resting.map(|forces| bedded.as_ref().map_or(forces.clone(), |bedded| bedded.relaxed(&forces)));
-        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting, bedded })
+        Ok(Ground { model: model.clone(), interfaces, equilibrium, stands, reduced, resting, bedded })
     }
 
     /// Whether the permanent loads by themselves are carried.
@@ -209,12 +183,8 @@ impl<'a> Ground<'a> {
 
     /// A load in the equations' units of force.
     pub(super) fn scaled(&self, load: &[PointForce]) -> Vec<f64> {
-        let loads = self.equilibrium.of_load(&self.model, load);
+        let loads = self.equilibrium.of_loads(load.iter().copied());
         loads.iter().map(|p| p / self.equilibrium.force).collect()
-    }
-
-    pub(super) fn crushes(&self) -> bool {
-        self.strengths.iter().any(|s| s.crushing.is_finite())
     }
 
     /// The joints, in the order of all forces.
@@ -234,9 +204,8 @@ impl<'a> Ground<'a> {
     }
 
     fn section_under(&self, joint: usize, more: impl Fn(usize) -> f64) -> Option<Section> {
-        let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
-        let of = &self.joints[joint];
-        let force = |k: usize| (resting[c + k] + more(c + k)) * self.equilibrium.force;
+        let (resting, of) = (self.resting.as_ref()?, self.equilibrium.joints.get(joint)?);
+        let force = |k: usize| (resting[of.column + k] + more(of.column + k)) * self.equilibrium.force;
         let [a, b] = [force(0), force(1)];
         let compression = a + b;
         (of.points.len() == 2 && compression > 0.0).then(|| Section {

@@ -52,3 +52,20 @@ pub(super) fn minimise(
     let found = solver.solution;
     found.x.iter().chain(&found.z).all(|v| v.is_finite()).then_some(found)
 }
+
+/// The matrix of columns of entries, each with its row.
+pub(super) fn compressed(rows: usize, columns: &[Vec<(usize, f64)>]) -> CscMatrix<f64> {
+    let entries: usize = columns.iter().map(Vec::len).sum();
+    let mut starts = Vec::with_capacity(columns.len() + 1);
+    let (mut indices, mut values) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
+    starts.push(0);
+    let mut sorted = Vec::new();
+    for column in columns {
+        sorted.clone_from(column);
+        sorted.sort_unstable_by_key(|e| e.0);
+        indices.extend(sorted.iter().map(|e| e.0));
+        values.extend(sorted.iter().map(|e| e.1));
+        starts.push(indices.len());
+    }
+    CscMatrix::new(rows, columns.len(), starts, indices, values)
+}

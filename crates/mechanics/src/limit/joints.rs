@@ -4,6 +4,7 @@ use super::settings::{ContactPoints, Settings};
 use crate::blocks::{BlockModel, Interface, ModelError, interfaces};
 use crate::ids::BlockId;
 use crate::plane::Vec2;
+use std::ops::Range;
 
 /// A joint with its strength, as limit analysis sees it: one compression per contact point and one shear.
 #[derive(Debug, Clone)]
@@ -20,6 +21,8 @@ pub(super) struct Joint {
     pub length: f64,
     /// How the joint resists.
     pub strength: Strength,
+    /// The first of its columns among those of all joints: its compressions, then its shear.
+    pub column: usize,
 }
 
 /// Strength of a joint: stresses anywhere between `-tension` and `crushing`, shear up to
@@ -45,6 +48,10 @@ impl Joint {
     pub(super) fn forces(&self) -> usize {
         self.points.len() + 1
     }
+    /// Its columns among those of all joints.
+    pub(super) fn columns(&self) -> Range<usize> {
+        self.column..self.column + self.forces()
+    }
 }
 
 impl Strength {
@@ -62,11 +69,17 @@ pub(super) fn joints(model: &BlockModel, settings: &Settings) -> Result<(Vec<Int
         return Err(ModelError::ParticlesInLimitAnalysis(model.particles.len()));
     }
     let faces = interfaces(model, settings.touching)?;
-    let joints = faces.iter().map(|face| joint(model, settings, face)).collect();
+    let mut columns = 0;
+    let numbered = |face| {
+        let joint = joint(model, settings, face, columns);
+        columns += joint.forces();
+        joint
+    };
+    let joints = faces.iter().map(numbered).collect();
     Ok((faces, joints))
 }
 
-fn joint(model: &BlockModel, settings: &Settings, face: &Interface) -> Joint {
+fn joint(model: &BlockModel, settings: &Settings, face: &Interface, column: usize) -> Joint {
     let law = model.laws.between(model.blocks[face.first].group, model.blocks[face.second].group);
     let points = match settings.contact_points {
         ContactPoints::Rounded => face.points.clone(),
@@ -88,5 +101,6 @@ fn joint(model: &BlockModel, settings: &Settings, face: &Interface) -> Joint {
             crushing: if settings.crushing { law.crushing * length } else { f64::INFINITY },
         },
         points,
+        column,
     }
 }

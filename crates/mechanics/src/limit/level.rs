@@ -7,9 +7,9 @@
 
 use super::collapse::locks;
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength};
+use super::joints::Strength;
 use super::outcome::Status;
-use super::program::{Ending, Solution};
+use super::program::Solution;
 use super::rest::Rest;
 use super::settings::Friction;
 use super::stiff::Grown;
@@ -25,31 +25,16 @@ const BELOW: [f64; 2] = [1e-4, 1e-8];
 /// Loads this far below zero, scaled, are zero.
 const ZERO: f64 = 1e-6;
 
-/// A load without dilation.
-pub(super) struct Level {
-    /// The state in which blocks give way.
-    pub solution: Solution,
-    /// Scaled factors: there, and the largest on the way to it.
-    pub spread: [f64; 2],
-}
-
 /// What is carried where sliding does not dilate.
 pub(super) enum WithoutDilation {
-    /// A load, at which blocks give way.
-    Load(Level),
+    /// A load: the state in which blocks give way, and the scaled factors there and of the largest load on the way to it.
+    Load { solution: Solution, spread: [f64; 2] },
     /// Every load.
     Locks,
     /// What blocks carry depends on how hard they are jammed.
     Jammed,
     /// The way has no end.
     Unsettled,
-}
-
-/// Which of the loads with and without dilation counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Governs {
-    WithDilation,
-    WithoutDilation,
 }
 
 /// The load with dilation beside it.
@@ -64,28 +49,22 @@ pub(super) struct WithDilation {
 }
 
 /// The load without dilation, beside one with it; how blocks rest under the permanent loads is asked once for all.
-pub(super) fn without_dilation(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    beside: &WithDilation,
-    at_rest: &Rest,
-) -> WithoutDilation {
+pub(super) fn without_dilation(equilibrium: &Equilibrium, beside: &WithDilation, at_rest: &Rest) -> WithoutDilation {
     let endless = beside.status == Status::Locks;
     // Where any load is carried with dilation, blocks may be held by compressions that nothing brings about.
-    if endless && !at_rest.is_sure(equilibrium, joints, strengths) {
+    if endless && !at_rest.is_sure(equilibrium) {
         return WithoutDilation::Jammed;
     }
-    if endless && drives_nothing(equilibrium, joints, strengths) {
+    if endless && drives_nothing(equilibrium) {
         return WithoutDilation::Locks;
     }
-    let Some(stood) = at_rest.stood(equilibrium, joints, strengths) else { return WithoutDilation::Jammed };
+    let Some(stood) = at_rest.stood(equilibrium) else { return WithoutDilation::Jammed };
     match stood.under(equilibrium, if endless { LOCKED } else { f64::INFINITY }) {
         Grown::GivesWay { solution, .. } if solution.factor < -ZERO => WithoutDilation::Jammed,
         Grown::GivesWay { mut solution, most } => {
             solution.factor = solution.factor.max(0.0);
             let spread = [solution.factor, most.max(solution.factor)];
-            WithoutDilation::Load(Level { solution, spread })
+            WithoutDilation::Load { solution, spread }
         }
         Grown::Carried => WithoutDilation::Locks,
         Grown::Lost => WithoutDilation::Unsettled,
@@ -96,35 +75,33 @@ impl WithoutDilation {
     /// The load factor; `scale` is that of a scaled one.
     pub(super) fn factor(&self, scale: f64) -> Option<f64> {
         match self {
-            WithoutDilation::Load(level) => Some(level.solution.factor * scale),
+            WithoutDilation::Load { solution, .. } => Some(solution.factor * scale),
             _ => None,
         }
     }
 
-    /// Which load counts by the friction that is asked for.
-    pub(super) fn governs(&self, friction: Friction, beside: &WithDilation) -> Governs {
+    /// Whether this counts by the friction that is asked for, and not the load with dilation.
+    pub(super) fn governs(&self, friction: Friction, beside: &WithDilation) -> bool {
         let WithDilation { status, factor, slides } = *beside;
-        let below = |level: &Level| level.solution.factor < (1.0 - BELOW[0]) * factor - BELOW[1];
-        let own = match friction {
+        let below = |solution: &Solution| solution.factor < (1.0 - BELOW[0]) * factor - BELOW[1];
+        match friction {
             Friction::Associated => false,
             Friction::NonAssociated => true,
             Friction::Automatic if status == Status::Locks => true,
             // A mechanism in which no joint slides forms without dilation as well, but another one may form below it.
             Friction::Automatic => match self {
-                WithoutDilation::Load(level) => slides || below(level),
+                WithoutDilation::Load { solution, .. } => slides || below(solution),
                 WithoutDilation::Jammed => true,
                 WithoutDilation::Locks => false,
                 WithoutDilation::Unsettled => slides,
             },
-        };
-        if own { Governs::WithoutDilation } else { Governs::WithDilation }
+        }
     }
 }
 
 /// Whether the load alone is carried without any friction. Compressions that do so take up work wherever joints open: no motion that
 /// opens joints and slides level is driven by the load, however large it is.
-fn drives_nothing(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
-    let smooth: Vec<Strength> = strengths.iter().map(|s| Strength { friction: 0.0, ..*s }).collect();
-    let found = locks(equilibrium, joints, &smooth);
-    found.ending == Ending::Solved && found.factor > 0.5
+fn drives_nothing(equilibrium: &Equilibrium) -> bool {
+    let found = locks(&equilibrium.with_strengths(|s| Strength { friction: 0.0, ..*s }));
+    found.solved && found.factor > 0.5
 }

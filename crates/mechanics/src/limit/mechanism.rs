@@ -1,7 +1,6 @@
 //! What moves: hinges and sliding joints read from the velocities.
 
 use super::equilibrium::Equilibrium;
-use super::joints::Joint;
 use super::outcome::{Hinge, JointMotion, Mechanism};
 use crate::blocks::BlockModel;
 use crate::ids::Table;
@@ -11,12 +10,7 @@ use crate::plane::Vec2;
 const STILL: f64 = 1e-6;
 
 /// The mechanism of scaled velocities; `None` when nothing moves.
-pub(super) fn mechanism(
-    model: &BlockModel,
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    velocities: &[f64],
-) -> Option<Mechanism> {
+pub(super) fn mechanism(model: &BlockModel, equilibrium: &Equilibrium, velocities: &[f64]) -> Option<Mechanism> {
     let motions = equilibrium.motions(velocities);
     let fastest = model
         .blocks
@@ -31,9 +25,9 @@ pub(super) fn mechanism(
         return None;
     }
     let velocities: Table<_, (Vec2, f64)> = motions.iter().map(|&(v, w)| (v * (1.0 / fastest), w / fastest)).collect();
-    let centroids: Table<_, Vec2> = model.blocks.iter().map(|b| b.outline.centroid()).collect();
+    let centroids = &equilibrium.centroids;
     let (mut motions, mut hinges, mut sliding) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, joint) in joints.iter().enumerate() {
+    for (index, joint) in equilibrium.joints.iter().enumerate() {
         let (v1, w1) = velocities[joint.first];
         let (v2, w2) = velocities[joint.second];
         let relative =

@@ -1,21 +1,16 @@
 //! The convex program, solved by Clarabel's interior-point method.
 
 use super::equilibrium::{Entry, Equilibrium};
-use super::interior_point::{Accuracy, minimise};
-use super::joints::{Joint, Strength};
+use super::interior_point::{Accuracy, compressed, minimise};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
 
 /// Maximises a number `t`, or the `objective` of the joint forces `f`, subject to `B f + t scaled_loads + constant_loads = 0`,
 /// `t <= cap` and the strength of the joints.
 pub(super) struct Program<'a> {
-    /// Geometry and units.
+    /// Geometry, joints and units.
     pub equilibrium: &'a Equilibrium,
-    /// Number of contact points and strength of each joint.
-    pub joints: &'a [Joint],
-    /// Strengths in place of the joints' own.
-    pub strengths: &'a [Strength],
-    /// Loads that `t` multiplies, scaled.
+    /// Loads that `t` multiplies, scaled; empty for none.
     pub scaled_loads: &'a [f64],
     /// Loads that it does not, scaled.
     pub constant_loads: &'a [f64],
@@ -39,25 +34,14 @@ pub(super) enum Interpretation {
     UnitCompression(usize),
 }
 
-/// How a program ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ending {
-    /// To its tolerance.
-    Solved,
-    /// To [`NEARLY`]: the interior point came to rest a little early, as it does where joints crush.
-    Nearly,
-    /// Anything else; not an answer by itself.
-    Unknown,
-}
-
-/// Relative gap and residuals of a program that is nearly solved.
+/// Relative gap and residuals of a program that is nearly solved, as where joints crush: it is not an answer by itself.
 const NEARLY: f64 = 1e-6;
 
 /// What a program returned, scaled.
 #[derive(Debug, Clone)]
 pub(super) struct Solution {
-    /// How it ended.
-    pub ending: Ending,
+    /// Whether to its tolerance.
+    pub solved: bool,
     /// Forces: of each joint the compressions, then the shear.
     pub forces: Vec<f64>,
     /// The number `t`.
@@ -70,15 +54,9 @@ pub(super) struct Solution {
 
 impl<'a> Program<'a> {
     /// The program of the largest factor of the variable loads, beside the permanent ones.
-    pub(super) fn of_the_factor(
-        equilibrium: &'a Equilibrium,
-        joints: &'a [Joint],
-        strengths: &'a [Strength],
-    ) -> Program<'a> {
+    pub(super) fn of_the_factor(equilibrium: &'a Equilibrium) -> Program<'a> {
         Program {
             equilibrium,
-            joints,
-            strengths,
             scaled_loads: &equilibrium.variable,
             constant_loads: &equilibrium.permanent,
             cap: None,
@@ -99,23 +77,15 @@ impl<'a> Program<'a> {
             q[i] -= v;
         }
         let p = CscMatrix::zeros((forces + 1, forces + 1));
-        let unknown = || Solution {
-            ending: Ending::Unknown,
-            forces: vec![0.0; forces],
-            factor: 0.0,
-            velocities: vec![0.0; self.equilibrium.rows],
-            iterations: 0,
-        };
         let token = &self.equilibrium.token;
         let accuracy = Accuracy { tolerance, nearly: NEARLY, iterations: 100, refinements: 10 };
         let found = (!token.is_cancelled()).then(|| minimise((&p, &q), (&a, &b), &cones, accuracy, token)).flatten();
-        let Some(found) = found else { return unknown() };
+        let Some(found) = found else {
+            let (forces, velocities) = (vec![0.0; forces], vec![0.0; self.equilibrium.rows]);
+            return Solution { solved: false, forces, factor: 0.0, velocities, iterations: 0 };
+        };
         Solution {
-            ending: match found.status {
-                SolverStatus::Solved => Ending::Solved,
-                SolverStatus::AlmostSolved => Ending::Nearly,
-                _ => Ending::Unknown,
-            },
+            solved: found.status == SolverStatus::Solved,
             forces: found.x[..forces].to_vec(),
             factor: found.x[forces],
             velocities: found.z[..self.equilibrium.rows].to_vec(),
@@ -133,8 +103,8 @@ impl<'a> Program<'a> {
         let unit = self.equilibrium.force;
         let mut equations = equations;
         if let Interpretation::UnitCompression(joint) = self.interpretation {
-            let c = self.equilibrium.first_column[joint];
-            for column in &mut columns[c..c + self.joints[joint].points.len()] {
+            let of = &self.equilibrium.joints[joint];
+            for column in &mut columns[of.column..of.column + of.points.len()] {
                 column.push((equations, 1.0));
             }
             b.push(1.0);
@@ -158,8 +128,8 @@ impl<'a> Program<'a> {
         if let Some(cap) = self.cap {
             limit(&mut columns, &[(last, -1.0)], cap, false);
         }
-        for ((joint, strength), &c) in self.joints.iter().zip(self.strengths).zip(&self.equilibrium.first_column) {
-            let n = joint.points.len();
+        for joint in &self.equilibrium.joints {
+            let (c, n, strength) = (joint.column, joint.points.len(), &joint.strength);
             let curved = strength.curvature(n) > 0.0;
             for k in (0..n).filter(|_| !curved) {
                 limit(&mut columns, &[(c + k, 1.0)], strength.tension / unit, true);
@@ -177,7 +147,8 @@ impl<'a> Program<'a> {
             limit(&mut columns, &[(r.column, -1.0)], r.most, false);
         }
         let mut cones = vec![ZeroConeT(equations), NonnegativeConeT(0)];
-        for ((joint, strength), &c) in self.joints.iter().zip(self.strengths).zip(&self.equilibrium.first_column) {
+        for joint in &self.equilibrium.joints {
+            let (c, strength) = (joint.column, &joint.strength);
             let curvature = strength.curvature(joint.points.len()) * unit;
             if curvature == 0.0 {
                 continue;
@@ -196,20 +167,4 @@ impl<'a> Program<'a> {
         cones[1] = NonnegativeConeT(b.len() - equations - curved);
         (compressed(b.len(), &columns), b, cones)
     }
-}
-
-fn compressed(rows: usize, columns: &[Vec<Entry>]) -> CscMatrix<f64> {
-    let entries: usize = columns.iter().map(Vec::len).sum();
-    let mut starts = Vec::with_capacity(columns.len() + 1);
-    let (mut indices, mut values) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
-    starts.push(0);
-    let mut sorted = Vec::new();
-    for column in columns {
-        sorted.clone_from(column);
-        sorted.sort_unstable_by_key(|e| e.0);
-        indices.extend(sorted.iter().map(|e| e.0));
-        values.extend(sorted.iter().map(|e| e.1));
-        starts.push(indices.len());
-    }
-    CscMatrix::new(rows, columns.len(), starts, indices, values)
 }

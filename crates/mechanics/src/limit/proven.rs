@@ -6,10 +6,9 @@
 
 use super::bounds;
 use super::collapse::TOLERANCE;
+use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength};
-use super::program::{Ending, Interpretation, Program, Solution};
-use super::reduced::{Elastic, alike};
+use super::program::{Interpretation, Program, Solution};
 
 /// Widest gap of both bounds, relative, with which a load counts as found.
 const GAP: f64 = 2e-3;
@@ -21,64 +20,40 @@ pub(super) struct Roomy {
 }
 
 /// The state with most room; none where the blocks stand on a limit, or where it was not found.
-pub(super) fn roomy(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<Roomy> {
-    let nothing = vec![0.0; equilibrium.rows];
+pub(super) fn roomy(equilibrium: &Equilibrium) -> Option<Roomy> {
     let program = Program {
-        equilibrium,
-        joints,
-        strengths,
-        scaled_loads: &nothing,
-        constant_loads: &equilibrium.permanent,
+        scaled_loads: &[],
         // A room of the whole weight at every contact keeps the program bounded.
         cap: Some(1.0),
-        objective: Vec::new(),
         interpretation: Interpretation::Margin,
+        ..Program::of_the_factor(equilibrium)
     };
     let found = program.solve(TOLERANCE);
-    let forces = balanced(equilibrium, joints, found.forces, 0.0)?;
-    let room = bounds::room(equilibrium, joints, strengths, &forces);
+    let forces = balanced(equilibrium, found.forces, 0.0)?;
+    let room = bounds::room(equilibrium, &forces);
     (room > 0.0).then_some(Roomy { forces, room })
 }
 
 /// The solution with forces in equilibrium and within strength, and the load that they carry. None where the mechanism's bound lies
 /// further away than [`GAP`], on either side.
-pub(super) fn proven(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    roomy: &Roomy,
-    found: &Solution,
-) -> Option<Solution> {
-    let (forces, factor) = within(equilibrium, joints, strengths, roomy, found)?;
-    let upper = bounds::least_upper(equilibrium, joints, strengths, &forces, &found.velocities);
+pub(super) fn proven(equilibrium: &Equilibrium, roomy: &Roomy, found: &Solution) -> Option<Solution> {
+    let (forces, factor) = within(equilibrium, roomy, found)?;
+    let upper = bounds::least_upper(equilibrium, &forces, &found.velocities);
     let meet = upper.violation < TOLERANCE && (upper.factor - factor).abs() <= GAP * factor.abs();
-    (factor > 0.0 && meet).then(|| Solution { ending: Ending::Solved, forces, factor, ..found.clone() })
+    (factor > 0.0 && meet).then(|| Solution { solved: true, forces, factor, ..found.clone() })
 }
 
 /// A factor up to `most` that is proven to be carried, scaled; none where nothing is. The load may be far from a mechanism, which makes
 /// forces easier to find than those of the largest one.
-pub(super) fn carried_up_to(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    roomy: &Roomy,
-    most: f64,
-) -> Option<f64> {
-    let program = Program { cap: Some(most), ..Program::of_the_factor(equilibrium, joints, strengths) };
-    let found = program.solve(TOLERANCE);
-    within(equilibrium, joints, strengths, roomy, &found).map(|(_, factor)| factor)
+pub(super) fn carried_up_to(equilibrium: &Equilibrium, roomy: &Roomy, most: f64) -> Option<f64> {
+    let found = Program { cap: Some(most), ..Program::of_the_factor(equilibrium) }.solve(TOLERANCE);
+    within(equilibrium, roomy, &found).map(|(_, factor)| factor)
 }
 
 /// Forces in equilibrium and within strength near those of a solution, and the factor that they carry.
-pub(super) fn within(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    roomy: &Roomy,
-    found: &Solution,
-) -> Option<(Vec<f64>, f64)> {
-    let mut forces = balanced(equilibrium, joints, found.forces.clone(), found.factor)?;
-    let outside = -bounds::room(equilibrium, joints, strengths, &forces);
+fn within(equilibrium: &Equilibrium, roomy: &Roomy, found: &Solution) -> Option<(Vec<f64>, f64)> {
+    let mut forces = balanced(equilibrium, found.forces.clone(), found.factor)?;
+    let outside = -bounds::room(equilibrium, &forces);
     let mut factor = found.factor;
     if outside > 0.0 {
         let share = roomy.room / (roomy.room + outside);
@@ -87,7 +62,7 @@ pub(super) fn within(
         }
         factor *= share;
     }
-    let kept = bounds::yield_violation(equilibrium, joints, strengths, &forces) <= ROUND_OFF * (1.0 + factor.abs());
+    let kept = bounds::yield_violation(equilibrium, &forces) <= ROUND_OFF * (1.0 + factor.abs());
     kept.then_some((forces, factor))
 }
 
@@ -95,13 +70,12 @@ pub(super) fn within(
 const ROUND_OFF: f64 = 1e-11;
 
 /// The forces with restraints between their bounds and what is out of balance taken by elastic joints.
-fn balanced(equilibrium: &Equilibrium, joints: &[Joint], mut forces: Vec<f64>, factor: f64) -> Option<Vec<f64>> {
+fn balanced(equilibrium: &Equilibrium, mut forces: Vec<f64>, factor: f64) -> Option<Vec<f64>> {
     for r in &equilibrium.restraints {
         forces[r.column] = forces[r.column].clamp(0.0, r.most);
     }
-    let resistances = alike(joints);
     let left = equilibrium.residual(&forces, factor);
-    let more = Elastic::new(equilibrium, joints, &resistances)?.balance(&left)?;
+    let more = Stiffness::alike(equilibrium)?.balance(&left)?;
     for (f, d) in forces.iter_mut().zip(more) {
         *f += d;
     }
@@ -110,7 +84,6 @@ fn balanced(equilibrium: &Equilibrium, joints: &[Joint], mut forces: Vec<f64>, f
 
 #[cfg(test)]
 mod tests {
-    use super::super::joints::joints;
     use super::super::settings::{Friction, Settings};
     use super::*;
     use crate::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
@@ -156,11 +129,9 @@ mod tests {
     fn rough_forces_prove_a_load_below_the_true_one() {
         let (model, loading) = pushed();
         let settings = Settings { friction: Friction::Associated, crushing: true, ..Settings::default() };
-        let (_, joints) = joints(&model, &settings).unwrap();
-        let equilibrium = Equilibrium::new(&model, &loading, &joints);
-        let strengths: Vec<Strength> = joints.iter().map(|joint| joint.strength).collect();
-        let roomy = roomy(&equilibrium, &joints, &strengths).expect("the block stands with room");
-        let exact = Program::of_the_factor(&equilibrium, &joints, &strengths).solve(TOLERANCE);
+        let (_, equilibrium) = Equilibrium::new(&model, &loading, &settings).unwrap();
+        let roomy = roomy(&equilibrium).expect("the block stands with room");
+        let exact = Program::of_the_factor(&equilibrium).solve(TOLERANCE);
         let scale = equilibrium.factor_scale;
         assert!((exact.factor * scale / CARRIED - 1.0).abs() < 1e-6, "{}", exact.factor * scale);
         // Forces and load beyond what can be carried, as a solver leaves them: the proof stays below, by about what was added.
@@ -168,7 +139,7 @@ mod tests {
             let mut rough = exact.clone();
             rough.factor *= 1.0 + beyond;
             rough.forces.iter_mut().for_each(|f| *f *= 1.0 - beyond);
-            let found = proven(&equilibrium, &joints, &strengths, &roomy, &rough).expect("both bounds meet");
+            let found = proven(&equilibrium, &roomy, &rough).expect("both bounds meet");
             let carried = found.factor * scale;
             assert!(carried <= CARRIED * (1.0 + 1e-9), "{beyond}: {carried}");
             assert!(carried >= CARRIED * (1.0 - 20.0 * beyond - 1e-6), "{beyond}: {carried}");
@@ -177,7 +148,7 @@ mod tests {
         // However far out, nothing beyond is claimed.
         let mut wrong = exact.clone();
         wrong.factor *= 1.5;
-        let claimed = proven(&equilibrium, &joints, &strengths, &roomy, &wrong);
+        let claimed = proven(&equilibrium, &roomy, &wrong);
         assert!(claimed.is_none_or(|found| found.factor * scale <= CARRIED * (1.0 + 1e-9)));
     }
 }

@@ -6,20 +6,11 @@
 //! linear program in `x` and the factor alone, a handful of unknowns, whose rows change with the load in one column only.
 //! `f0`, `N` and the factorisation behind `f_p` are made once for all loads.
 
-use super::compliance::{Resistance, Stiffness};
+use super::compliance::Stiffness;
 use super::equilibrium::{Entry, Equilibrium};
-use super::joints::{Joint, Strength};
 
 /// Beyond this many states of self-stress dense rows cost more than a sparse interior-point method.
 const MOST_STATES: usize = 160;
-/// Out-of-balance forces, relative to all permanent loads, that a state may leave: round-off of a refined solution.
-const BALANCED: f64 = 1e-11;
-/// Passes in which a load is balanced, and what the last one need not take out: round-off of loads whose sizes sum to one.
-const PASSES: usize = 3;
-const ENOUGH: f64 = 1e-15;
-
-/// Resistance of one to everything.
-const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A row that forces must keep: `entries . f + constant >= 0`.
 #[derive(Debug, Clone)]
@@ -55,77 +46,10 @@ impl Row {
     }
 }
 
-/// Elastic joints, all alike: states that balance loads, and motions that deformations belong to.
-pub(super) struct Elastic<'a> {
-    equilibrium: &'a Equilibrium,
-    stiffness: Stiffness<'a>,
-}
-
-impl<'a> Elastic<'a> {
-    /// Factorises; `resistances` are [`alike`] for the joints.
-    pub(super) fn new(
-        equilibrium: &'a Equilibrium,
-        joints: &'a [Joint],
-        resistances: &'a [Resistance],
-    ) -> Option<Self> {
-        Some(Elastic { equilibrium, stiffness: Stiffness::new(equilibrium, joints, resistances)? })
-    }
-
-    /// Forces `f` of elastic joints with `B f = -load`; none where round-off spoils them.
-    pub(super) fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
-        let mut forces = vec![0.0; self.equilibrium.columns.len()];
-        let mut left: Vec<f64> = load.iter().map(|p| -p).collect();
-        let mut worst = f64::INFINITY;
-        // Each pass takes out what the one before left of the load.
-        for _ in 0..PASSES {
-            let velocities = self.stiffness.solve(&left);
-            for (f, d) in forces.iter_mut().zip(self.stiffness.forces(&velocities)) {
-                *f += d;
-            }
-            left = load.iter().map(|p| -p).collect();
-            self.subtract(&forces, &mut left);
-            worst = left.iter().fold(0.0f64, |m, r| m.max(r.abs()));
-            if worst <= ENOUGH {
-                break;
-            }
-        }
-        (worst <= BALANCED).then_some(forces)
-    }
-
-    /// Velocities whose deformations are `wanted`, as nearly as may be.
-    pub(super) fn motion(&mut self, wanted: &[f64]) -> Vec<f64> {
-        let mut velocities = vec![0.0; self.equilibrium.rows];
-        for _ in 0..2 {
-            let have = self.equilibrium.deformations(&velocities);
-            let mut out = vec![0.0; self.equilibrium.rows];
-            let mut missing: Vec<f64> = wanted.iter().zip(&have).map(|(w, h)| h - w).collect();
-            missing[self.equilibrium.joint_columns()..].fill(0.0);
-            self.subtract(&missing, &mut out);
-            for (u, d) in velocities.iter_mut().zip(self.stiffness.solve(&out)) {
-                *u += d;
-            }
-        }
-        velocities
-    }
-
-    fn subtract(&self, forces: &[f64], from: &mut [f64]) {
-        for (column, f) in self.equilibrium.columns.iter().zip(forces) {
-            for &(i, v) in column {
-                from[i] -= v * f;
-            }
-        }
-    }
-}
-
-/// A resistance of one for every joint.
-pub(super) fn alike(joints: &[Joint]) -> Vec<Resistance> {
-    joints.iter().map(|_| ALIKE).collect()
-}
-
 /// States of self-stress, as many as there are columns more than equations: orthonormal ones of the joints, then each force
 /// that answers movement with the joint forces that balance it. None where they are too many, or where round-off would
 /// spoil them.
-pub(super) fn self_stress(elastic: &mut Elastic) -> Option<Vec<Vec<f64>>> {
+pub(super) fn self_stress(elastic: &mut Stiffness) -> Option<Vec<Vec<f64>>> {
     let (all, columns) = (elastic.equilibrium.columns.len(), elastic.equilibrium.joint_columns());
     let states = columns.checked_sub(elastic.equilibrium.rows)?;
     // Forces that answer movement stand at their bounds but for a few: they do not make a program large.
@@ -134,12 +58,7 @@ pub(super) fn self_stress(elastic: &mut Elastic) -> Option<Vec<Vec<f64>>> {
     }
     // Rows of the projector on self-stress, taken largest first (a pivoted Cholesky factorisation of it).
     let mut project = |v: &[f64]| -> Option<Vec<f64>> {
-        let mut load = vec![0.0; elastic.equilibrium.rows];
-        for (column, f) in elastic.equilibrium.columns.iter().zip(v) {
-            for &(i, c) in column {
-                load[i] += c * f;
-            }
-        }
+        let load = elastic.equilibrium.balance(vec![0.0; elastic.equilibrium.rows], v);
         let balance = elastic.balance(&load)?;
         Some(v.iter().zip(balance).map(|(a, b)| a + b).collect())
     };
@@ -184,11 +103,11 @@ pub(super) fn self_stress(elastic: &mut Elastic) -> Option<Vec<Vec<f64>>> {
 }
 
 /// What the strength of all joints asks of their forces, linear: without the parabolas of joints that crush.
-pub(super) fn rows(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Vec<Row> {
+pub(super) fn rows(equilibrium: &Equilibrium) -> Vec<Row> {
     let unit = equilibrium.force;
     let mut rows = Vec::new();
-    for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
-        let n = joint.points.len();
+    for joint in &equilibrium.joints {
+        let (c, n, strength) = (joint.column, joint.points.len(), &joint.strength);
         // Tension also bounds joints that crush: their parabola lies within.
         for k in 0..n {
             rows.push(Row::new(&[(c + k, 1.0)], strength.tension / unit, false));
@@ -208,16 +127,11 @@ pub(super) fn rows(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Str
 }
 
 /// Tangents, at these forces, to the parabolas of joints that crush, where the forces lie outside by more than `allowed`.
-pub(super) fn tangents(
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    forces: &[f64],
-    allowed: f64,
-) -> Vec<Row> {
+pub(super) fn tangents(equilibrium: &Equilibrium, forces: &[f64], allowed: f64) -> Vec<Row> {
     let unit = equilibrium.force;
     let mut rows = Vec::new();
-    for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
+    for joint in &equilibrium.joints {
+        let (c, strength) = (joint.column, &joint.strength);
         let curvature = strength.curvature(joint.points.len()) * unit;
         if curvature == 0.0 {
             continue;

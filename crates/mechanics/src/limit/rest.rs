@@ -6,8 +6,8 @@
 //! without any compression, what comes to rest with a part of it.
 
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength};
-use super::program::{Ending, Interpretation, Program, Solution};
+use super::joints::Strength;
+use super::program::{Program, Solution};
 use super::stiff::{Stood, stood};
 use crate::watch::CancelToken;
 use std::sync::OnceLock;
@@ -27,39 +27,30 @@ pub(super) struct Rest {
 
 impl Rest {
     /// Blocks at rest between stiff joints; none where they do not come to rest.
-    pub(super) fn stood(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<&Stood> {
-        self.stood.get_or_init(|| stood(equilibrium, joints, strengths)).as_ref()
+    pub(super) fn stood(&self, equilibrium: &Equilibrium) -> Option<&Stood> {
+        self.stood.get_or_init(|| stood(equilibrium)).as_ref()
     }
 
     /// Whether blocks rest however they were put together: without friction, or well within it.
-    pub(super) fn is_sure(&self, equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> bool {
+    pub(super) fn is_sure(&self, equilibrium: &Equilibrium) -> bool {
         *self.sure.get_or_init(|| {
-            let with = |share: f64| {
-                let part = strengths.iter().map(|s| Strength { friction: s.friction * share, ..*s });
-                part.collect::<Vec<_>>()
-            };
+            let with = |share: f64| equilibrium.with_strengths(|s| Strength { friction: s.friction * share, ..*s });
             // What is kept for all loads does not hang on when one of them was cancelled.
-            let uncancelled = Equilibrium { token: CancelToken::default(), ..equilibrium.clone() };
-            let smooth = share(&uncancelled, joints, &with(0.0), 1e-8);
-            (smooth.ending == Ending::Solved && smooth.factor > SLIPPED)
-                || (stood(equilibrium, joints, &with(SURELY)).is_some()
-                    && self.stood(equilibrium, joints, strengths).is_some())
+            let smooth = share(&Equilibrium { token: CancelToken::default(), ..with(0.0) });
+            (smooth.solved && smooth.factor > SLIPPED)
+                || (stood(&with(SURELY)).is_some() && self.stood(equilibrium).is_some())
         })
     }
 }
 
 /// The largest share of the permanent loads, up to all, that the joints carry. Always solvable: without loads no joint needs any force.
 /// Without cohesion and crushing the answer is all or nothing.
-pub(super) fn share(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength], tolerance: f64) -> Solution {
+pub(super) fn share(equilibrium: &Equilibrium) -> Solution {
     Program {
-        equilibrium,
-        joints,
-        strengths,
         scaled_loads: &equilibrium.permanent,
         constant_loads: &vec![0.0; equilibrium.rows],
         cap: Some(1.0),
-        objective: Vec::new(),
-        interpretation: Interpretation::Factor,
+        ..Program::of_the_factor(equilibrium)
     }
-    .solve(tolerance)
+    .solve(1e-8)
 }

@@ -17,34 +17,29 @@
 use super::bounds;
 use super::collapse::largest_factor;
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength};
+use super::joints::Strength;
 use super::mechanism::mechanism;
 use super::outcome::Status;
 use crate::blocks::BlockModel;
 
 /// Scaled load factor without friction and cohesion in the joints that slide; `None` where that carries nothing.
 /// `sliding` are those of the associated mechanism.
-pub(super) fn smooth(
-    model: &BlockModel,
-    equilibrium: &Equilibrium,
-    joints: &[Joint],
-    strengths: &[Strength],
-    sliding: &[usize],
-) -> Option<f64> {
-    let mut strengths = strengths.to_vec();
-    let mut slides = vec![false; joints.len()];
+pub(super) fn smooth(model: &BlockModel, equilibrium: &Equilibrium, sliding: &[usize]) -> Option<f64> {
+    let mut weaker = equilibrium.clone();
+    let mut slides = vec![false; equilibrium.joints.len()];
     let mut more = sliding.to_vec();
     // Every round takes the friction of one joint more at least.
     loop {
         for &joint in &more {
             slides[joint] = true;
-            strengths[joint] = Strength { friction: 0.0, cohesion: 0.0, ..strengths[joint] };
+            let strength = &mut weaker.joints[joint].strength;
+            *strength = Strength { friction: 0.0, cohesion: 0.0, ..*strength };
         }
-        let found = largest_factor(equilibrium, joints, &strengths);
+        let found = largest_factor(&weaker);
         if found.status != Status::Solved {
             return None;
         }
-        let moving = mechanism(model, equilibrium, joints, &found.solution.velocities)?;
+        let moving = mechanism(model, equilibrium, &found.solution.velocities)?;
         more = moving.sliding.into_iter().filter(|&joint| !slides[joint]).collect();
         if more.is_empty() {
             return Some(bounds::lower(equilibrium, &found.solution.forces).factor);
@@ -54,7 +49,7 @@ pub(super) fn smooth(
 
 #[cfg(test)]
 mod tests {
-    use super::super::joints::joints;
+    use super::super::joints::Joint;
     use super::super::settings::Settings;
     use super::*;
     use crate::blocks::{Block, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
@@ -103,14 +98,12 @@ mod tests {
     /// Loads [N/m] with all friction, and with none where the first block of the row lies on the floor and where more slides then.
     fn loads(blocks: usize) -> [f64; 2] {
         let (model, loading) = pushed_uphill(blocks);
-        let (_, joints) = joints(&model, &Settings::default()).unwrap();
-        let equilibrium = Equilibrium::new(&model, &loading, &joints);
-        let strengths: Vec<Strength> = joints.iter().map(|joint| joint.strength).collect();
-        let rough = largest_factor(&equilibrium, &joints, &strengths);
+        let (_, equilibrium) = Equilibrium::new(&model, &loading, &Settings::default()).unwrap();
+        let rough = largest_factor(&equilibrium);
         assert_eq!(rough.status, Status::Solved);
         let floor = |joint: &Joint| (joint.first, joint.second) == (BlockId::new(0), BlockId::new(2));
-        let sliding = [joints.iter().position(floor).unwrap()];
-        let without = smooth(&model, &equilibrium, &joints, &strengths, &sliding).unwrap();
+        let sliding = [equilibrium.joints.iter().position(floor).unwrap()];
+        let without = smooth(&model, &equilibrium, &sliding).unwrap();
         [rough.solution.factor, without].map(|factor| factor * equilibrium.factor_scale)
     }
 

@@ -13,14 +13,14 @@
 //! one increment's rotation times the size of a block. The blocks have fallen when no increment, however small, ends in
 //! equilibrium after a small motion.
 
-use super::collapse::{TOLERANCE, joint_forces, resultant};
+use super::collapse::{TOLERANCE, joint_forces, resultants};
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength, joints};
-use super::outcome::Resultant;
-use super::program::{Ending, Interpretation, Program, Solution};
+use super::joints::Joint;
+use super::outcome::{Hinge, Resultant};
+use super::program::{Program, Solution};
 use super::settings::Settings;
-use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
-use crate::ids::{BlockId, Id, Table};
+use crate::blocks::{Block, BlockModel, Interface, Loading, ModelError, PointForce};
+use crate::ids::{BlockId, Table};
 use crate::plane::{Pose, Rotation, Vec2};
 use crate::watch::CancelToken;
 
@@ -76,7 +76,7 @@ pub struct MovementOutcome {
     pub resultants: Vec<Option<Resultant>>,
     /// Joints open on one side where the blocks stood last: index, contact point that stays closed, place [m],
     /// rotation [rad].
-    pub hinges: Vec<super::outcome::Hinge>,
+    pub hinges: Vec<Hinge>,
 }
 
 /// A step's motion counts as small up to this share of the mean joint length. The error of a step is its square.
@@ -95,15 +95,12 @@ pub fn support_movement(
     settings: &Settings,
     token: &CancelToken,
 ) -> Result<MovementOutcome, ModelError> {
-    if model.blocks.iter().all(|b| b.held.is_fixed()) {
-        return Err(ModelError::NothingFree);
-    }
-    let (interfaces, joints) = joints(model, settings)?;
+    let (interfaces, Equilibrium { joints, length, .. }) = Equilibrium::of_free(model, loading, settings)?;
     let mut loads = loading.permanent.clone();
     loads.extend(loading.variable.iter().map(|f| PointForce { force: f.force * load_factor, ..*f }));
     let mut state = State {
-        built: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
-        centroids: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
+        built: model.centroids(),
+        centroids: model.centroids(),
         angles: model.blocks.iter().map(|_| 0.0).collect(),
         slipped: vec![0.0; joints.len()],
     };
@@ -118,10 +115,11 @@ pub fn support_movement(
         resultants: Vec::new(),
         hinges: Vec::new(),
     };
+    // The unit of length is half of the mean.
+    let small = SMALL * (2.0 * length);
     let (mut factor, mut step) = (0.0, increments.step);
     while factor < increments.largest {
         let advance = step.min(increments.largest - factor);
-        let small = SMALL * mean_length(&joints, chain.model);
         // Follow, then settle where that led to: there must be equilibrium at the end of an increment, not its start.
         let followed = chain.follow(&state, advance, advance).filter(|f| f.motion <= small);
         match followed.and_then(|f| chain.follow(&f.state, 0.0, advance)).filter(|f| f.motion <= small) {
@@ -231,17 +229,16 @@ impl Chain<'_> {
     fn follow(&self, state: &State, advance: f64, scale: f64) -> Option<Followed> {
         let placed = self.place(state);
         let joints: Vec<Joint> = placed.iter().map(|p| p.joint.clone()).collect();
-        let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
         let permanent = self.loads.iter().map(|f| PointForce { at: state.place(f.block, f.at), ..*f }).collect();
         let loading = Loading { permanent, ..Loading::default() };
-        let equilibrium = Equilibrium::placed(self.model, &state.centroids, &loading, &joints);
+        let equilibrium = Equilibrium::placed(self.model, state.centroids.clone(), &loading, joints);
         let equilibrium = Equilibrium { token: self.token.clone(), ..equilibrium };
         let imposed = self.imposed(advance);
         // Motions are in units of the largest imposed one, so that the program has numbers of the order of one.
         let unit = self.reference(&self.imposed(scale));
         let mut offsets = vec![0.0; equilibrium.columns.len()];
-        for (p, &c) in placed.iter().zip(&equilibrium.first_column) {
-            let n = p.gaps.len();
+        for p in &placed {
+            let (c, n) = (p.joint.column, p.gaps.len());
             let relative = |at: Vec2| {
                 let of = |block: BlockId| {
                     let (v, w) = imposed[block];
@@ -254,29 +251,20 @@ impl Chain<'_> {
             }
             offsets[c + n] = p.offset + relative(p.joint.points[0]).dot(p.joint.tangent());
         }
-        let nothing = vec![0.0; equilibrium.rows];
         let solution = Program {
-            equilibrium: &equilibrium,
-            joints: &joints,
-            strengths: &strengths,
-            scaled_loads: &nothing,
-            constant_loads: &equilibrium.permanent,
+            scaled_loads: &[],
             // `t` has no part in this program.
             cap: Some(0.0),
             objective: offsets.iter().map(|o| -o / unit).enumerate().collect(),
-            interpretation: Interpretation::Factor,
+            ..Program::of_the_factor(&equilibrium)
         }
         .solve(TOLERANCE);
-        if solution.ending != Ending::Solved {
-            return None;
-        }
-        Some(self.moved((state, &placed), &joints, &equilibrium, &solution, (&imposed, unit)))
+        solution.solved.then(|| self.moved((state, &placed), &equilibrium, &solution, (&imposed, unit)))
     }
 
     fn moved(
         &self,
         (state, placed): (&State, &[Placed]),
-        joints: &[Joint],
         equilibrium: &Equilibrium,
         solution: &Solution,
         (imposed, unit): (&Table<BlockId, (Vec2, f64)>, f64),
@@ -290,11 +278,11 @@ impl Chain<'_> {
             next.centroids[block] += motions[block].0;
             next.angles[block] += motions[block].1;
         }
-        let forces = joint_forces(equilibrium, joints, &solution.forces);
+        let forces = joint_forces(equilibrium, &solution.forces);
         let mut motion = 0.0f64;
         let mut reaction = Vec2::ZERO;
         let moved = |block: BlockId| self.loading.movements.iter().any(|m| m.block == block);
-        for (index, (joint, force)) in joints.iter().zip(&forces).enumerate() {
+        for (index, (joint, force)) in equilibrium.joints.iter().zip(&forces).enumerate() {
             let of = |block: BlockId, at: Vec2| {
                 let (v, w) = motions[block];
                 v + (at - state.centroids[block]).left() * w
@@ -317,8 +305,7 @@ impl Chain<'_> {
                 _ => {}
             }
         }
-        let resultants = joints.iter().zip(&forces).map(|(j, f)| resultant(j, f)).collect();
-        Followed { state: next, motion, reaction, resultants }
+        Followed { state: next, motion, reaction, resultants: resultants(equilibrium, &forces) }
     }
 
     /// Motion that is imposed on each block.
@@ -334,26 +321,19 @@ impl Chain<'_> {
 
     /// Largest imposed motion of a block's outline [m].
     fn reference(&self, imposed: &Table<BlockId, (Vec2, f64)>) -> f64 {
-        let of = |i: usize| {
-            let block = &self.model.blocks[BlockId::new(i)];
+        let of = |(block, &(v, w)): (&Block, &(Vec2, f64))| {
             let (low, high) = block.outline.bounds();
-            let (v, w) = imposed[BlockId::new(i)];
             v.norm() + w.abs() * 0.5 * (high - low).norm()
         };
-        (0..self.model.blocks.len()).map(of).fold(f64::MIN_POSITIVE, f64::max)
+        self.model.blocks.iter().zip(imposed.iter()).map(of).fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    fn hinges(&self, state: &State) -> Vec<super::outcome::Hinge> {
+    fn hinges(&self, state: &State) -> Vec<Hinge> {
         let open = |(index, p): (usize, Placed)| {
             let point = least(&p.gaps);
             let rotation = state.angles[p.joint.second] - state.angles[p.joint.first];
             // Less than the resolution of one increment is no hinge.
-            (rotation.abs() > 1e-6).then(|| super::outcome::Hinge {
-                joint: index,
-                point,
-                at: p.joint.points[point],
-                rotation,
-            })
+            (rotation.abs() > 1e-6).then(|| Hinge { joint: index, point, at: p.joint.points[point], rotation })
         };
         self.place(state).into_iter().enumerate().filter_map(open).collect()
     }
@@ -361,13 +341,4 @@ impl Chain<'_> {
 
 fn least(gaps: &[f64]) -> usize {
     (0..gaps.len()).min_by(|&a, &b| gaps[a].total_cmp(&gaps[b])).unwrap_or(0)
-}
-
-/// Mean joint length [m]; the mean block size where all joints are points.
-fn mean_length(joints: &[Joint], model: &BlockModel) -> f64 {
-    let lengths: Vec<f64> = joints.iter().map(|j| j.length).filter(|&l| l > 0.0).collect();
-    if lengths.is_empty() {
-        return (model.blocks.iter().map(|b| b.outline.area()).sum::<f64>() / model.blocks.len() as f64).sqrt();
-    }
-    lengths.iter().sum::<f64>() / lengths.len() as f64
 }

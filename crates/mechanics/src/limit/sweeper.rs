@@ -3,16 +3,19 @@
 
 use super::bounds;
 use super::boxed::{Bounded, greatest_between};
-use super::collapse::{Found, by_friction, largest_factor_of_carried, report};
+use super::collapse::{Found, largest_factor_of_carried, outcome};
+use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
-use super::level::{Governs, WithDilation, WithoutDilation, without_dilation};
+use super::level::{WithDilation, WithoutDilation, without_dilation};
+use super::mechanism::mechanism;
 use super::outcome::{Outcome, Status};
-use super::program::{Ending, Solution};
+use super::program::Solution;
 use super::proven::carried_up_to;
-use super::reduced::{Elastic, tangents};
+use super::reduced::tangents;
 use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member, Start};
+use super::stiff::Grown;
 use crate::blocks::PointForce;
 use crate::watch::CancelToken;
 
@@ -61,7 +64,7 @@ pub struct Least {
     pub friction: Friction,
 }
 
-impl Ground<'_> {
+impl Ground {
     /// A sweep over loads. Results do not depend on other sweepers of the same ground.
     pub fn sweeper(&self) -> Sweeper<'_> {
         self.sweeper_with(Experience::default())
@@ -70,10 +73,10 @@ impl Ground<'_> {
     /// The same with what an earlier sweeper of this ground learnt.
     pub fn sweeper_with(&self, learnt: Experience) -> Sweeper<'_> {
         // Also where the fast method has nothing to work on: what joints carry is told all the same.
-        let elastic = Elastic::new(&self.equilibrium, &self.joints, &self.resistances);
-        let Experience { reduced, kept, next, given, moved, oldest } = learnt;
-        let reduced = reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
-        Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, token: CancelToken::default() }
+        let elastic = Stiffness::alike(&self.equilibrium);
+        let reduced = learnt.reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
+        let learnt = Experience { reduced, ..learnt };
+        Sweeper { ground: self, elastic, learnt, token: CancelToken::default() }
     }
 }
 
@@ -88,9 +91,12 @@ impl Factor {
 #[derive(Default)]
 pub struct Experience {
     reduced: Option<Reduced>,
+    /// Mechanisms: rows with their multipliers, and the basis.
     kept: Vec<Kept>,
     next: usize,
+    /// Motions that were given at the beginning.
     given: Vec<Moved>,
+    /// Motions of loads that the interior-point method answered.
     moved: Vec<Moved>,
     oldest: usize,
 }
@@ -126,23 +132,13 @@ enum Reached {
     Corner(Corner, f64),
     /// The load is carried however large it is.
     Locks,
-    /// Nowhere.
-    Lost,
 }
 
 /// Answers loads one after the other.
 pub struct Sweeper<'a> {
-    ground: &'a Ground<'a>,
-    elastic: Option<Elastic<'a>>,
-    reduced: Option<Reduced>,
-    /// Mechanisms: rows with their multipliers, and the basis.
-    kept: Vec<Kept>,
-    next: usize,
-    /// Motions that were given at the beginning.
-    given: Vec<Moved>,
-    /// Motions of loads that the interior-point method answered.
-    moved: Vec<Moved>,
-    oldest: usize,
+    ground: &'a Ground,
+    elastic: Option<Stiffness<'a>>,
+    learnt: Experience,
     token: CancelToken,
 }
 
@@ -156,8 +152,7 @@ impl Sweeper<'_> {
 
     /// What it has learnt, for [`Ground::sweeper_with`].
     pub fn learnt(self) -> Experience {
-        let Sweeper { reduced, kept, next, given, moved, oldest, .. } = self;
-        Experience { reduced, kept, next, given, moved, oldest }
+        self.learnt
     }
 
     /// What a load does.
@@ -188,10 +183,9 @@ impl Sweeper<'_> {
 
     /// The factor at which a load makes a mechanism, with dilatant friction.
     pub fn factor(&mut self, effect: &Effect) -> Factor {
-        let reached = self.corner(effect);
-        match &reached {
-            Reached::Lost => self.slowly(effect),
-            reached => self.quickly(reached),
+        match self.corner(effect) {
+            Some(reached) => self.quickly(&reached),
+            None => self.slowly(effect),
         }
     }
 
@@ -207,7 +201,7 @@ impl Sweeper<'_> {
                 iterations: corner.pivots,
                 by_interior_point: false,
             },
-            Reached::Locks | Reached::Lost => Factor::without_numbers(Status::Locks),
+            Reached::Locks => Factor::without_numbers(Status::Locks),
         }
     }
 
@@ -217,21 +211,15 @@ impl Sweeper<'_> {
         if self.token.is_cancelled() {
             return Factor::without_numbers(Status::Cancelled);
         }
-        let ground = self.ground;
-        let solved = found.status == Status::Solved;
+        let (solved, solution) = (found.status == Status::Solved, &found.solution);
         let scale = equilibrium.factor_scale;
-        let mechanism =
-            super::mechanism::mechanism(&ground.model, &equilibrium, &ground.joints, &found.solution.velocities);
-        let upper = solved.then(|| {
-            let s = &found.solution;
-            bounds::least_upper(&equilibrium, &ground.joints, &ground.strengths, &s.forces, &s.velocities).factor
-                * scale
-        });
-        self.learn(&found.solution.velocities);
+        let mechanism = mechanism(&self.ground.model, &equilibrium, &solution.velocities);
+        let upper = || bounds::least_upper(&equilibrium, &solution.forces, &solution.velocities).factor * scale;
+        self.learn(&solution.velocities);
         Factor {
             status: found.status,
-            lower: solved.then_some(found.solution.factor * scale),
-            upper,
+            lower: solved.then_some(solution.factor * scale),
+            upper: solved.then(upper),
             slides: solved && mechanism.is_some_and(|m| !m.sliding.is_empty()),
             iterations: found.iterations as usize,
             by_interior_point: true,
@@ -259,17 +247,16 @@ impl Sweeper<'_> {
         let equilibrium = self.loaded(effect);
         let scale = equilibrium.factor_scale;
         let beside = WithDilation { status, factor: lower.unwrap_or(0.0) / scale, slides };
-        let Ground { joints, strengths, stands, .. } = self.ground;
-        let level = without_dilation(&equilibrium, joints, strengths, &beside, &stands.at_rest);
+        let level = without_dilation(&equilibrium, &beside, &self.ground.stands.at_rest);
         if self.token.is_cancelled() {
             let dilatant = Factor::without_numbers(Status::Cancelled);
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
         }
-        if level.governs(friction, &beside) == Governs::WithDilation {
+        if !level.governs(friction, &beside) {
             return dilates;
         }
         let status = match level {
-            WithoutDilation::Load(_) => Status::Solved,
+            WithoutDilation::Load { .. } => Status::Solved,
             WithoutDilation::Locks => Status::Locks,
             WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
         };
@@ -278,19 +265,29 @@ impl Sweeper<'_> {
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.
     pub fn proven_up_to(&self, effect: &Effect, most: f64) -> Option<f64> {
-        let ground = self.ground;
         let equilibrium = self.loaded(effect);
         let scale = equilibrium.factor_scale;
-        let roomy = ground.stands.roomy(&equilibrium, &ground.joints, &ground.strengths)?;
-        let carried = carried_up_to(&equilibrium, &ground.joints, &ground.strengths, roomy, most / scale)?;
-        Some(carried * scale)
+        let roomy = self.ground.stands.roomy(&equilibrium)?;
+        Some(carried_up_to(&equilibrium, roomy, most / scale)? * scale)
+    }
+
+    /// The factor at which blocks that rest between stiff joints give way without dilation, however they were put together; infinite where they
+    /// carry any load, none where the way there has no end.
+    pub fn gives_way(&self, effect: &Effect) -> Option<f64> {
+        let equilibrium = self.loaded(effect);
+        let stood = self.ground.stands.at_rest.stood(&equilibrium)?;
+        match stood.under(&equilibrium, 0.0) {
+            Grown::GivesWay { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
+            Grown::Carried => Some(f64::INFINITY),
+            Grown::Lost => None,
+        }
     }
 
     /// Upper bound of a load's factor by the mechanisms of loads that were answered before; infinite where none bounds it.
     pub fn at_most(&self, effect: &Effect) -> f64 {
         let least = DRIVES * sum_of_sizes(&effect.load);
-        let moved = self.given.iter().chain(&self.moved).map(|moved| moved.bound(&effect.load, least));
-        let kept = self.reduced.as_ref().and_then(|reduced| {
+        let moved = self.learnt.given.iter().chain(&self.learnt.moved).map(|moved| moved.bound(&effect.load, least));
+        let kept = self.learnt.reduced.as_ref().and_then(|reduced| {
             let size = sum_of_sizes(&effect.load);
             self.least_kept(&reduced.lasts(0, effect, size)).map(|(factor, _)| factor / size)
         });
@@ -309,57 +306,41 @@ impl Sweeper<'_> {
     }
 
     fn newest(&self) -> Option<&Moved> {
-        let newest = (self.oldest + self.moved.len()).checked_sub(1)?;
-        self.moved.get(newest % KEPT)
+        let newest = (self.learnt.oldest + self.learnt.moved.len()).checked_sub(1)?;
+        self.learnt.moved.get(newest % KEPT)
     }
 
     /// Learns scaled velocities of the same blocks, also those found under other weights, to bound loads by.
     pub fn learn(&mut self, velocities: &[f64]) {
         let Some(moved) = self.moved_as(velocities) else { return };
-        if self.moved.len() < KEPT {
-            self.moved.push(moved);
+        if self.learnt.moved.len() < KEPT {
+            self.learnt.moved.push(moved);
         } else {
-            self.moved[self.oldest] = moved;
-            self.oldest = (self.oldest + 1) % KEPT;
+            self.learnt.moved[self.learnt.oldest] = moved;
+            self.learnt.oldest = (self.learnt.oldest + 1) % KEPT;
         }
     }
 
     /// Takes scaled velocities that are never given up for newer ones.
     pub fn take(&mut self, all: &[Vec<f64>]) {
         let taken: Vec<Moved> = all.iter().filter_map(|velocities| self.moved_as(velocities)).collect();
-        self.given.extend(taken);
+        self.learnt.given.extend(taken);
     }
 
     /// A motion and what it needs; none where joints do what they may not, or where nothing moves.
     fn moved_as(&self, velocities: &[f64]) -> Option<Moved> {
-        let ground = self.ground;
         let fastest = velocities.iter().fold(0.0f64, |most, u| most.max(u.abs()));
         let velocities: Vec<f64> = velocities.iter().map(|u| u / fastest).collect();
-        let needs = bounds::resistance(&ground.equilibrium, &ground.joints, &ground.strengths, &velocities);
+        let needs = bounds::resistance(&self.ground.equilibrium, &velocities);
         let bounds = fastest > 0.0 && needs.violation <= FLOWS && needs.factor.is_finite();
         bounds.then_some(Moved { velocities, resistance: needs.factor })
     }
 
-    /// Forces, resultants and mechanism at that factor.
-    pub fn outcome(&mut self, effect: &Effect) -> Outcome {
-        let ground = self.ground;
+    /// Forces, resultants and mechanism at the factor of [`Sweeper::least`] by this friction.
+    pub fn outcome(&mut self, effect: &Effect, friction: Friction) -> Outcome {
+        let Ground { model, interfaces, stands, .. } = self.ground;
         let (equilibrium, found) = self.found(effect);
-        report(&ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
-    }
-
-    /// The same by the friction of [`Sweeper::least`].
-    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> Outcome {
-        let ground = self.ground;
-        let (equilibrium, found) = self.found(effect);
-        let (model, joints, strengths) = (&ground.model, &ground.joints, &ground.strengths);
-        let mut outcome = report(model, &equilibrium, joints, strengths, ground.interfaces.clone(), &found);
-        let parts = (&*ground.model, &equilibrium, &joints[..], &strengths[..]);
-        by_friction(friction, parts, &found, &ground.stands.at_rest, &mut outcome);
-        if self.token.is_cancelled() {
-            let Outcome { interfaces, iterations, friction, .. } = outcome;
-            return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
-        }
-        outcome
+        outcome(model, &equilibrium, interfaces.clone(), &found, friction, &stands.at_rest)
     }
 
     /// Scaled velocities of the mechanism at that factor.
@@ -369,32 +350,30 @@ impl Sweeper<'_> {
 
     fn found(&mut self, effect: &Effect) -> (Equilibrium, Found) {
         match self.corner(effect) {
-            Reached::Corner(corner, _) => (self.loaded(effect), self.solution(effect, &corner)),
-            Reached::Locks | Reached::Lost => self.by_interior_point(effect),
+            Some(Reached::Corner(corner, _)) => (self.loaded(effect), self.solution(effect, &corner)),
+            Some(Reached::Locks) | None => self.by_interior_point(effect),
         }
     }
 
-    /// The best corner, and the factor of the load over its last unknown.
-    fn corner(&mut self, effect: &Effect) -> Reached {
-        self.try_corner(effect).unwrap_or(Reached::Lost)
-    }
-
-    fn try_corner(&mut self, effect: &Effect) -> Option<Reached> {
+    /// How far the fast method comes; none where that is nowhere.
+    fn corner(&mut self, effect: &Effect) -> Option<Reached> {
         let size = sum_of_sizes(&effect.load);
         if !effect.balanced || !(size > 0.0) || !size.is_finite() {
             return None;
         }
-        let mut last = self.reduced.as_ref()?.lasts(0, effect, size);
+        let mut last = self.learnt.reduced.as_ref()?.lasts(0, effect, size);
         let bounding = self.least_kept(&last).map(|(_, index)| index);
-        let mut start = bounding.map(|index| self.kept[index].start.clone());
+        let mut start = bounding.map(|index| self.learnt.kept[index].start.clone());
         let count = self.ground.equilibrium.restraints.len();
         for round in 0..ROUNDS {
-            let reduced = self.reduced.as_ref()?;
+            let reduced = self.learnt.reduced.as_ref()?;
             let bounded = Bounded { first: reduced.standing - 2 * count, count };
             let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_ref(), &self.token) {
                 Ended::Best(corner) => corner,
                 // Tangents of joints that crush may still be missing. No load is endless that a known mechanism bounds.
-                Ended::Unbounded if !self.ground.crushes() && bounding.is_none() => return Some(Reached::Locks),
+                Ended::Unbounded if !self.ground.equilibrium.crushes() && bounding.is_none() => {
+                    return Some(Reached::Locks);
+                }
                 Ended::Unbounded | Ended::Lost => return None,
             };
             let factor = corner.z.last().copied()?;
@@ -402,14 +381,7 @@ impl Sweeper<'_> {
                 return None;
             }
             let forces = reduced.forces(effect, &corner.z, 1.0 / size);
-            let ground = self.ground;
-            let more = tangents(
-                &ground.equilibrium,
-                &ground.joints,
-                &ground.strengths,
-                &forces,
-                OUTSIDE * (1.0 + factor.abs()),
-            );
+            let more = tangents(&self.ground.equilibrium, &forces, OUTSIDE * (1.0 + factor.abs()));
             if more.is_empty() {
                 let is_new = round > 0 || corner.pivots > 0;
                 let corner = self.tidied(corner);
@@ -418,7 +390,7 @@ impl Sweeper<'_> {
                 }
                 return Some(Reached::Corner(corner, 1.0 / size));
             }
-            let reduced = self.reduced.as_mut()?;
+            let reduced = self.learnt.reduced.as_mut()?;
             let first = reduced.limits.len();
             reduced.extend(more);
             last.extend(reduced.lasts(first, effect, size));
@@ -430,7 +402,7 @@ impl Sweeper<'_> {
     /// The least upper bound by a kept mechanism of the factor of a load with this last column, and which it is.
     fn least_kept(&self, last: &[f64]) -> Option<(f64, usize)> {
         let (mut least, mut best) = (f64::INFINITY, None);
-        for (index, Kept { mechanism, resistance, .. }) in self.kept.iter().enumerate() {
+        for (index, Kept { mechanism, resistance, .. }) in self.learnt.kept.iter().enumerate() {
             let work: f64 = mechanism.iter().map(|&(k, y)| y * last[k]).sum();
             if work > DRIVES && resistance / work < least {
                 (least, best) = (resistance / work, Some(index));
@@ -440,25 +412,25 @@ impl Sweeper<'_> {
     }
 
     fn keep(&mut self, corner: &Corner) {
-        let Some(reduced) = &self.reduced else { return };
+        let Some(reduced) = &self.learnt.reduced else { return };
         let mechanism: Vec<(usize, f64)> = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
         let resistance = mechanism.iter().map(|&(k, y)| y * reduced.rows.b(k)).sum();
         let kept = Kept { mechanism, resistance, start: corner.start.clone() };
-        if self.kept.len() < KEPT {
-            self.kept.push(kept);
+        if self.learnt.kept.len() < KEPT {
+            self.learnt.kept.push(kept);
         } else {
-            self.kept[self.next] = kept;
-            self.next = (self.next + 1) % KEPT;
+            self.learnt.kept[self.learnt.next] = kept;
+            self.learnt.next = (self.learnt.next + 1) % KEPT;
         }
     }
 
     /// Drops tangents where there are many, and names the rows of the corner anew.
     fn tidied(&mut self, mut corner: Corner) -> Corner {
-        let Some(reduced) = self.reduced.as_mut().filter(|r| r.limits.len() > r.standing + TANGENTS) else {
+        let Some(reduced) = self.learnt.reduced.as_mut().filter(|r| r.limits.len() > r.standing + TANGENTS) else {
             return corner;
         };
         let mut wanted = vec![false; reduced.limits.len()];
-        let bases = self.kept.iter().map(|kept| &kept.start.members).chain([&corner.start.members]);
+        let bases = self.learnt.kept.iter().map(|kept| &kept.start.members).chain([&corner.start.members]);
         for member in bases.flatten() {
             if let Member::Row(k) = member {
                 wanted[*k] = true;
@@ -475,7 +447,7 @@ impl Sweeper<'_> {
                 *k = places[*k].unwrap_or(*k);
             }
         };
-        for kept in &mut self.kept {
+        for kept in &mut self.learnt.kept {
             rename(&mut kept.start.members, &mut kept.mechanism);
         }
         rename(&mut corner.start.members, &mut corner.basis);
@@ -484,7 +456,7 @@ impl Sweeper<'_> {
 
     fn slides(&self, corner: &Corner) -> bool {
         let largest = corner.basis.iter().map(|m| m.1).fold(0.0, f64::max);
-        let limits = self.reduced.as_ref().map_or(&[][..], |r| &r.limits[..]);
+        let limits = self.learnt.reduced.as_ref().map_or(&[][..], |r| &r.limits[..]);
         corner.basis.iter().any(|&(k, y)| limits[k].slides && y > 1e-6 * largest)
     }
 
@@ -499,9 +471,8 @@ impl Sweeper<'_> {
     }
 
     fn by_interior_point(&self, effect: &Effect) -> (Equilibrium, Found) {
-        let ground = self.ground;
         let equilibrium = self.loaded(effect);
-        let found = largest_factor_of_carried(&equilibrium, &ground.joints, &ground.strengths, &ground.stands);
+        let found = largest_factor_of_carried(&equilibrium, &self.ground.stands);
         (equilibrium, found)
     }
 
@@ -509,13 +480,13 @@ impl Sweeper<'_> {
     fn solution(&mut self, effect: &Effect, corner: &Corner) -> Found {
         let equilibrium = &self.ground.equilibrium;
         let mut solution = Solution {
-            ending: Ending::Solved,
+            solved: true,
             forces: vec![0.0; equilibrium.columns.len()],
             factor: corner.z.last().copied().unwrap_or(0.0),
             velocities: vec![0.0; equilibrium.rows],
             iterations: corner.pivots as u32,
         };
-        if let (Some(reduced), Some(elastic)) = (&self.reduced, &mut self.elastic) {
+        if let (Some(reduced), Some(elastic)) = (&self.learnt.reduced, &mut self.elastic) {
             solution.forces = reduced.forces(effect, &corner.z, 1.0 / sum_of_sizes(&effect.load));
             let mut deformations = vec![0.0; equilibrium.columns.len()];
             for &(k, y) in &corner.basis {

@@ -2,10 +2,9 @@
 
 use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
-use super::joints::joints;
 use super::mechanism::mechanism;
 use super::outcome::Mechanism;
-use super::program::{Ending, Interpretation, Program};
+use super::program::{Interpretation, Program};
 use super::settings::Settings;
 use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::watch::CancelToken;
@@ -134,27 +133,17 @@ fn margin(
     settings: &Settings,
     token: &CancelToken,
 ) -> Result<Option<(f64, Option<Mechanism>)>, ModelError> {
-    if model.blocks.iter().all(|b| b.held.is_fixed()) {
-        return Err(ModelError::NothingFree);
-    }
-    let (_, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium { token: token.clone(), ..Equilibrium::new(model, loading, &joints) };
-    let strengths: Vec<_> = joints.iter().map(|j| j.strength).collect();
-    let factor = factor / equilibrium.factor_scale;
-    let rest: Vec<f64> = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
-    let nothing = vec![0.0; equilibrium.rows];
+    let (_, mut equilibrium) = Equilibrium::of_free(model, loading, settings)?;
+    equilibrium.token = token.clone();
     let program = Program {
-        equilibrium: &equilibrium,
-        joints: &joints,
-        strengths: &strengths,
-        scaled_loads: &nothing,
-        constant_loads: &rest,
+        scaled_loads: &[],
+        constant_loads: &equilibrium.loads(factor / equilibrium.factor_scale),
         // A margin of the whole weight at every contact is more than anyone asks for, and keeps the program bounded.
         cap: Some(1.0),
-        objective: Vec::new(),
         interpretation: Interpretation::Margin,
+        ..Program::of_the_factor(&equilibrium)
     };
     let solution = program.solve(TOLERANCE);
-    Ok((solution.ending == Ending::Solved && !token.is_cancelled())
-        .then(|| (solution.factor, mechanism(model, &equilibrium, &joints, &solution.velocities))))
+    Ok((solution.solved && !token.is_cancelled())
+        .then(|| (solution.factor, mechanism(model, &equilibrium, &solution.velocities))))
 }

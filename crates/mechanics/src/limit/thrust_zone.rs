@@ -1,10 +1,9 @@
 //! Where the line of thrust can lie under a load that is carried.
 
-use super::collapse::{TOLERANCE, joint_forces, resultant};
-use super::equilibrium::{Entry, Equilibrium};
-use super::joints::{Joint, Strength, joints};
+use super::collapse::{TOLERANCE, joint_forces, resultants};
+use super::equilibrium::Equilibrium;
 use super::outcome::Resultant;
-use super::program::{Ending, Interpretation, Program};
+use super::program::{Interpretation, Program};
 use super::settings::Settings;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
@@ -17,10 +16,6 @@ pub struct ThrustZone {
     /// Of each joint the lowest and the highest place of its resultant, along `normal.left()` [m]; `None` where the
     /// joint cannot be compressed, or the load is not carried. Neighbouring joints reach theirs in different states.
     pub reach: Vec<Option<[Vec2; 2]>>,
-    /// Line of thrust of the state with the least compression summed over all joints.
-    pub least_thrust: Option<Vec<Option<Resultant>>>,
-    /// Line of thrust of the state with the greatest compression summed over all joints; `None` where it has no end.
-    pub greatest_thrust: Option<Vec<Option<Resultant>>>,
 }
 
 /// The zone in which the line of thrust can lie under gravity, the permanent loads and `factor` times the variable
@@ -35,9 +30,9 @@ pub fn thrust_zone(
     settings: &Settings,
 ) -> Result<ThrustZone, ModelError> {
     let zone = Zone::of(model, loading, factor, settings)?;
-    let reach = (0..zone.joints.len()).map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?])).collect();
-    let (least_thrust, greatest_thrust) = (zone.line(-1.0), zone.line(1.0));
-    Ok(ThrustZone { interfaces: zone.interfaces, reach, least_thrust, greatest_thrust })
+    let reach =
+        (0..zone.equilibrium.joints.len()).map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?])).collect();
+    Ok(ThrustZone { reach, interfaces: zone.interfaces })
 }
 
 /// The joints, and the line of thrust of the state with the least compression summed over all of them, under gravity,
@@ -53,76 +48,56 @@ pub fn least_thrust(
     settings: &Settings,
 ) -> Result<(Vec<Interface>, Option<Vec<Option<Resultant>>>), ModelError> {
     let zone = Zone::of(model, loading, factor, settings)?;
-    let line = zone.line(-1.0);
+    let line = zone.line();
     Ok((zone.interfaces, line))
 }
 
 struct Zone {
     interfaces: Vec<Interface>,
-    joints: Vec<Joint>,
-    strengths: Vec<Strength>,
     equilibrium: Equilibrium,
     loads: Vec<f64>,
 }
 
 impl Zone {
     fn of(model: &BlockModel, loading: &Loading, factor: f64, settings: &Settings) -> Result<Zone, ModelError> {
-        if model.blocks.iter().all(|b| b.held.is_fixed()) {
-            return Err(ModelError::NothingFree);
-        }
-        let (interfaces, joints) = joints(model, settings)?;
-        let equilibrium = Equilibrium::new(model, loading, &joints);
-        let strengths = joints.iter().map(|j| j.strength).collect();
-        let factor = factor / equilibrium.factor_scale;
-        let loads = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
-        Ok(Zone { interfaces, joints, strengths, equilibrium, loads })
+        let (interfaces, equilibrium) = Equilibrium::of_free(model, loading, settings)?;
+        let loads = equilibrium.loads(factor / equilibrium.factor_scale);
+        Ok(Zone { interfaces, equilibrium, loads })
     }
 
     /// Farthest place of the resultant of joint `j` to one side of its tangent. A ratio of two forces, moment over
     /// compression, made linear by taking the compression as the unit of force (Charnes and Cooper 1962).
     fn extreme(&self, j: usize, side: f64) -> Option<Vec2> {
-        let joint = &self.joints[j];
-        let c = self.equilibrium.first_column[j];
+        let joint = &self.equilibrium.joints[j];
+        let c = joint.column;
         if joint.points.len() < 2 {
             return joint.points.first().copied();
         }
-        let nothing = vec![0.0; self.equilibrium.rows];
         let solution = Program {
-            equilibrium: &self.equilibrium,
-            joints: &self.joints,
-            strengths: &self.strengths,
             scaled_loads: &self.loads,
-            constant_loads: &nothing,
-            cap: None,
+            constant_loads: &vec![0.0; self.equilibrium.rows],
             objective: vec![(c, -side), (c + 1, side)],
             interpretation: Interpretation::UnitCompression(j),
+            ..Program::of_the_factor(&self.equilibrium)
         }
         .solve(TOLERANCE);
         let share = solution.forces[c + 1];
-        (solution.ending == Ending::Solved).then(|| joint.points[0] * (1.0 - share) + joint.points[1] * share)
+        solution.solved.then(|| joint.points[0] * (1.0 - share) + joint.points[1] * share)
     }
 
-    /// The line of thrust with the greatest sum of compressions (`sign` 1) or the least (-1).
-    fn line(&self, sign: f64) -> Option<Vec<Option<Resultant>>> {
-        let nothing = vec![0.0; self.equilibrium.rows];
-        let mut objective: Vec<Entry> = Vec::new();
-        for (joint, &c) in self.joints.iter().zip(&self.equilibrium.first_column) {
-            objective.extend((c..c + joint.points.len()).map(|column| (column, sign)));
-        }
+    /// The line of thrust with the least sum of compressions.
+    fn line(&self) -> Option<Vec<Option<Resultant>>> {
+        let compressions = self.equilibrium.joints.iter().flat_map(|joint| joint.columns().take(joint.points.len()));
         let solution = Program {
-            equilibrium: &self.equilibrium,
-            joints: &self.joints,
-            strengths: &self.strengths,
-            scaled_loads: &nothing,
+            scaled_loads: &[],
             constant_loads: &self.loads,
             // `t` has no part in this program.
             cap: Some(0.0),
-            objective,
-            interpretation: Interpretation::Factor,
+            objective: compressions.map(|column| (column, -1.0)).collect(),
+            ..Program::of_the_factor(&self.equilibrium)
         }
         .solve(TOLERANCE);
-        let forces = joint_forces(&self.equilibrium, &self.joints, &solution.forces);
-        (solution.ending == Ending::Solved)
-            .then(|| self.joints.iter().zip(&forces).map(|(j, f)| resultant(j, f)).collect())
+        let forces = joint_forces(&self.equilibrium, &solution.forces);
+        solution.solved.then(|| resultants(&self.equilibrium, &forces))
     }
 }

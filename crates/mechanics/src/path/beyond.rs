@@ -1,16 +1,17 @@
 //! Past a limit point: a small overload is applied and the damped motion followed to rest or to collapse; then the descending branch is traced.
 
 use super::correct::Constraint;
+use super::outcome::Status;
 use super::relax::{BRIEF, Fall, Falling, PATIENT, dashpots};
 use super::system::advance;
-use super::trace::{End, Heading, Next, Path, Stage};
+use super::trace::{Heading, Next, Path, Stage};
 use serde::{Deserialize, Serialize};
 
 /// Blocks let fall under more load than the path was followed to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Push {
     /// How the path ended.
-    pub end: End,
+    pub end: Status,
     /// Unit of the load that is added.
     pub unit: f64,
     /// Whether no end was found closer by.
@@ -22,7 +23,7 @@ pub(super) struct Push {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Descend {
     /// How the path ended.
-    pub end: End,
+    pub end: Status,
     /// Largest load factor.
     pub peak: f64,
     pub heading: Heading,
@@ -48,15 +49,15 @@ const PAST_PEAK: f64 = 1e-3;
 impl Path<'_> {
     /// What follows the end of a way up. Where balance is lost and found again close by, as when a hinge moves to the next joint, the
     /// path goes on from there.
-    pub(super) fn risen(&mut self, end: End, before: f64) -> Next {
-        if matches!(end, End::Target | End::Bifurcation) {
-            return Next::End(end);
+    pub(super) fn risen(&mut self, end: Status, before: f64) -> Next {
+        if matches!(end, Status::StableToLastLoad | Status::Bifurcation) {
+            return Next::Break(end);
         }
         let unit = self.unseen();
         // Where the path is lost again and again, a load further on is tried.
         let gained = self.state.factor - before;
         self.push = if gained > FAR * self.push * unit { 1.0 } else { (2.0 * self.push).min(LARGEST_PUSH) };
-        Next::On(Stage::Push(Push { end, unit, coarse: false, falling: self.let_fall(unit) }))
+        Next::Continue(Stage::Push(Push { end, unit, coarse: false, falling: self.let_fall(unit) }))
     }
 
     /// Blocks under a load a little further on.
@@ -69,31 +70,33 @@ impl Path<'_> {
     /// One step of the way to where the blocks come to rest under a load a little further on; or how the path ends, if they do not.
     /// The load is lowered until they come to rest.
     pub(super) fn pushed(&mut self, mut push: Push) -> Next {
-        let Some(fall) = self.fall(&mut push.falling) else { return Next::On(Stage::Push(push)) };
+        let Some(fall) = self.fall(&mut push.falling) else { return Next::Continue(Stage::Push(push)) };
         match fall {
             Fall::Rests(found, balanced) => {
                 self.snaps += 1;
                 self.accept(found, balanced);
                 if self.state.factor >= self.program.limit {
-                    return Next::End(End::Target);
+                    return Next::Break(Status::StableToLastLoad);
                 }
                 if self.points.len() as u32 > self.settings.most_steps + MOST_PUSHES {
-                    return Next::End(End::Lost);
+                    return Next::Break(Status::NotConverged);
                 }
                 return self.begin_rise();
             }
             Fall::Falls(_) | Fall::Lost if self.push > 1.0 && !push.coarse => self.push = (0.25 * self.push).max(1.0),
             // That they fall for good proves that the load was the largest.
-            Fall::Falls(fallen) if push.end == End::Lost => {
+            Fall::Falls(fallen) if push.end == Status::NotConverged => {
                 self.mechanism = self.way(&self.state, &fallen);
-                return self.peaked(End::Limit);
+                return self.peaked(Status::LimitPoint);
             }
             // Under a little more load they fall faster, and that shows the largest load less closely.
-            Fall::Lost if push.end == End::Lost && !push.coarse => (push.coarse, self.push) = (true, COARSE_PUSH),
+            Fall::Lost if push.end == Status::NotConverged && !push.coarse => {
+                (push.coarse, self.push) = (true, COARSE_PUSH)
+            }
             Fall::Falls(_) | Fall::Lost => return self.peaked(push.end),
         }
         push.falling = self.let_fall(push.unit);
-        Next::On(Stage::Push(push))
+        Next::Continue(Stage::Push(push))
     }
 
     /// One step of a fall; how it ends, where it does.
@@ -106,20 +109,20 @@ impl Path<'_> {
     }
 
     /// What follows the largest load: the path past it, but for a very long one.
-    pub(super) fn peaked(&mut self, end: End) -> Next {
+    pub(super) fn peaked(&mut self, end: Status) -> Next {
         if self.is_long() {
-            return Next::End(end);
+            return Next::Break(end);
         }
         let state = self.state.clone();
-        let Some(heading) = self.heading(&state, None) else { return Next::End(end) };
+        let Some(heading) = self.heading(&state, None) else { return Next::Break(end) };
         let length = PAST_PEAK * self.model.size;
-        Next::On(Stage::Descend(Descend { end, peak: state.factor, heading, length, step: 0 }))
+        Next::Continue(Stage::Descend(Descend { end, peak: state.factor, heading, length, step: 0 }))
     }
 
     /// Follows the path by a step past its peak, as far as that goes, until it has lost a share of its load. No state is kept above the peak: none of those
     /// past it is shown to stand.
     pub(super) fn descend(&mut self, mut descend: Descend) -> Next {
-        let end = Next::End(descend.end);
+        let end = Next::Break(descend.end);
         if descend.step >= self.settings.most_steps {
             return end;
         }
@@ -130,7 +133,7 @@ impl Path<'_> {
             return if descend.length < PAST_PEAK * self.model.size * 1e-6 {
                 end
             } else {
-                Next::On(Stage::Descend(descend))
+                Next::Continue(Stage::Descend(descend))
             };
         };
         let Some(on) = self.heading(&next, Some(&descend.heading)) else { return end };
@@ -151,6 +154,6 @@ impl Path<'_> {
         }
         descend.heading = on;
         descend.length *= (self.wanted(true) / f64::from(balanced.iterations.max(1))).clamp(0.5, 1.5);
-        Next::On(Stage::Descend(descend))
+        Next::Continue(Stage::Descend(descend))
     }
 }

@@ -48,14 +48,9 @@ fn joint(model: &Model, settings: &Settings, state: &State, k: usize) -> JointSt
 
 /// Whether the shear of an end is as large as its strength.
 fn slides(joint: &Joint, response: &Response<f64>, end: usize) -> bool {
-    let strength = strength(joint, response, end);
+    let strength = response.ends.shear_strength(end, &joint.resistance);
     let resists = response.ends.compression[end] > 0.0 || strength > 0.0;
     resists && response.shear[end].abs() >= strength * (1.0 - 1e-6)
-}
-
-/// Largest shear that an end carries [N/m].
-fn strength(joint: &Joint, response: &Response<f64>, end: usize) -> f64 {
-    response.ends.shear_strength(end, &joint.resistance)
 }
 
 /// Greatest compressive stress [Pa].
@@ -129,7 +124,7 @@ pub(super) fn point(
             let arm = 0.5 * response.length / joint.built_length().max(response.length);
             point.eccentricity = point.eccentricity.max(arm * ((b - a) / (a + b)).abs());
         }
-        let beyond = |end: usize| response.shear[end].abs() - strength(joint, &response, end);
+        let beyond = |end: usize| response.shear[end].abs() - response.ends.shear_strength(end, &joint.resistance);
         point.excess = point.excess.max(beyond(0)).max(beyond(1));
         point.sliding += u32::from((0..2).any(|e| slides(joint, &response, e)));
         point.stress = point.stress.max(stress(settings, joint, &response));

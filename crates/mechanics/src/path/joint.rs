@@ -3,7 +3,7 @@
 //! The frame of a joint halves the angle between its two faces, so that neither block is favoured and a mirrored model
 //! gives the mirrored answer.
 
-use super::dual::{Dual, Half, Posed, whole};
+use super::dual::{Half, Posed, whole};
 use crate::blocks::{BlockModel, Interface, ModelError};
 use crate::contact::{Bond, ContactLength, Ends, Number, Resistance, each};
 use crate::ids::{Id, Table};
@@ -139,7 +139,7 @@ impl Joint {
     }
 
     /// Centre of the second block from that of the first, as built, along the joint and across it [m].
-    fn between(&self) -> Vec2 {
+    pub(super) fn between(&self) -> Vec2 {
         self.on_first[0] - self.on_second[0]
     }
 
@@ -180,7 +180,8 @@ impl Joint {
         }
     }
 
-    /// Forces of a relative pose. `memory` is that of the last balanced state.
+    /// Forces of a relative pose; in [`Dual`](super::dual::Dual) numbers with their derivatives by what the second block moves along the
+    /// joint and across it, and by its turn. `memory` is that of the last balanced state.
     #[inline(always)]
     pub(super) fn respond<T: Posed>(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<T> {
         let Meeting { centre, overlap, length, glide, at } = self.meet(pose);
@@ -268,11 +269,6 @@ impl Joint {
         [SHARE * normal, SHARE * shear, SHARE * normal * length * length / 12.0]
     }
 
-    /// The response with its derivatives by what the second block moves along the joint and across it, and by its turn.
-    pub(super) fn respond_with_tangent(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<Dual> {
-        self.respond(bedding, memory, pose)
-    }
-
     /// How far the second block has moved along the joint and across it [m], seen from the first one, from the motions of both since they were
     /// built: translations [m] and rotation [rad]; with half of the first one's turn.
     pub(super) fn moved(&self, first: [f64; 3], second: [f64; 3], turn: Half) -> Vec2 {
@@ -304,16 +300,11 @@ impl Joint {
         let slid = along(second, &self.on_second) - along(first, &self.on_first);
         [slid, 0.5 * self.built_length() * (second[2] - first[2])]
     }
-
-    /// Centre of the second block, which has moved by so much, from that of the first, along the joint and across it [m].
-    pub(super) fn apart(&self, moved: Vec2) -> Vec2 {
-        self.between() + moved
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::dual::half_of;
+    use super::super::dual::{Dual, half_of};
     use super::*;
 
     fn joint(second_face: [Vec2; 2]) -> Joint {
@@ -358,7 +349,7 @@ mod tests {
                 let forces = |along, across, turn| {
                     joint.respond::<f64>(bedding, &memory, (vec2(along, across), half_of(turn))).force
                 };
-                let told = joint.respond_with_tangent(bedding, &memory, (vec2(along, across), half_of(turn)));
+                let told = joint.respond::<Dual>(bedding, &memory, (vec2(along, across), half_of(turn)));
                 let [a, b] = told.overlap.map(|o| o.value);
                 kinds[0] += u32::from(a < 0.0);
                 kinds[1] += u32::from(b < 0.0);

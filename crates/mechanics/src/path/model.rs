@@ -6,7 +6,7 @@ use super::settings::Settings;
 use crate::acting::Resultant;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce, interfaces};
 use crate::ids::{BlockId, Id};
-use crate::numbering::{HELD, last_joined, numbered};
+use crate::numbering::{HELD, numbered};
 use crate::plane::{Vec2, vec2};
 use serde::Serialize;
 
@@ -78,8 +78,7 @@ impl Model {
             _ => None,
         });
         let pairs: Vec<[usize; 2]> = joined.chain(pushed).collect();
-        let (equation, equations) = numbered(&held, &pairs);
-        let last = last_joined(&equation, equations, &pairs);
+        let (equation, last) = numbered(&held, &pairs);
         let side = |&i: &usize| model.blocks[BlockId::new(i)].outline.area().sqrt();
         let size = free.iter().map(side).sum::<f64>() / free.len() as f64;
         let rounding = joints.iter().map(Joint::rounding).fold(0.0, f64::max);
@@ -109,7 +108,7 @@ impl Model {
             variable,
             movement,
             equation,
-            equations,
+            equations: last.len(),
             last,
             rounding,
             size,

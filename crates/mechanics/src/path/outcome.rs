@@ -5,20 +5,20 @@ use crate::ids::{BlockId, Table};
 use crate::plane::{Pose, Vec2};
 use serde::{Deserialize, Serialize};
 
-/// How the path ended. All of these are answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// How the path ended. All of these are answers. Kept runs name them by their order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
+    /// Every load up to the limit was carried.
+    StableToLastLoad,
     /// The load passed a largest value: beyond it the blocks carry less.
     LimitPoint,
     /// The path lost its uniqueness below any largest load: the blocks may leave it sideways, at the same load.
     Bifurcation,
-    /// Every load up to the limit was carried.
-    StableToLastLoad,
-    /// The blocks do not stand under their own weight: let go, they fall for good.
-    UnstableUnderSelfWeight,
     /// The next balanced state was not found, and no fall proves that there is none; the last one is kept, and its load is
     /// carried. Without one, not even the self-weight is known to be carried.
     NotConverged,
+    /// The blocks do not stand under their own weight: let go, they fall for good.
+    UnstableUnderSelfWeight,
     /// The onlooker stopped it.
     Cancelled,
 }

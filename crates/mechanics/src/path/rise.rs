@@ -1,8 +1,9 @@
 //! The way up: steps along the path to where the load grows no more, a state does not stand or no next state is found.
 
 use super::correct::Constraint;
+use super::outcome::Status;
 use super::system::scale;
-use super::trace::{End, Heading, Next, Path, Stage};
+use super::trace::{Heading, Next, Path, Stage};
 use serde::{Deserialize, Serialize};
 
 /// The path followed up.
@@ -62,11 +63,11 @@ impl Path<'_> {
         // A path of very many states is left to loads that are pushed on alone: these come to an end.
         let before = self.state.factor;
         if self.is_long() {
-            return self.risen(End::Lost, before);
+            return self.risen(Status::NotConverged, before);
         }
         match self.rising() {
-            Some(rise) => Next::On(Stage::Rise(rise)),
-            None => self.risen(End::Lost, before),
+            Some(rise) => Next::Continue(Stage::Rise(rise)),
+            None => self.risen(Status::NotConverged, before),
         }
     }
 
@@ -85,16 +86,16 @@ impl Path<'_> {
     pub(super) fn rise(&mut self, mut rise: Rise) -> Next {
         let before = rise.before;
         match self.climb(&mut rise) {
-            None => Next::On(Stage::Rise(rise)),
+            None => Next::Continue(Stage::Rise(rise)),
             Some(end) => self.risen(end, before),
         }
     }
 
     /// Follows the path by a step up to where the load grows no more, a state does not stand or no next state is found; that is
     /// found to the resolution, and the state is left just before it.
-    pub(super) fn climb(&mut self, rise: &mut Rise) -> Option<End> {
+    pub(super) fn climb(&mut self, rise: &mut Rise) -> Option<Status> {
         if rise.step >= self.settings.most_steps {
-            return Some(End::Lost);
+            return Some(Status::NotConverged);
         }
         rise.step += 1;
         let target = self.program.limit;
@@ -107,7 +108,7 @@ impl Path<'_> {
         // The load grows ever slower towards its largest value.
         if rise.past.as_ref().is_some_and(|past| rise.heading.factor * past.distance <= unseen) {
             self.mechanism.clone_from(&rise.heading.direction);
-            return Some(End::Limit);
+            return Some(Status::LimitPoint);
         }
         let most = self.most_where_sliding(&rise.heading);
         if rise.share > most && self.points.last().is_some_and(|p| p.sliding > 0) {
@@ -118,7 +119,7 @@ impl Path<'_> {
         let constraint = if reaches { Constraint::Load } else { Constraint::Plane(&rise.heading.direction) };
         let Some((next, balanced)) = self.step(constraint, (&rise.heading, rise.share)) else {
             if close {
-                return Some(End::Lost);
+                return Some(Status::NotConverged);
             }
             rise.lost = Some(rise.share);
             rise.share *= 0.5;
@@ -137,16 +138,16 @@ impl Path<'_> {
                 if close {
                     self.mechanism.clone_from(&rise.heading.direction);
                     if falls {
-                        return Some(End::Limit);
+                        return Some(Status::LimitPoint);
                     }
                     // Where a joint opens or closes the path has a corner; where it forks it has none.
                     if !on.is_some_and(|on| self.goes_on_to(&next, [&rise.heading, &on])) {
-                        return Some(End::Lost);
+                        return Some(Status::NotConverged);
                     }
                     if let Some(sideways) = self.easiest() {
                         self.mechanism = sideways;
                     }
-                    return Some(End::Bifurcation);
+                    return Some(Status::Bifurcation);
                 }
                 rise.past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: rise.share, rate: on.factor });
                 rise.share *= rise.past.as_ref().map_or(0.5, |past| past.short_of_peak(&rise.heading));
@@ -156,7 +157,7 @@ impl Path<'_> {
         self.accept(next, balanced);
         self.goes_on(&on);
         if reaches {
-            return Some(End::Target);
+            return Some(Status::StableToLastLoad);
         }
         self.length = Some(rise.share);
         rise.heading = on;

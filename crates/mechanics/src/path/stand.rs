@@ -5,9 +5,10 @@
 //! not stay, the blocks are let fall from there, and from where glued joints would hold them: what comes to rest stands.
 
 use super::correct::{Constraint, balance};
+use super::outcome::Status;
 use super::relax::{Fall, Falling, PATIENT};
 use super::system::{State, advance, assemble, commit, respond};
-use super::trace::{End, Next, Path, Stage};
+use super::trace::{Next, Path, Stage};
 use serde::{Deserialize, Serialize};
 
 /// Overlap by which joints are as good as glued, and overlap that is as good as none, as shares of the largest one of glued
@@ -61,7 +62,7 @@ impl Path<'_> {
     /// Lets joints go by one degree more.
     pub(super) fn let_go(&mut self, mut joints: LetGo) -> Next {
         if joints.pressed <= 0.0 {
-            return Next::On(self.settle());
+            return Next::Continue(self.settle());
         }
         let next = if joints.pressed < joints.widest * LET_GO { 0.0 } else { joints.pressed * joints.share };
         let mut guess = State { pressed: next, ..self.state.clone() };
@@ -76,13 +77,13 @@ impl Path<'_> {
                     commit(self.model, self.settings, &mut self.state);
                     let state = self.state.clone();
                     let stays = self.is_stable(&state);
-                    return Next::On(if stays { Stage::Stood(balanced) } else { self.settle() });
+                    return Next::Continue(if stays { Stage::Stood(balanced) } else { self.settle() });
                 }
             }
-            None if joints.share > 0.98 => return Next::On(self.settle()),
+            None if joints.share > 0.98 => return Next::Continue(self.settle()),
             None => joints.share = joints.share.sqrt(),
         }
-        Next::On(Stage::LetGo(joints))
+        Next::Continue(Stage::LetGo(joints))
     }
 
     /// Lets the blocks fall from where they are.
@@ -93,11 +94,11 @@ impl Path<'_> {
 
     /// One step of blocks that fall under their own weight.
     pub(super) fn fall_at_first(&mut self, mut settle: Settle) -> Next {
-        let Some(end) = self.fall(&mut settle.falling) else { return Next::On(Stage::Settle(settle)) };
+        let Some(end) = self.fall(&mut settle.falling) else { return Next::Continue(Stage::Settle(settle)) };
         let falls = match end {
             Fall::Rests(found, balanced) => {
                 self.state = found;
-                return Next::On(Stage::Stood(balanced));
+                return Next::Continue(Stage::Stood(balanced));
             }
             end => matches!(end, Fall::Falls(_)),
         };
@@ -106,9 +107,11 @@ impl Path<'_> {
                 // As built, rounding decides which joints are closed, and what a tangent makes of that may lead nowhere.
                 let from = self.glued().unwrap_or_else(|| State::as_built(self.model));
                 let falling = Falling::new(from, PATIENT);
-                Next::On(Stage::Settle(Settle { fell_before: Some(falls), falling }))
+                Next::Continue(Stage::Settle(Settle { fell_before: Some(falls), falling }))
             }
-            Some(before) => Next::End(if before && falls { End::Falls } else { End::Lost }),
+            Some(before) => {
+                Next::Break(if before && falls { Status::UnstableUnderSelfWeight } else { Status::NotConverged })
+            }
         }
     }
 }

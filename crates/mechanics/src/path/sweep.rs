@@ -9,7 +9,7 @@ use super::near::Near;
 use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, assemble, load_of};
-use super::trace::{End, Path};
+use super::trace::Path;
 use crate::banded::Banded;
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 use crate::contact::ContactLength;
@@ -74,15 +74,14 @@ impl Ground {
         let model = Model::new(blocks, &bare, settings)?;
         let program = Program { increment: 1.0, limit: 0.0, watched: (BlockId(0), Vec2::ZERO) };
         let mut path = Path::new(&model, settings, &program);
-        let stood = path.stand(watch).map_err(End::status);
+        let stood = path.stand(watch);
         assemble(&model, settings, &path.state, &mut path.work);
         let at_rest = path.work.tangent.factorise().then(|| path.work.tangent.clone());
         let stood = stood.map(|balanced| (path.state, balanced));
-        let patient = settings.clone();
         Ok(Ground {
             settings: Settings { tolerance: TOLERANCE, most_trials: TRIALS, ..settings.clone() },
             model,
-            patient,
+            patient: settings.clone(),
             stood,
             at_rest,
         })
@@ -174,7 +173,7 @@ impl Sweeper<'_> {
     }
 
     /// Follows a load from self-weight up to its first largest factor: what blocks might carry beyond it, once they have moved to
-    /// another state, is not sought. Where the joints press at points they leave such states at every hinge that moves to the next
+    /// another state, is not sought, unless that happens within the first increment. Where the joints press at points they leave such states at every hinge that moves to the next
     /// joint, and the path goes on from there.
     ///
     /// Of each state that the settings name it is told where the path first meets it, if that is below a factor that is given for it; where
@@ -198,21 +197,23 @@ impl Sweeper<'_> {
         path.state = state;
         path.keeps = true;
         path.keep(balanced);
-        let goes_on = |end: End| end == End::Lost || settings.contact_length != ContactLength::Distributed;
-        let mut end = path.follow_up(watch);
-        if matches!(end, End::Limit | End::Lost) && goes_on(end) {
+        let mut status = path.follow_up(watch);
+        // Blocks that hold each other by friction may slip at the first touch of a load, and come to rest.
+        let slips = path.points.iter().all(|point| point.factor < program.increment);
+        let goes_on = slips || settings.contact_length != ContactLength::Distributed;
+        if status == Status::NotConverged || status == Status::LimitPoint && goes_on {
             path.settings = patient;
-            end = path.follow(watch);
+            status = path.follow(watch);
         }
         let factor = |&k: &usize| path.points[k].factor;
         let peak = (0..path.points.len()).max_by(|a, b| factor(a).total_cmp(&factor(b))).unwrap_or(0);
         let best = path.points.get(peak);
-        let most = best.map_or(0.0, |best| best.factor * if end == End::Target { 1.0 } else { BELOW_PEAK });
+        let most =
+            best.map_or(0.0, |best| best.factor * if status == Status::StableToLastLoad { 1.0 } else { BELOW_PEAK });
         if let Some(state) = path.states[..=peak].iter().rev().find(|state| state.factor <= most) {
             self.near.keep(&self.model.variable, state.clone());
         }
         let (factor, gives_way) = (best.map(|p| p.factor), best.map(|p| path.cause(p)));
-        let status = end.status();
         let onsets = path.onsets(below);
         Carried {
             status,
@@ -271,7 +272,7 @@ mod tests {
         path.keeps = true;
         let balanced = path.stand(&mut Unwatched).unwrap_or_else(|_| panic!("it stands"));
         path.keep(balanced);
-        assert_eq!(path.follow(&mut Unwatched), End::Limit);
+        assert_eq!(path.follow(&mut Unwatched), Status::LimitPoint);
         let states = path.states.clone();
         let peak = (0..states.len()).max_by(|&a, &b| states[a].factor.total_cmp(&states[b].factor)).unwrap();
         let past = states[peak + 1..].iter().find(|state| state.factor < 0.999 * states[peak].factor).unwrap();

@@ -1,10 +1,9 @@
 //! Equilibrium of all blocks and its exact tangent.
 
-use super::dual::{Half, between, half_of, whole};
+use super::dual::{Dual, Half, between, half_of, whole};
 use super::inertia::Elimination;
 use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::Model;
-use super::restraint::Restrained;
 use super::settings::Settings;
 use crate::acting::Resultant;
 use crate::banded::Banded;
@@ -122,8 +121,10 @@ pub(super) fn assemble(model: &Model, settings: &Settings, state: &State, work: 
     for k in 0..model.joints.len() {
         join(model, settings, k, state, work);
     }
+    // Fill that one or two blocks move against.
     for restraint in &model.restraints {
-        restrain(model, restraint, state, work);
+        let held = restraint.on(state);
+        spread(model, held.blocks, (held.forces.as_flattened(), &held.slope), work);
     }
 }
 
@@ -160,12 +161,6 @@ pub(super) fn load_of(model: &Model, state: &State, work: &mut Workspace) -> Vec
     work.turns.extend(state.motions.iter().map(|motion| half_of(motion[2])));
     (0..model.built.len()).for_each(|block| act(model, block, state, work));
     work.growing.clone()
-}
-
-/// Force of fill on the one or two blocks that move against it.
-fn restrain(model: &Model, restraint: &Restrained, state: &State, work: &mut Workspace) {
-    let held = restraint.on(state);
-    spread(model, held.blocks, (held.forces.as_flattened(), &held.slope), work);
 }
 
 /// Adds the forces on two blocks, and their derivatives by the motions of both, to the equations.
@@ -213,7 +208,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     let joint = &model.joints[k];
     let turns = [work.turns[joint.first], work.turns[joint.second]];
     let pose = relative(model, k, state, turns);
-    let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], pose);
+    let response = joint.respond::<Dual>(bedding(settings, state), &state.memory[k], pose);
     work.slides |= response.sliding[0] || response.sliding[1];
     work.cracks |= response.cracking;
     let [along, across, turn] = response.force;
@@ -222,7 +217,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     slope[0][0] -= artificial_shear;
     slope[1][1] -= artificial_normal;
     slope[2][2] -= artificial_turn;
-    let apart = joint.apart(pose.0);
+    let apart = joint.between() + pose.0;
     // Where the joint lies after the turn of its first block.
     let [sine, cosine] = whole(turns[0]);
     let turned = |v: Vec2| vec2(cosine * v.x - sine * v.y, cosine * v.y + sine * v.x);

@@ -14,6 +14,7 @@ use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::kept;
 use crate::watch::{Progress, Watch, Wish};
 use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
 
 /// The load at which equilibrium ends, with deformable joints: the path of balanced states from the blocks' own weight through
 /// the largest load. `resume` takes up a run that [`Watch::keep`] was offered, for the same blocks, loads, settings and program;
@@ -35,34 +36,9 @@ pub fn collapse(
     if let Some(bytes) = resume {
         path.take_up(belongs, bytes)?;
     }
-    let status = path.run(Some(belongs), watch).status();
+    let status = path.run(Some(belongs), watch);
     let onsets = path.onsets(&[]);
     Ok(Outcome { onsets, ..path.outcome(blocks, status) })
-}
-
-/// How the loads ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) enum End {
-    Target,
-    Limit,
-    Bifurcation,
-    Lost,
-    /// The blocks fall under their own weight.
-    Falls,
-    Stopped,
-}
-
-impl End {
-    pub(super) fn status(self) -> Status {
-        match self {
-            End::Target => Status::StableToLastLoad,
-            End::Limit => Status::LimitPoint,
-            End::Bifurcation => Status::Bifurcation,
-            End::Lost => Status::NotConverged,
-            End::Falls => Status::UnstableUnderSelfWeight,
-            End::Stopped => Status::Cancelled,
-        }
-    }
 }
 
 /// What a run does next.
@@ -84,11 +60,8 @@ pub(super) enum Stage {
     Descend(Descend),
 }
 
-/// What follows a step.
-pub(super) enum Next {
-    On(Stage),
-    End(End),
-}
+/// What follows a step: the next thing to do, or the end of the path.
+pub(super) type Next = ControlFlow<Status, Stage>;
 
 /// Where the path goes at a balanced state, per unit of its length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -160,23 +133,23 @@ impl<'m> Path<'m> {
     }
 
     /// Brings the blocks to stand under their own weight; or how that ends.
-    pub(super) fn stand(&mut self, watch: &mut dyn Watch) -> Result<Balanced, End> {
+    pub(super) fn stand(&mut self, watch: &mut dyn Watch) -> Result<Balanced, Status> {
         loop {
             if let Stage::Stood(balanced) = self.stage {
                 return Ok(balanced);
             }
-            if let Some(end) = self.go_on(None, watch) {
+            if let ControlFlow::Break(end) = self.go_on(None, watch) {
                 return Err(end);
             }
         }
     }
 
     /// Follows the path from the last balanced state to its end.
-    pub(super) fn follow(&mut self, watch: &mut dyn Watch) -> End {
+    pub(super) fn follow(&mut self, watch: &mut dyn Watch) -> Status {
         (self.length, self.push) = (None, 1.0);
         match self.begin_rise() {
-            Next::End(end) => end,
-            Next::On(stage) => {
+            Next::Break(end) => end,
+            Next::Continue(stage) => {
                 self.stage = stage;
                 self.run(None, watch)
             }
@@ -184,11 +157,11 @@ impl<'m> Path<'m> {
     }
 
     /// Follows the path from the last balanced state to where it no longer rises.
-    pub(super) fn follow_up(&mut self, watch: &mut dyn Watch) -> End {
-        let Some(mut rise) = self.rising() else { return End::Lost };
+    pub(super) fn follow_up(&mut self, watch: &mut dyn Watch) -> Status {
+        let Some(mut rise) = self.rising() else { return Status::NotConverged };
         loop {
             if watch.look(&self.progress()) == Wish::Stop {
-                return End::Stopped;
+                return Status::Cancelled;
             }
             if let Some(end) = self.climb(&mut rise) {
                 return end;
@@ -211,16 +184,16 @@ impl<'m> Path<'m> {
     }
 
     /// Goes on to the end. Where its state may be kept, the number of what it belongs to is given.
-    fn run(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> End {
+    fn run(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> Status {
         loop {
-            if let Some(end) = self.go_on(belongs, watch) {
+            if let ControlFlow::Break(end) = self.go_on(belongs, watch) {
                 return end;
             }
         }
     }
 
     /// One step; how the path ends, where it does.
-    fn go_on(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> Option<End> {
+    fn go_on(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> ControlFlow<Status> {
         let keep = |path: &Path, watch: &mut dyn Watch| {
             if let Some(belongs) = belongs {
                 watch.keep(&|| path.kept(belongs));
@@ -229,10 +202,10 @@ impl<'m> Path<'m> {
         keep(self, watch);
         if watch.look(&self.progress()) == Wish::Stop {
             keep(self, watch);
-            return Some(End::Stopped);
+            return ControlFlow::Break(Status::Cancelled);
         }
         let next = match std::mem::replace(&mut self.stage, Stage::Built) {
-            Stage::Built => Next::On(self.glue()),
+            Stage::Built => Next::Continue(self.glue()),
             Stage::LetGo(joints) => self.let_go(joints),
             Stage::Settle(settle) => self.fall_at_first(settle),
             Stage::Stood(balanced) => {
@@ -243,13 +216,8 @@ impl<'m> Path<'m> {
             Stage::Push(push) => self.pushed(push),
             Stage::Descend(descend) => self.descend(descend),
         };
-        match next {
-            Next::On(stage) => {
-                self.stage = stage;
-                None
-            }
-            Next::End(end) => Some(end),
-        }
+        self.stage = next?;
+        ControlFlow::Continue(())
     }
 
     fn progress(&self) -> Progress {

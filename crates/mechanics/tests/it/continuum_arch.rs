@@ -5,7 +5,8 @@ use crate::limit_models::{Ring, block, dry};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce};
 use mechanics::ids::{BlockId, GroupId, Id};
 use mechanics::limit::continuum::{
-    Bears, Bounds, BoundsStatus, Contact, Continuum, Region, Side, Soil, Wanted, Which, bound_on, collapse_bounds,
+    Bears, Bounds, BoundsStatus, Contact, Continuum, Region, Setting, Side, Soil, Wanted, Which, bound_on,
+    collapse_bounds,
 };
 use mechanics::limit::{Friction, Settings, collapse_load};
 use mechanics::plane::{Polygon, Vec2, vec2};
@@ -53,7 +54,8 @@ fn pushed(ring: &Ring) -> Loading {
 fn bounds(model: &BlockModel, loading: &Loading, earth: &Continuum, ratio: f64, elements: usize) -> Bounds {
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };
     let wanted = Wanted { ratio, elements, first: 400, ..Wanted::default() };
-    collapse_bounds(model, loading, &settings, earth, &wanted, &CancelToken::default()).unwrap()
+    let setting = Setting::new(model, loading, &settings, earth).unwrap();
+    collapse_bounds(&setting, &wanted, &CancelToken::default()).unwrap()
 }
 
 #[test]
@@ -139,12 +141,10 @@ fn layers_of_one_soil_are_one_layer_and_a_stronger_one_carries_no_less() {
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };
     let (mut last, mesh) = ([c, d], &cut.mesh);
     for top in [soil(0.0, 35.0, WEIGHT), soil(5e3, 35.0, WEIGHT), soil(50e3, 35.0, WEIGHT)] {
-        let lower = bound_on(Which::Lower, (&model, &loading), &settings, &two(top), mesh, &CancelToken::default())
-            .unwrap()
-            .unwrap();
-        let upper = bound_on(Which::Upper, (&model, &loading), &settings, &two(top), mesh, &CancelToken::default())
-            .unwrap()
-            .unwrap();
+        let earth = two(top);
+        let setting = Setting::new(&model, &loading, &settings, &earth).unwrap();
+        let lower = bound_on(Which::Lower, &setting, mesh, &CancelToken::default()).unwrap();
+        let upper = bound_on(Which::Upper, &setting, mesh, &CancelToken::default()).unwrap();
         assert!(lower > last[0] && upper > last[1] && lower <= upper, "{lower} {upper} after {last:?}");
         last = [lower, upper];
     }

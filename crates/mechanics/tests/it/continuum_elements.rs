@@ -13,7 +13,7 @@ use mechanics::fem::{
 };
 use mechanics::ids::{BlockId, Id, NodeId, ZoneId};
 use mechanics::limit::continuum::{
-    Bears, Bounds, Contact, Continuum, Side, Soil, Wanted, Which, bound_on, collapse_bounds,
+    Bears, Bounds, Contact, Continuum, Setting, Side, Soil, Wanted, Which, bound_on, collapse_bounds,
 };
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Polygon, Vec2, vec2};
@@ -79,7 +79,9 @@ impl FilledArch {
 
     fn bounds(&self, wanted: &Wanted) -> Bounds {
         let (model, loading) = self.blocks();
-        collapse_bounds(&model, &loading, &associated(), &self.earth(), wanted, &CancelToken::default()).unwrap()
+        let earth = self.earth();
+        let setting = Setting::new(&model, &loading, &associated(), &earth).unwrap();
+        collapse_bounds(&setting, wanted, &CancelToken::default()).unwrap()
     }
 
     /// The model of finite elements with `fine` elements along each voussoir and twice as many through the soil.
@@ -245,10 +247,8 @@ fn friction_that_does_not_dilate_carries_between_a_smooth_ring_and_one_that_dila
     let [lower, upper] = ends(&bounds);
     let (model, loading) = arch.blocks();
     let earth = FilledArch::slender(0.0).earth();
-    let smooth =
-        bound_on(Which::Lower, (&model, &loading), &associated(), &earth, &bounds.mesh, &CancelToken::default())
-            .unwrap()
-            .unwrap();
+    let setting = Setting::new(&model, &loading, &associated(), &earth).unwrap();
+    let smooth = bound_on(Which::Lower, &setting, &bounds.mesh, &CancelToken::default()).unwrap();
     let [coarse, fine] = [3, 6].map(|fine| arch.carried(fine));
     assert!(smooth < lower && fine > smooth, "{smooth} {lower} {fine}");
     // Errors halve with the elements, as they do without friction.

@@ -2,18 +2,21 @@
 
 use crate::continuum_tools::{Case, SMOOTH, footing, soil};
 use mechanics::limit::Settings;
-use mechanics::limit::continuum::{Flow, Wanted, Which, bound_on, collapse_bounds, flow_on};
+use mechanics::limit::continuum::{Continuum, Flow, Setting, Wanted, Which, bound_on, collapse_bounds, flow_on};
 use mechanics::watch::CancelToken;
 
 /// The associated lower bound, that of strength reduced after Davis, and the iteration, on one mesh.
 fn compared(case: &Case, dilatancy: f64) -> (f64, f64, Flow) {
     let (settings, token) = (Settings::default(), CancelToken::default());
     let wanted = Wanted { ratio: 1.01, elements: 450, first: 200, ..Wanted::default() };
-    let found = collapse_bounds(&case.model, &case.loading, &settings, &case.soil, &wanted, &token).unwrap();
+    let found = collapse_bounds(&case.setting(), &wanted, &token).unwrap();
     let mut reduced = case.soil.clone();
     reduced.regions.iter_mut().for_each(|region| region.soil = region.soil.reduced(1.0, dilatancy));
-    let on = |soil| bound_on(Which::Lower, (&case.model, &case.loading), &settings, soil, &found.mesh, &token).unwrap();
-    let flow = flow_on(dilatancy, (&case.model, &case.loading), &settings, &case.soil, &found.mesh, &token).unwrap();
+    let on = |soil: &Continuum| {
+        let setting = Setting::new(&case.model, &case.loading, &settings, soil).unwrap();
+        bound_on(Which::Lower, &setting, &found.mesh, &token)
+    };
+    let flow = flow_on(dilatancy, &case.setting(), &found.mesh, &token);
     (on(&case.soil).unwrap(), on(&reduced).unwrap(), flow.unwrap())
 }
 

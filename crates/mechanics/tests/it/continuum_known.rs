@@ -5,7 +5,7 @@ use crate::continuum_tools::{Case, SMOOTH, body, ends, footing, ground, rough, s
 use mechanics::blocks::Held;
 use mechanics::limit::Settings;
 use mechanics::limit::continuum::{
-    Bears, BoundsStatus, Contact, Continuum, Region, Side, Soil, Wanted, Water, bound_elsewhere,
+    Bears, BoundsStatus, Contact, Continuum, Region, Setting, Side, Soil, Wanted, Water, bound_elsewhere,
 };
 use mechanics::plane::vec2;
 use std::f64::consts::PI;
@@ -291,7 +291,7 @@ fn a_motion_bounds_a_load_beside_its_own_by_how_far_the_plate_sinks_there() {
     let beside = |x: f64| {
         let mut loading = case.loading.clone();
         loading.variable[0].at.x = x;
-        bound_elsewhere(&bounds, 0, &case.model, &loading, &Settings::default(), &case.soil).unwrap()
+        bound_elsewhere(&bounds, 0, &Setting::new(&case.model, &loading, &Settings::default(), &case.soil).unwrap())
     };
     for x in [0.1, 0.2, 0.3, 0.35] {
         let (moved, by_hand, exact) = (beside(x).unwrap(), 50.0 * 0.08 / (0.4 - x), 2.0 * 50.0 * x);

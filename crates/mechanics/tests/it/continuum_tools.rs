@@ -5,7 +5,7 @@ use mechanics::blocks::{BlockModel, Held, Loading, PointForce};
 use mechanics::ids::{BlockId, Id, Table};
 use mechanics::limit::Settings;
 use mechanics::limit::continuum::{
-    Bears, Bounds, BoundsStatus, Contact, Continuum, Region, Side, Soil, Wanted, collapse_bounds,
+    Bears, Bounds, BoundsStatus, Contact, Continuum, Region, Setting, Side, Soil, Wanted, collapse_bounds,
 };
 use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::CancelToken;
@@ -63,9 +63,11 @@ impl Case {
         let variable = vec![PointForce { block: BlockId::new(0), at, force }];
         Case { model, loading: Loading { variable, ..Loading::default() }, soil }
     }
+    pub(crate) fn setting(&self) -> Setting<'_> {
+        Setting::new(&self.model, &self.loading, &Settings::default(), &self.soil).unwrap()
+    }
     pub(crate) fn bounds(&self, wanted: Wanted) -> Bounds {
-        collapse_bounds(&self.model, &self.loading, &Settings::default(), &self.soil, &wanted, &CancelToken::default())
-            .unwrap()
+        collapse_bounds(&self.setting(), &wanted, &CancelToken::default()).unwrap()
     }
     /// Both bounds, which are wanted within a ratio and hold an exact value between them on every mesh.
     pub(crate) fn brackets(&self, exact: f64, ratio: f64, elements: usize) -> Bounds {

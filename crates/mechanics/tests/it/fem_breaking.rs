@@ -1,6 +1,6 @@
 //! Mortar that breaks: which pairs do, and that the way there does not matter.
 
-use crate::fem_tools::{carried, elastic, forces, grid, held, moved, node, tight, with_joints};
+use crate::fem_tools::{bed_of_mortar, carried, elastic, forces, grid, held, moved, node, tight, with_joints};
 use mechanics::fem::condensed::{Condensed, Functional, LoadPattern, Reached};
 use mechanics::fem::joint::{ElasticJoint, JointLaw, LiftOff, Mortar, PairState};
 use mechanics::fem::law::Plane;
@@ -13,7 +13,7 @@ const STONE: f64 = 10e9;
 
 /// A bed that breaks at a tension [Pa].
 fn bed(strength: f64) -> JointLaw {
-    JointLaw::Mortar(Mortar { lift_off: LiftOff::Stress(strength), ..Mortar::bed(1.25e9, 0.0, 0.0125, 1e6) })
+    JointLaw::Mortar(Mortar { lift_off: LiftOff::Stress(strength), ..bed_of_mortar(1.25e9, 0.0, 0.0125) })
 }
 
 /// Two stones on a floor, one above the other, with a bed under each.

@@ -133,7 +133,7 @@ fn vault_of(fill: Material, modulus: f64, friction: f64, shear: Shear, kinematic
 }
 
 fn settings() -> Settings {
-    Settings { tolerance: 1e-11, load_steps: 1, iteration_limit: 100, cut_limit: 8, line_search: true }
+    Settings { tolerance: 1e-11, load_steps: 1, iteration_limit: 100, cut_limit: 8 }
 }
 
 /// Two axles that cross, spread over a few nodes each: amplitudes of unit forces on the surface's nodes.

@@ -1,8 +1,9 @@
 //! How fast errors fall with the mesh: displacements and stresses against a solution that was made up, with the body forces that it takes.
 
+use crate::fem_stress::stress_at;
 use crate::fem_tools::{carried, elastic, grid, held, model, moved, tight};
 use mechanics::fem::law::Plane;
-use mechanics::fem::{Element, Kinematics, Mesh, Model, State, Status, Target, stress_at};
+use mechanics::fem::{Element, Kinematics, Mesh, Model, State, Status, Target};
 use mechanics::ids::{Id, NodeId, QuadId};
 use mechanics::plane::{Vec2, vec2};
 use std::f64::consts::PI;

@@ -1,12 +1,13 @@
 //! Laws of pairs of facing points.
 
 use crate::fem_law::Dice;
+use crate::fem_tools::bed_of_mortar;
 use mechanics::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairLaw, PairMemory, PairState, Shear};
 
 const FRESH: PairMemory = PairMemory { slip: 0.0, crush: 0.0, broken: false, state: PairState::Closed };
 
 fn mortar() -> Mortar {
-    Mortar { lift_off: LiftOff::Force(1e3), ..Mortar::bed(1.25e9, 0.19, 0.0125, 1e6) }
+    Mortar { lift_off: LiftOff::Force(1e3), ..bed_of_mortar(1.25e9, 0.19, 0.0125) }
 }
 
 fn panel(when_open: bool) -> Shear {

@@ -1,6 +1,6 @@
 //! Meshes and materials that the tests of finite elements share.
 
-use mechanics::fem::joint::JointLaw;
+use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Elastic, Material, Plane, Solid};
 use mechanics::fem::{
     Element, Kinematics, Mesh, Model, Outcome, Quad, Section, Settings, State, Status, Support, Target, Workspace,
@@ -35,6 +35,18 @@ pub(crate) fn node(nx: usize, i: usize, j: usize) -> NodeId {
 
 pub(crate) fn elastic(modulus: f64, ratio: f64, plane: Plane, element: Element) -> Section {
     of(Material::Elastic(Elastic { modulus, ratio }), plane, element)
+}
+
+/// A bed of a modulus [Pa], a Poisson's ratio and a thickness [m], without strength in tension and of a shear strength of 1 MPa.
+pub(crate) fn bed_of_mortar(modulus: f64, ratio: f64, thickness: f64) -> Mortar {
+    let normal = modulus / thickness;
+    Mortar {
+        normal,
+        tangential: normal / (2.0 * (1.0 + ratio)),
+        lift_off: LiftOff::Stress(0.0),
+        compressive_strength: None,
+        shear: Shear::Panel { strength: 1e6, when_open: false },
+    }
 }
 
 /// A section of 2000 kg/m^3.

@@ -4,9 +4,10 @@
 //! Chen and Han 1988): with α = (1 + sin φ)/(1 − sin φ) and Y = 2 c cos φ/(1 − sin φ), α σθ − σr = Y from the bore to the radius
 //! of yield, Lamé's stresses beyond it. Balance and yield alone fix the stresses, so that they are those of any dilatancy.
 
+use crate::fem_stress::stress_at;
 use crate::fem_tools::{carried, forces, grid, held, model, moved, node, of};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane};
-use mechanics::fem::{Element, Kinematics, Model, Settings, State, Status, Target, reactions, stress_at};
+use mechanics::fem::{Element, Kinematics, Model, Settings, State, Status, Target, reactions};
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::{Vec2, vec2};
 use std::f64::consts::FRAC_PI_2;

@@ -1,7 +1,7 @@
 //! Joints and contacts on meshes, against closed forms.
 
-use crate::fem_tools::{carried, elastic, forces, grid, held, model, node, of, tight, with_joints};
-use mechanics::fem::joint::{Contact, JointLaw, Mortar, PairState};
+use crate::fem_tools::{bed_of_mortar, carried, elastic, forces, grid, held, model, node, of, tight, with_joints};
+use mechanics::fem::joint::{Contact, JointLaw, PairState};
 use mechanics::fem::law::{Elastic, Material, NoTension, Plane};
 use mechanics::fem::{Element, Interface, Kinematics, Mesh, Model, Quadrature, Settings, Status, Target, reactions};
 use mechanics::ids::{Id, NodeId};
@@ -35,7 +35,7 @@ fn held_by(reactions: &[f64], row: impl Iterator<Item = (f64, NodeId)>, depth: f
 #[test]
 fn an_eccentric_force_opens_a_bed_of_mortar() {
     let (depth, thickness, modulus, force) = (0.54, 0.0125, 1.25e9, 200e3);
-    let bed = Mortar::bed(modulus, 0.19, thickness, 1e6);
+    let bed = bed_of_mortar(modulus, 0.19, thickness);
     for share in [0.2, 0.3, 0.4] {
         let contact = 3.0 * depth * (0.5 - share);
         let turn = 2.0 * force / contact / contact / bed.normal;

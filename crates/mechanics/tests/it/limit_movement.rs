@@ -3,7 +3,7 @@
 use crate::limit_models::{Ring, block, dry, model};
 use mechanics::blocks::{Held, Loading, Movement};
 use mechanics::ids::{BlockId, Id};
-use mechanics::limit::{Increments, MovementStatus, Settings, support_movement, thrust_zone};
+use mechanics::limit::{Increments, MovementStatus, Settings, least_thrust, support_movement};
 use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::CancelToken;
 
@@ -61,8 +61,8 @@ fn a_semicircle_spreads_on_three_hinges_and_falls() {
         assert!((-step.reaction.x / thrust - 1.0).abs() < 1e-5, "{} {} {thrust}", step.factor, step.reaction.x);
     }
     // At rest it thrusts as little as it can.
-    let zone = thrust_zone(&model, &Loading::default(), 0.0, &Settings::default()).unwrap();
-    let least = zone.least_thrust.unwrap()[0].unwrap().force.x;
+    let line = least_thrust(&model, &Loading::default(), 0.0, &Settings::default()).unwrap().1.unwrap();
+    let least = line[0].unwrap().force.x;
     assert!(-found.path[0].reaction.x > least && -found.path[0].reaction.x < 1.01 * least);
     // The answer does not depend on the increments.
     let finer = spread(1e-3, voussoirs);

@@ -3,7 +3,9 @@
 use crate::limit_models::{Ring, block, dry, model, sideways};
 use mechanics::blocks::{BlockModel, ContactLaw, Held, LawTable, Loading, PointForce};
 use mechanics::ids::{BlockId, Id};
-use mechanics::limit::{ContactPoints, Friction, Settings, Status, collapse_load, sweep, thrust_zone};
+use mechanics::limit::{
+    ContactPoints, Friction, Ground, Least, Settings, Status, collapse_load, least_thrust, thrust_zone,
+};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Polygon {
@@ -86,7 +88,7 @@ fn a_cube_on_a_cube_presses_on_both_corners_alike() {
     // Statically determinate: the zone is a point, and the two corners carry half the weight each.
     let [low, high] = zone.reach[0].unwrap();
     assert!((low - vec2(0.5, 1.0)).norm() < 1e-7 && (high - low).norm() < 1e-7);
-    let resultant = zone.least_thrust.unwrap()[0].unwrap();
+    let resultant = least_thrust(&model, &loading, 0.0, &Settings::default()).unwrap().1.unwrap()[0].unwrap();
     assert!((resultant.force - vec2(0.0, 9.81)).norm() < 1e-7);
     // Pushed at half height it would overturn under its own weight; it slides before.
     let outcome = collapse_load(&model, &loading, &Settings::default()).unwrap();
@@ -144,8 +146,7 @@ fn a_three_hinged_parabola_thrusts_by_its_closed_form() {
     model.gravity = Vec2::ZERO;
     let load = |i: usize, x: f64| PointForce { block: BlockId::new(i), at: vec2(x, 3.0), force: vec2(0.0, -100e3) };
     let loading = Loading { permanent: vec![load(1, -5.0), load(2, 5.0)], ..Loading::default() };
-    let zone = thrust_zone(&model, &loading, 0.0, &Settings::default()).unwrap();
-    let line = zone.least_thrust.unwrap();
+    let line = least_thrust(&model, &loading, 0.0, &Settings::default()).unwrap().1.unwrap();
     assert_eq!(line.len(), 3);
     for resultant in line {
         // The solver's tolerance on a force of the order of the load.
@@ -178,8 +179,14 @@ fn a_sweep_is_the_same_as_one_load_after_the_other() {
     let settings = Settings::default();
     let places: Vec<f64> = (0..33).map(|i| -8.0 + 0.5 * f64::from(i)).collect();
     let loads: Vec<_> = places.iter().map(|&x| ring.dispersed_knife(x, 0.75, 0.478)).collect();
-    let swept = sweep(&model, &Loading::default(), &loads, &settings).unwrap();
-    for (place, load) in swept.places.iter().zip(&loads) {
+    let ground = Ground::new(&model, &Loading::default(), &settings).unwrap();
+    let mut sweeper = ground.sweeper();
+    let mut place = |load: &Vec<PointForce>| {
+        let effect = sweeper.effect(load);
+        sweeper.least(&effect, settings.friction)
+    };
+    let swept: Vec<Least> = loads.iter().map(&mut place).collect();
+    for (place, load) in swept.iter().zip(&loads) {
         let loading = Loading { variable: load.clone(), ..Loading::default() };
         let alone = collapse_load(&model, &loading, &settings).unwrap();
         assert_eq!((place.status, place.friction), (alone.status, alone.friction));
@@ -188,11 +195,12 @@ fn a_sweep_is_the_same_as_one_load_after_the_other() {
         }
     }
     // A load near the quarter point governs, the one that the other places are compared with.
-    let governing = swept.governing.unwrap();
-    assert!((places[governing].abs() - 5.0).abs() < 0.6, "{}", places[governing]);
+    let factors = swept.iter().zip(&places).filter_map(|(found, place)| Some((found.factor?, place)));
+    let governing = factors.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap().1;
+    assert!((governing.abs() - 5.0).abs() < 0.6, "{governing}");
     // The ring is symmetric, so is its envelope.
     for i in 0..16 {
-        let (a, b) = (swept.places[i].factor, swept.places[32 - i].factor);
+        let (a, b) = (swept[i].factor, swept[32 - i].factor);
         if let (Some(a), Some(b)) = (a, b) {
             assert!((a / b - 1.0).abs() < 1e-4, "{a} {b}");
         }

@@ -48,7 +48,11 @@ fn a_place_of_a_sweep_is_left_within_an_exchange() {
     for friction in [Friction::Associated, Friction::NonAssociated] {
         let ground = Ground::new(&model, &loading, &Settings { friction, ..Settings::default() }).unwrap();
         assert!(ground.is_fast());
-        let place = |token: &CancelToken| ground.sweeper().paced(token).place(&load, friction);
+        let place = |token: &CancelToken| {
+            let mut sweeper = ground.sweeper().paced(token);
+            let effect = sweeper.effect(&load);
+            sweeper.least(&effect, friction)
+        };
         stops(place, |found| found.status == Status::Cancelled && found.factor.is_none());
     }
 }

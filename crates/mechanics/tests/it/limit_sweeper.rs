@@ -34,7 +34,7 @@ fn agree(model: &BlockModel, loading: &Loading, loads: &[Vec<PointForce>], setti
         assert!(!found.by_interior_point, "place {k}");
         assert!((upper / lower - 1.0).abs() < 1e-9, "place {k}: {lower} {upper}");
         assert!((lower / factor - 1.0).abs() < within, "place {k}: {lower} {factor}");
-        let own = sweeper.outcome(&effect);
+        let own = sweeper.outcome(&effect, Friction::Associated);
         assert!(own.equilibrium_residual < 1e-10 && own.yield_violation < 1e-8, "place {k}: {own:?}");
         assert!((own.lower_bound.unwrap() / lower - 1.0).abs() < 1e-9);
         assert!((own.upper_bound.unwrap() / lower - 1.0).abs() < 1e-6, "place {k}: {:?} {lower}", own.upper_bound);
@@ -168,7 +168,7 @@ fn forces_that_answer_movement_help_and_only_against_it() {
         let mut sweeper = ground.sweeper();
         let effect = sweeper.effect(&load);
         let found = sweeper.factor(&effect);
-        let outcome = sweeper.outcome(&effect);
+        let outcome = sweeper.outcome(&effect, Friction::Associated);
         let (lower, upper) = (found.lower.unwrap(), outcome.upper_bound.unwrap());
         assert!((lower / upper - 1.0).abs() < 1e-6, "{lower} {upper}");
         let whole = Loading { variable: load.clone(), ..loading.clone() };
@@ -254,7 +254,7 @@ fn tangents_that_were_dropped_are_found_again() {
         let other = fresh.factor(&effect);
         let (Some(found), Some(other)) = (found.lower, other.lower) else { continue };
         assert!((found / other - 1.0).abs() < 1e-8, "{k}: {found} {other}");
-        let outcome = long.outcome(&effect);
+        let outcome = long.outcome(&effect, Friction::Associated);
         assert!((outcome.upper_bound.unwrap() / found - 1.0).abs() < 1e-6, "{k}");
     }
 }

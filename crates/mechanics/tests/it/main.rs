@@ -34,6 +34,7 @@ mod fem_law_known;
 mod fem_law_tangent;
 mod fem_outcomes;
 mod fem_slope;
+mod fem_stress;
 mod fem_tangents;
 mod fem_time;
 mod fem_tools;

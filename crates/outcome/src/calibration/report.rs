@@ -3,6 +3,7 @@
 use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, TargetStrength, Verdict};
 use crate::warning;
 use bridge::{Bridge, Modulus};
+use findings::words::counted;
 
 impl CalibrationReport {
     /// Nothing found yet.
@@ -36,11 +37,6 @@ impl CalibrationReport {
         self
     }
 
-    /// The table was all that was wanted.
-    pub fn without_search(self) -> CalibrationReport {
-        self
-    }
-
     /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
     pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
@@ -61,15 +57,14 @@ impl CalibrationReport {
     }
 
     /// Takes in the strength of other packings.
-    pub fn strength_checked(mut self, again: Option<Strength>) -> CalibrationReport {
-        let Some(sheared) = &mut self.strength else { return self };
+    pub fn strength_checked(&mut self, again: Option<Strength>) {
+        let Some(sheared) = &mut self.strength else { return };
         let apart = again.as_ref().is_none_or(|again| sheared.reached && !sheared.wanted.checked_by(again));
         sheared.check.clone_from(&again);
         if apart {
             self.verdict = Verdict::Undetermined;
             self.warnings.push(warning::Calibration::StrengthApart { again }.into());
         }
-        self
     }
 
     /// Warns of samples that do not count.
@@ -80,9 +75,7 @@ impl CalibrationReport {
             self.warnings.push(told.into());
         }
     }
-}
 
-impl CalibrationReport {
     /// The modulus that is compared with the wanted one.
     pub fn compared(&self, measured: &Measured) -> Option<Spread> {
         match self.modulus {
@@ -128,8 +121,7 @@ impl CalibrationReport {
 
     /// "16 packings", for sentences.
     pub fn packings(&self) -> String {
-        let count = self.seeds.len();
-        format!("{count} packing{}", if count == 1 { "" } else { "s" })
+        counted(self.seeds.len(), "packing")
     }
 
     /// The multiple that was found, where the table does not have it.
@@ -153,10 +145,7 @@ impl CalibrationReport {
     }
 
     /// Says whether the check bears the search out.
-    pub fn judged(mut self, wanted: f64) -> CalibrationReport {
-        if self.verdict == Verdict::Cancelled {
-            return self;
-        }
+    pub fn judged(&mut self, wanted: f64) {
         match self.checked() {
             None => {
                 self.verdict = Verdict::Undetermined;
@@ -167,15 +156,13 @@ impl CalibrationReport {
             }
             Some(_) => {}
         }
-        self
     }
 
     /// Says how far stiffness alone reaches.
-    pub fn out_of_reach(mut self, wanted: f64, [low, high]: [At; 2]) -> CalibrationReport {
+    pub fn out_of_reach(&mut self, wanted: f64, [low, high]: [At; 2]) {
         self.verdict = Verdict::Undetermined;
         self.warnings.push(warning::Calibration::OutOfReach { wanted, ends: [low, high] }.into());
         self.reach = Some([low, high]);
-        self
     }
 }
 
@@ -188,22 +175,5 @@ impl Measured {
     pub fn at(&self, modulus: Modulus) -> Option<At> {
         let spread = if modulus == Modulus::Tangent { self.tangent } else { self.secant };
         spread.map(|spread| At { multiple: self.multiple, modulus: spread.mean })
-    }
-
-    /// Nothing but a modulus, for tests of the search.
-    pub fn bare(multiple: f64, modulus: f64) -> Measured {
-        let spread = Spread::of(&[(0, modulus)]);
-        Measured {
-            multiple,
-            tangent: spread,
-            least_squares: spread,
-            secant: spread,
-            late_secant: spread,
-            left_out: 0,
-            curve: Vec::new(),
-            samples: Vec::new(),
-            iterations: 0,
-            drawn: None,
-        }
     }
 }

@@ -46,15 +46,17 @@ pub struct TargetStrength {
 impl TargetStrength {
     /// Whether the strength of other packings bears out what is wanted: twice what a search leaves.
     pub fn checked_by(&self, strength: &Strength) -> bool {
-        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 4.0 * ANGLE);
-        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
-        angle && self.cohesion.is_none_or(enough)
+        self.is_near(strength, 4.0 * ANGLE)
     }
 
     /// Whether a strength is what is wanted.
     pub fn met_by(&self, strength: &Strength) -> bool {
-        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 2.0 * ANGLE);
+        self.is_near(strength, 2.0 * ANGLE)
+    }
+
+    fn is_near(&self, strength: &Strength, apart: f64) -> bool {
         let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
-        angle && self.cohesion.is_none_or(enough)
+        self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= apart)
+            && self.cohesion.is_none_or(enough)
     }
 }

@@ -21,7 +21,7 @@ notes! {
         WithoutDilation { times: f64 } =>
             "Cases up to {times} times the least factor are answered without dilation too, and the least counts. Others keep dilatant friction, \
              which gives more.";
-        Proven { cases: usize } => "For {cases} cases no largest factor was found, but one above the least of the others is proven to be \
+        Proven { cases: usize } => "For {cases} cases no largest factor was found, but one above the least of the others is shown to be \
                                     carried, and stands in its place.";
         DeformableJoints => "On deformable joints the axles that govern for rigid blocks are followed at every position; of all axles, and of \
              those that governed at the position before, it is asked there whether they carry as much, from the states of similar loads; at the \

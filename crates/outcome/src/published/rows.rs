@@ -30,17 +30,14 @@ impl Cell for str {
     }
 }
 
-impl Cell for String {
-    fn write(&self, to: &mut Vec<String>) {
-        self.as_str().write(to);
-    }
-}
-
-impl<T: Cell + ?Sized> Cell for &T {
+/// What holds another cell, or several, is written as that.
+macro_rules! holds { ($([$($of:tt)*] $Holder:ty),*) => { $(impl<$($of)*> Cell for $Holder {
     fn write(&self, to: &mut Vec<String>) {
         (**self).write(to);
     }
-}
+})* } }
+
+holds!([T: Cell + ?Sized] &T, [T: Cell] Vec<T>, [] String);
 
 impl<T: Cell> Cell for [T] {
     fn write(&self, to: &mut Vec<String>) {
@@ -49,12 +46,6 @@ impl<T: Cell> Cell for [T] {
 }
 
 impl<T: Cell, const N: usize> Cell for [T; N] {
-    fn write(&self, to: &mut Vec<String>) {
-        self.as_slice().write(to);
-    }
-}
-
-impl<T: Cell> Cell for Vec<T> {
     fn write(&self, to: &mut Vec<String>) {
         self.as_slice().write(to);
     }

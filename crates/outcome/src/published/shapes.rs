@@ -1,16 +1,17 @@
 //! JSON Schemas of an engineer's own files of vehicles and rules, from the cards of their keys.
 
-use rules::shape::{Key, Kind, LOAD_MODEL, RULE, Shape};
+use rules::shape::{Key, Kind, Shape};
+use rules::{LoadModel, Rule};
 use serde_json::{Map, Value, json};
 
 /// The schema of files of vehicles.
 pub fn schema_of_vehicles() -> Value {
-    headed("Extrados: vehicles", &LOAD_MODEL)
+    headed("Extrados: vehicles", LoadModel::SHAPE)
 }
 
 /// The schema of files of rules.
 pub fn schema_of_rules() -> Value {
-    headed("Extrados: a rule", &RULE)
+    headed("Extrados: a rule", Rule::SHAPE)
 }
 
 fn headed(title: &str, shape: &Shape) -> Value {

@@ -1,6 +1,6 @@
 //! Clocks: times that repeat, go back, or change their step; rows that are missing.
 
-use super::judge::{Judge, Spot};
+use super::judge::{Judge, LONGEST_GAP};
 use crate::Recording;
 use crate::signal::median;
 use findings::words::{counted, verb};
@@ -38,7 +38,7 @@ pub(super) fn examine(run: &mut Recording, judge: &mut Judge) {
             "the clock changes its step from {before:.6} s to {after:.6} s: two clocks, of which one may be wrong"
         );
         let help = "split the file where the clock changes, or accept R032 and say why both steps are right";
-        judge.fault_all(run, "R032", Spot::at(at), &message, help);
+        judge.fault(run, None, "R032", Some([at; 2]), [&message, help]);
     }
     gaps(run, &steps, one_clock, judge);
 }
@@ -79,7 +79,7 @@ fn in_order(run: &mut Recording, judge: &mut Judge) -> bool {
     if let Some((at, last)) = back {
         let message = format!("the time goes back from {last:.4} s to {:.4} s: two clocks", times[at]);
         let help = if is_set_by_an_hour(times[at] - last) { SUMMER_TIME } else { "give each clock a file of its own" };
-        judge.fault_all(run, "R031", Spot::at(at), &message, help);
+        judge.fault(run, None, "R031", Some([at; 2]), [&message, help]);
         return false;
     }
     if repeated.len() > OUT_OF_ORDER && repeated.len() as f64 > REPEATED * n as f64 {
@@ -95,7 +95,7 @@ fn in_order(run: &mut Recording, judge: &mut Judge) -> bool {
             verb(repeated.len(), "repeats", "repeat")
         );
         let help = "let the logger write fractions of a second, or replace the column by \"time [s]\", the row number over the sampling rate";
-        judge.fault_all(run, "R033", Spot::at(repeated[0]), &message, help);
+        judge.fault(run, None, "R033", Some([repeated[0]; 2]), [&message, help]);
         return false;
     }
     for &at in &repeated {
@@ -105,11 +105,11 @@ fn in_order(run: &mut Recording, judge: &mut Judge) -> bool {
         });
         let values = if same { "the same values" } else { "other values" };
         let message = format!("the time {:.4} s is repeated with {values}; the row is left out", run.times[at]);
-        judge.warn(run, None, "R033", Spot::at(at), [&message, "see whether the logger wrote a row twice"]);
+        judge.warn(run, None, "R033", Some([at; 2]), [&message, "see whether the logger wrote a row twice"]);
     }
     for &at in &strays {
         let message = format!("the time {:.4} s stands out of order; the row is left out", run.times[at]);
-        judge.warn(run, None, "R034", Spot::at(at), [&message, "correct the time of the row"]);
+        judge.warn(run, None, "R034", Some([at; 2]), [&message, "correct the time of the row"]);
     }
     if kept.len() < n {
         run.times = kept.iter().map(|k| run.times[*k]).collect();
@@ -170,13 +170,13 @@ fn usual_step(times: &[f64]) -> f64 {
 /// Rows that are missing between two times.
 fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) {
     let usual = usual_step(&run.times);
-    let longest = judge.scrutiny.limits.longest_gap;
+    let longest = LONGEST_GAP;
     let shown = run.time_step_shown;
     // Printed times are rounded only where the step is no multiple of what they can show.
     let counts = usual / shown;
     let rounded = if shown > 0.0 && (counts - counts.round()).abs() > 1e-3 { shown } else { 0.0 };
     let width = 12;
-    let mut long: Option<(Spot, String)> = None;
+    let mut long: Option<(Option<[usize; 2]>, String)> = None;
     for (k, &step) in steps.iter().enumerate() {
         let local = if one_clock {
             usual
@@ -187,7 +187,7 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
             continue;
         }
         let missing = (step / local).round() as usize - 1;
-        let spot = Spot::over(k, k + 1);
+        let spot = Some([k, k + 1]);
         let times = format!("{:.4} s to {:.4} s", run.times[k], run.times[k + 1]);
         let message = format!("{} {} missing from {times}", counted(missing, "sample"), verb(missing, "is", "are"));
         if missing <= longest {
@@ -203,6 +203,6 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
         let set = steps.iter().any(|step| is_set_by_an_hour(*step));
         let help = "cut the file so that the passage has no gap, or accept R035 and say why the gap does not matter";
         let help = if set { SUMMER_TIME } else { help };
-        judge.fault_all(run, "R035", spot, &message, help);
+        judge.fault(run, None, "R035", spot, [&message, help]);
     }
 }

@@ -1,6 +1,6 @@
 //! Drift: a level that wanders while nothing loads the span.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use crate::Recording;
 use crate::signal::{Loaded, least_count, line, range};
 
@@ -8,6 +8,9 @@ use crate::signal::{Loaded, least_count, line, range};
 const SURE: f64 = 5.0;
 /// Samples of a quiet start whose slope is looked at.
 const SAMPLES: usize = 20;
+/// Drift over the run, as a share of the channel's range, from which a channel is left out. A tenth is the norm that a good
+/// calibration reaches, so that such a drift would be taken for the bridge.
+const SHARE: f64 = 0.1;
 
 pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
     let n = run.times.len();
@@ -18,7 +21,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
         return;
     }
     // Two least counts may be rounding.
-    let limit = (judge.scrutiny.limits.drift * range(smooth)).max(2.0 * least_count(smooth));
+    let limit = (SHARE * range(smooth)).max(2.0 * least_count(smooth));
     let [start, slope, error] = line(&run.times[..loaded.quiet], &values[..loaded.quiet]);
     let duration = run.times[n - 1] - run.times[0];
     let whole = range(smooth).max(f64::MIN_POSITIVE);
@@ -38,7 +41,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
                 "it does not come back: {how}, {percent:.0} % of its range, but does not drift while nothing passes"
             );
             let help = "see whether joints slid under the train, or the sensor slipped; a second run tells";
-            judge.warn(run, Some(channel), "R046", Spot::over(loaded.quiet - 1, loaded.after), [&message, help]);
+            judge.warn(run, Some(channel), "R046", Some([loaded.quiet - 1, loaded.after]), [&message, help]);
             return;
         }
         (end - start, how)
@@ -50,5 +53,5 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     let percent = 100.0 * share.abs() / whole;
     let message = format!("it drifts: {how}, {percent:.0} % of its range over the run");
     let help = "see to temperature and amplifier; or accept R041, say why, and take the drift off with detrend";
-    judge.fault(run, channel, "R041", Spot::over(0, n - 1), [&message, help]);
+    judge.fault(run, Some(channel), "R041", Some([0, n - 1]), [&message, help]);
 }

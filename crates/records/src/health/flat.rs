@@ -1,6 +1,6 @@
 //! Channels that do not move.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use crate::Recording;
 use crate::signal::{Loaded, least_count, range};
 
@@ -18,7 +18,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     let count = least_count(&finite);
     let before = if loaded.quiet >= 20 { range(&smooth[..loaded.quiet]) } else { 0.0 };
     let expected = judge.expected(record).map(f64::abs);
-    let all = Spot::over(0, run.times.len().saturating_sub(1));
+    let all = Some([0, run.times.len().saturating_sub(1)]);
     let why = if range(&finite) == 0.0 {
         format!("it stands at {} throughout", unit.words(finite.first().copied().unwrap_or(0.0)))
     } else if moves <= 2.0 * count && range(&finite) <= 4.0 * count {
@@ -30,5 +30,5 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     } else {
         return;
     };
-    judge.fault(run, channel, "R040", all, [&why, "see whether the sensor was connected and its range fits"]);
+    judge.fault(run, Some(channel), "R040", all, [&why, "see whether the sensor was connected and its range fits"]);
 }

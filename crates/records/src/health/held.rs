@@ -1,6 +1,6 @@
 //! Drop-outs: a channel that holds one value while its neighbours answer the train.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use crate::Recording;
 use crate::signal::{Loaded, least_count, range};
 
@@ -47,7 +47,7 @@ pub(super) fn examine(
             run.times[last]
         );
         let help = "see whether the sensor reached its end stop or lost its contact";
-        judge.fault(run, channel, "R043", Spot::over(first, last), [&message, help]);
+        judge.fault(run, Some(channel), "R043", Some([first, last]), [&message, help]);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Who decides: the limits, what the caller expects, leaves out and accepts, and where findings go.
+//! Who decides: what the caller expects, leaves out and accepts, and where findings go.
 
 use crate::series::title;
 use crate::{Channel, Done, Finding, Place, Recording, Series};
@@ -43,25 +43,6 @@ pub struct Accept {
     pub reason: String,
 }
 
-/// From where on a doubt is a fault.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
-    /// Longest gap that is bridged by a straight line [samples]. Five at 200 Hz are 25 ms, in which a train at 65 km/h moves
-    /// 0.45 m, less than a tenth of a span of 6 m.
-    pub longest_gap: usize,
-    /// Most spikes that are taken out of one channel; a channel with more has a loose contact.
-    pub spikes: usize,
-    /// Drift over the run, as a share of the channel's range, from which a channel is left out. A tenth is the norm that a
-    /// good calibration reaches, so that such a drift would be taken for the bridge.
-    pub drift: f64,
-}
-
-impl Default for Limits {
-    fn default() -> Limits {
-        Limits { longest_gap: 5, spikes: 5, drift: 0.1 }
-    }
-}
-
 /// How closely records are looked at.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scrutiny {
@@ -71,26 +52,11 @@ pub struct Scrutiny {
     pub leave_out: Vec<LeaveOut>,
     /// Findings accepted by hand.
     pub accept: Vec<Accept>,
-    /// Limits.
-    pub limits: Limits,
 }
 
-/// Samples a finding is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Spot {
-    /// First and last sample.
-    pub samples: Option<[usize; 2]>,
-}
-
-impl Spot {
-    pub(super) fn at(sample: usize) -> Spot {
-        Spot { samples: Some([sample; 2]) }
-    }
-
-    pub(super) fn over(first: usize, last: usize) -> Spot {
-        Spot { samples: Some([first, last]) }
-    }
-}
+/// Longest gap that is bridged by a straight line [samples]. Five at 200 Hz are 25 ms, in which a train at 65 km/h moves 0.45 m, less
+/// than a tenth of a span of 6 m.
+pub(super) const LONGEST_GAP: usize = 5;
 
 /// Codes of findings that no word can mend: without a clock that runs forward nothing can be computed.
 const NOT_ACCEPTED: [&str; 4] = ["R030", "R031", "R033", "R013"];
@@ -113,62 +79,39 @@ impl<'a> Judge<'a> {
         run: &Recording,
         channel: Option<usize>,
         code: &'static str,
-        spot: Spot,
+        samples: Option<[usize; 2]>,
         [message, help]: [&str; 2],
     ) {
-        let place = place(run, channel, spot);
+        let place = place(run, channel, samples);
         self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
     }
 
-    /// A fault of a channel: it is left out, unless the caller accepts that.
+    /// A fault of a channel, or of the clock of all of them: what it is about is left out, unless the caller accepts that.
     pub(super) fn fault(
         &mut self,
         run: &mut Recording,
-        channel: usize,
+        channel: Option<usize>,
         code: &'static str,
-        spot: Spot,
+        samples: Option<[usize; 2]>,
         [message, help]: [&str; 2],
     ) {
-        let place = place(run, Some(channel), spot);
-        let target = &mut run.channels[channel];
-        let accepted = self.accepted(code, &run.name, target);
-        if let Some(reason) = accepted {
-            let message = format!("{message}; used all the same: {reason}");
-            self.findings.push(Finding::new(Severity::Warning, code, place, message, ""));
-            return;
-        }
-        if target.left_out.is_none() {
-            target.left_out = Some(format!("{code}: {message}"));
-        }
-        self.findings.push(Finding::new(
-            Severity::Error,
-            code,
-            place,
-            format!("{message}; the channel is left out"),
-            help,
-        ));
-    }
-
-    /// A fault of the clock: every channel of the run is left out, unless the caller accepts that.
-    pub(super) fn fault_all(&mut self, run: &mut Recording, code: &'static str, spot: Spot, message: &str, help: &str) {
-        let place = place(run, None, spot);
-        let mut out = 0;
-        let mut reasons = Vec::new();
-        for channel in &mut run.channels {
-            if let Some(reason) = self.accepted(code, &run.name, channel) {
+        let place = place(run, channel, samples);
+        let (mut out, mut reasons) = (0, Vec::new());
+        let meant = run.channels.iter_mut().enumerate().filter(|(k, _)| channel.is_none_or(|only| only == *k));
+        for (_, target) in meant {
+            if let Some(reason) = self.accepted(code, &run.name, target) {
                 reasons.push(reason);
                 continue;
             }
             out += 1;
-            if channel.left_out.is_none() {
-                channel.left_out = Some(format!("{code}: {message}"));
-            }
+            target.left_out.get_or_insert_with(|| format!("{code}: {message}"));
         }
         let finding = if out == 0 && !reasons.is_empty() {
             let message = format!("{message}; used all the same: {}", reasons[0]);
             Finding::new(Severity::Warning, code, place, message, "")
         } else {
-            Finding::new(Severity::Error, code, place, format!("{message}; the run is left out"), help)
+            let what = if channel.is_some() { "channel" } else { "run" };
+            Finding::new(Severity::Error, code, place, format!("{message}; the {what} is left out"), help)
         };
         self.findings.push(finding);
     }
@@ -176,9 +119,9 @@ impl<'a> Judge<'a> {
     fn accepted(&self, code: &str, run: &str, channel: &Channel) -> Option<String> {
         let meant = |accept: &&Accept| {
             accept.code == code
-                && accept.run.as_deref().is_none_or(|name| name == run)
-                && accept.name.as_deref().is_none_or(|name| name == channel.name)
-                && accept.line.as_deref().is_none_or(|line| line == channel.line)
+                && fits(&accept.run, run)
+                && fits(&accept.name, &channel.name)
+                && fits(&accept.line, &channel.line)
                 && !accept.reason.trim().is_empty()
         };
         let found = self.scrutiny.accept.iter().find(meant).filter(|_| !NOT_ACCEPTED.contains(&code));
@@ -187,9 +130,8 @@ impl<'a> Judge<'a> {
 
     /// The expected peak of a channel [SI].
     pub(super) fn expected(&self, channel: &Channel) -> Option<f64> {
-        let fits = |line: &Option<String>| line.as_deref().is_none_or(|line| line == channel.line);
-        let meant =
-            |one: &&Expected| one.name == channel.name && fits(&one.line) && one.peak.is_finite() && one.peak != 0.0;
+        let is_peak = |peak: f64| peak.is_finite() && peak != 0.0;
+        let meant = |one: &&Expected| one.name == channel.name && fits(&one.line, &channel.line) && is_peak(one.peak);
         // An entry for the line counts more than one for all lines.
         let mut all = self.scrutiny.expected.iter().filter(meant);
         let own = all.clone().find(|one| one.line.is_some());
@@ -210,10 +152,8 @@ impl<'a> Judge<'a> {
                 continue;
             }
             let mut met = false;
-            for run in runs.iter_mut().filter(|run| entry.run.as_deref().is_none_or(|name| name == run.name)) {
-                let meant = |channel: &&mut Channel| {
-                    channel.name == entry.name && entry.line.as_deref().is_none_or(|line| line == channel.line)
-                };
+            for run in runs.iter_mut().filter(|run| fits(&entry.run, &run.name)) {
+                let meant = |channel: &&mut Channel| channel.name == entry.name && fits(&entry.line, &channel.line);
                 for channel in run.channels.iter_mut().filter(meant) {
                     met = true;
                     channel.left_out = Some(format!("by hand: {}", entry.reason.trim()));
@@ -239,9 +179,14 @@ impl<'a> Judge<'a> {
     }
 }
 
-fn place(run: &Recording, channel: Option<usize>, spot: Spot) -> Place {
+/// Whether a run, a channel or a line is the one that is asked for, or all of them are.
+fn fits(asked: &Option<String>, own: &str) -> bool {
+    asked.as_deref().is_none_or(|asked| asked == own)
+}
+
+fn place(run: &Recording, channel: Option<usize>, samples: Option<[usize; 2]>) -> Place {
     let channel = channel.map(|index| &run.channels[index]);
-    let lines = spot.samples.and_then(|samples| {
+    let lines = samples.and_then(|samples| {
         let of = |sample: usize| run.lines.get(sample).map(|line| *line as usize).filter(|line| *line > 0);
         Some([of(samples[0])?, of(samples[1])?])
     });
@@ -250,6 +195,6 @@ fn place(run: &Recording, channel: Option<usize>, spot: Spot) -> Place {
         lines,
         column: channel.map(|channel| channel.column).filter(|column| *column > 0),
         channel: channel.map_or(String::new(), Channel::title),
-        time: spot.samples.and_then(|samples| run.times.get(samples[0]).copied()),
+        time: samples.and_then(|samples| run.times.get(samples[0]).copied()),
     }
 }

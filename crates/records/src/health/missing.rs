@@ -1,6 +1,6 @@
 //! Samples that are missing in one channel.
 
-use super::judge::{Judge, Spot};
+use super::judge::{Judge, LONGEST_GAP};
 use crate::signal::bridged;
 use crate::{Done, Recording};
 use findings::words::{counted, verb};
@@ -20,14 +20,14 @@ fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
 /// Leaves a channel out whose longest stretch without values is too long to bridge.
 pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
     let stretches = stretches(&run.channels[channel].values);
-    let longest = judge.scrutiny.limits.longest_gap;
+    let longest = LONGEST_GAP;
     let n = run.times.len();
     let Some(worst) = stretches.iter().copied().max_by_key(|[first, last]| last - first) else { return };
     let count: usize = stretches.iter().map(|[first, last]| last - first + 1).sum();
     let length = worst[1] - worst[0] + 1;
     if count == n {
         let message = "it has no value at all";
-        judge.fault(run, channel, "R040", Spot::over(0, n - 1), [message, "see whether the sensor was connected"]);
+        judge.fault(run, Some(channel), "R040", Some([0, n - 1]), [message, "see whether the sensor was connected"]);
     } else if length > longest {
         let message = format!(
             "{} in a row {} missing ({count} of {n} in all), more than {longest} that may be bridged",
@@ -35,7 +35,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
             verb(length, "is", "are")
         );
         let help = "cut the file, mend the cells, or accept R036 and say why the gap does not matter";
-        judge.fault(run, channel, "R036", Spot::over(worst[0], worst[1]), [&message, help]);
+        judge.fault(run, Some(channel), "R036", Some([worst[0], worst[1]]), [&message, help]);
     }
 }
 

@@ -9,12 +9,12 @@ mod missing;
 mod sisters;
 mod spike;
 
-pub use judge::{Accept, Expected, LeaveOut, Limits, Scrutiny};
+pub use judge::{Accept, Expected, LeaveOut, Scrutiny};
 
 use crate::signal::{bridged, loaded, smoothed};
 use crate::{Recording, Series};
 use findings::words::counted;
-use judge::{Judge, Spot};
+use judge::Judge;
 
 /// Fewer samples than these are no record of a passage.
 const FEWEST: usize = 20;
@@ -29,7 +29,7 @@ pub fn examine(runs: Vec<Recording>, scrutiny: &Scrutiny) -> Series {
     for run in &mut runs {
         if run.times.len() < FEWEST {
             let message = format!("the run has {}, too few to judge", counted(run.times.len(), "sample"));
-            judge.fault_all(run, "R030", Spot::default(), &message, "see why the file is so short");
+            judge.fault(run, None, "R030", None, [&message, "see why the file is so short"]);
         }
         equal_lengths(run);
         clock::examine(run, &mut judge);
@@ -83,13 +83,7 @@ fn distinct_names(runs: &mut [Recording], judge: &mut Judge) {
         }
         let fresh = (2..).map(|number| format!("{name} ({number})")).find(|name| !taken(name)).unwrap_or_default();
         let message = format!("another run has the same name; this one is called `{fresh}`");
-        judge.warn(
-            &runs[k],
-            None,
-            "R037",
-            Spot::default(),
-            [&message, "give each run a name of its own: `# run: slow 2`"],
-        );
+        judge.warn(&runs[k], None, "R037", None, [&message, "give each run a name of its own: `# run: slow 2`"]);
         runs[k].name = fresh;
     }
 }

@@ -1,7 +1,7 @@
 //! Units that slipped by a thousand and signs that are swapped: seen against expected peaks, or against the same channel on
 //! other lines and in other runs.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use super::smooth;
 use crate::Recording;
 use crate::signal::{loaded, median};
@@ -76,7 +76,7 @@ fn slips(runs: &mut [Recording], group: &[&Sister], judge: &mut Judge) {
             unit.words(reference),
         );
         let help = "correct the unit in the heading or the scale in the mapping";
-        judge.fault(&mut runs[one.run], one.channel, "R044", Spot::at(one.at), [&message, help]);
+        judge.fault(&mut runs[one.run], Some(one.channel), "R044", Some([one.at; 2]), [&message, help]);
     }
 }
 
@@ -98,6 +98,6 @@ fn signs(runs: &mut [Recording], group: &[&Sister], judge: &mut Judge) {
         };
         let message = format!("its peak is {} {against}: the sign seems to be swapped", unit.words(one.peak));
         let help = "see to the sensor's direction, then give the column a sign of -1 in the mapping";
-        judge.fault(&mut runs[one.run], one.channel, "R045", Spot::at(one.at), [&message, help]);
+        judge.fault(&mut runs[one.run], Some(one.channel), "R045", Some([one.at; 2]), [&message, help]);
     }
 }

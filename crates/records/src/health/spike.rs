@@ -1,6 +1,6 @@
 //! Spikes: samples that leave their neighbours and come back at once.
 
-use super::judge::{Judge, Spot};
+use super::judge::Judge;
 use crate::signal::{Loaded, bridged, least_count, noise, quantile, range};
 use crate::{Done, Recording};
 use findings::words::counted;
@@ -15,6 +15,8 @@ const OF_COUNT: f64 = 5.0;
 const OF_OTHERS: f64 = 6.0;
 /// Spikes that are named one by one.
 const NAMED: usize = 20;
+/// Most spikes that are taken out of one channel; a channel with more has a loose contact.
+const MOST: usize = 5;
 
 /// Takes spikes out of a channel, or leaves the channel out where there are too many.
 pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
@@ -49,15 +51,14 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     if spikes.is_empty() {
         return;
     }
-    let most = judge.scrutiny.limits.spikes;
-    if spikes.len() > most {
+    if spikes.len() > MOST {
         let message = format!(
             "{} off their neighbours by more than {}",
             if spikes.len() == 1 { "1 sample stands".to_owned() } else { format!("{} samples stand", spikes.len()) },
             unit.words(limit)
         );
         let help = "see to the sensor's contacts, or accept R042 and say why: its spikes are then taken out";
-        judge.fault(run, channel, "R042", Spot::at(spikes[0]), [&message, help]);
+        judge.fault(run, Some(channel), "R042", Some([spikes[0]; 2]), [&message, help]);
         if !run.channels[channel].used() {
             return;
         }
@@ -68,10 +69,10 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
             unit.words(values[k]),
             unit.words(smooth[k])
         );
-        judge.warn(run, Some(channel), "R042", Spot::at(k), [&message, "see whether the sensor was touched"]);
+        judge.warn(run, Some(channel), "R042", Some([k; 2]), [&message, "see whether the sensor was touched"]);
     }
     if spikes.len() > NAMED {
-        let spot = Spot::over(spikes[NAMED], spikes[spikes.len() - 1]);
+        let spot = Some([spikes[NAMED], spikes[spikes.len() - 1]]);
         let message = format!("{}, all taken out", counted(spikes.len() - NAMED, "more spike"));
         judge.warn(run, Some(channel), "R042", spot, [&message, "see to the sensor's contacts"]);
     }

@@ -104,7 +104,7 @@ pub(super) fn align(run: &mut Recording, align: &Align, log: &mut Log) {
     run.times.iter_mut().for_each(|time| *time += shift);
     run.time_step_shown = 0.0;
     log.did(
-        run,
+        &run.name,
         "",
         format!("clock shifted by {shift:+.5} s, which fits {title} {by} best (correlation {correlation:.4})"),
     );

@@ -59,7 +59,7 @@ pub(super) fn cut(run: &mut Recording, cut: Cut, log: &mut Log) {
         "cut to {from:.4} s to {to:.4} s, {why}: {} taken off the start, {end} off the end",
         counted(start, "sample")
     );
-    log.did(run, "", what);
+    log.did(&run.name, "", what);
 }
 
 fn answering(run: &Recording, share: f64) -> Option<[f64; 2]> {

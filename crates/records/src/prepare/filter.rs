@@ -68,19 +68,16 @@ pub(super) fn low_pass(run: &mut Recording, cutoff: f64, why: &str, log: &mut Lo
     let section = section(cutoff / rate);
     // Three periods of the cutoff: what the ends are carried on by has died away to a millionth by then.
     let pad = (3.0 * rate / cutoff).ceil().min(1e7) as usize;
-    let mut words = Vec::new();
     for channel in run.channels.iter_mut().filter(|channel| channel.used() && !channel.values.is_empty()) {
         let before = channel.peak().map_or(0.0, |k| channel.values[k]);
         channel.values = both_ways(section, &channel.values, pad);
         let after = channel.peak().map_or(0.0, |k| channel.values[k]);
         channel.decimals = None;
-        words.push((channel.title(), format!("from {} to {}", channel.unit.words(before), channel.unit.words(after))));
-    }
-    for (title, peak) in words {
+        let peak = format!("from {} to {}", channel.unit.words(before), channel.unit.words(after));
         let what = format!(
             "low pass at {cutoff} Hz (Butterworth of second order, forward and backward, 0.707 there){why}; the peak goes {peak}"
         );
-        log.did(run, &title, what);
+        log.did(&run.name, &channel.title(), what);
     }
 }
 

@@ -53,20 +53,17 @@ pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Log) {
         return;
     }
     let span = [run.times[samples.start], run.times[samples.end - 1]];
-    let mut words = Vec::new();
     for channel in run.channels.iter_mut().filter(|channel| channel.used()) {
         let level = median(&mut channel.values[samples.clone()].to_vec());
         channel.values.iter_mut().for_each(|value| *value -= level);
-        words.push((channel.title(), channel.unit.words(level)));
-    }
-    for (title, level) in words {
         let what = format!(
-            "set to zero: {level} taken off, the median of {} samples from {:.3} s to {:.3} s",
+            "set to zero: {} taken off, the median of {} samples from {:.3} s to {:.3} s",
+            channel.unit.words(level),
             samples.len(),
             span[0],
             span[1]
         );
-        log.did(run, &title, what);
+        log.did(&run.name, &channel.title(), what);
     }
 }
 
@@ -108,9 +105,12 @@ pub(super) fn detrend(run: &mut Recording, detrend: Detrend, log: &mut Log) {
         log.could_not(run, "R061", message, "record longer, or ask for a line of least squares");
         return;
     }
+    let through = match detrend {
+        Detrend::QuietEnds => "through the quiet start and end",
+        _ => "of least squares through the whole record",
+    };
     let times = run.times.clone();
     let mean = |from: usize, to: usize| times[from..to].iter().sum::<f64>() / (to - from) as f64;
-    let mut words = Vec::new();
     for channel in run.channels.iter_mut().filter(|channel| channel.used()) {
         let [time, value, slope] = if detrend == Detrend::QuietEnds {
             let start = median(&mut channel.values[..ends.quiet].to_vec());
@@ -124,13 +124,8 @@ pub(super) fn detrend(run: &mut Recording, detrend: Detrend, log: &mut Log) {
         for (at, entry) in times.iter().zip(&mut channel.values) {
             *entry -= value + slope * (at - time);
         }
-        words.push((channel.title(), channel.unit.words(slope)));
-    }
-    let through = match detrend {
-        Detrend::QuietEnds => "through the quiet start and end",
-        _ => "of least squares through the whole record",
-    };
-    for (title, slope) in words {
-        log.did(run, &title, format!("drift taken off: a straight line {through}, {slope} in a second"));
+        let slope = channel.unit.words(slope);
+        let what = format!("drift taken off: a straight line {through}, {slope} in a second");
+        log.did(&run.name, &channel.title(), what);
     }
 }

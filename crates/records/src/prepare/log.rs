@@ -10,8 +10,8 @@ pub(super) struct Log {
 }
 
 impl Log {
-    pub(super) fn did(&mut self, run: &Recording, channel: &str, what: String) {
-        self.done.push(Done::new(&run.name, channel, what));
+    pub(super) fn did(&mut self, run: &str, channel: &str, what: String) {
+        self.done.push(Done::new(run, channel, what));
     }
 
     pub(super) fn warn(&mut self, run: &Recording, channel: &str, code: &'static str, message: String, help: &str) {
@@ -20,7 +20,6 @@ impl Log {
     }
 
     pub(super) fn could_not(&mut self, run: &Recording, code: &'static str, message: String, help: &str) {
-        let place = Place { run: run.name.clone(), ..Place::default() };
-        self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
+        self.warn(run, "", code, message, help);
     }
 }

@@ -68,5 +68,5 @@ fn onto(run: &mut Recording, rate: f64, why: &str, log: &mut Log) {
         "resampled to {rate:.4} Hz on straight lines between samples, {why}: {before} samples became {}",
         run.times.len()
     );
-    log.did(run, "", what);
+    log.did(&run.name, "", what);
 }

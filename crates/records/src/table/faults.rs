@@ -19,7 +19,6 @@ pub(super) struct Kind {
 
 #[derive(Debug, Clone)]
 struct Stretch {
-    code: &'static str,
     kind: Kind,
     column: usize,
     rows: [usize; 2],
@@ -39,7 +38,7 @@ pub(super) struct Faults {
 impl Faults {
     /// A fault in a row of the table, counted in rows of data, on a line of the file; column 0 for the row as a whole.
     pub(super) fn add(&mut self, kind: Kind, column: usize, [row, line]: [usize; 2], time: Option<f64>, sample: &str) {
-        let same = |open: &Stretch| open.code == kind.code && open.column == column;
+        let same = |open: &Stretch| open.kind.code == kind.code && open.column == column;
         if let Some(at) = self.open.iter().position(same) {
             let open = &mut self.open[at];
             if open.rows[1] + 1 >= row {
@@ -52,13 +51,12 @@ impl Faults {
             self.close(stretch);
         }
         let sample = sample.chars().take(24).collect();
-        let stretch =
-            Stretch { code: kind.code, kind, column, rows: [row; 2], lines: [line; 2], time, sample, count: 1 };
+        let stretch = Stretch { kind, column, rows: [row; 2], lines: [line; 2], time, sample, count: 1 };
         self.open.push(stretch);
     }
 
     fn close(&mut self, stretch: Stretch) {
-        let alike = |other: &&mut Stretch| other.code == stretch.code && other.column == stretch.column;
+        let alike = |other: &&mut Stretch| other.kind.code == stretch.kind.code && other.column == stretch.column;
         let count = self.closed.iter_mut().filter(alike).count();
         if count < MOST {
             self.closed.push(stretch);
@@ -73,7 +71,7 @@ impl Faults {
         for stretch in std::mem::take(&mut self.open) {
             self.close(stretch);
         }
-        self.closed.sort_by_key(|stretch| (stretch.lines[0], stretch.column, stretch.code));
+        self.closed.sort_by_key(|stretch| (stretch.lines[0], stretch.column, stretch.kind.code));
         let one = |stretch: Stretch| {
             let Stretch { kind, column, lines, time, sample, count, .. } = stretch;
             let shown = if sample.is_empty() { String::new() } else { format!(" (`{sample}`)") };

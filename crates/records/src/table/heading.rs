@@ -14,63 +14,17 @@ pub(super) struct Heading {
 }
 
 /// Names under which a clock goes.
-const CLOCKS: [&str; 34] = [
-    "time",
-    "t",
-    "elapsed time",
-    "elapsed",
-    "elapsed seconds",
-    "relative time",
-    "absolute time",
-    "scan time",
-    "x value",
-    "timestamp",
-    "time stamp",
-    "datetime",
-    "date time",
-    "date/time",
-    "date&time",
-    "date & time",
-    "date and time",
-    "zeit",
-    "uhrzeit",
-    "zeitstempel",
-    "datum/zeit",
-    "datum zeit",
-    "datum/uhrzeit",
-    "datum uhrzeit",
-    "temps",
-    "heure",
-    "horodatage",
-    "date heure",
-    "date/heure",
-    "tempo",
-    "ora",
-    "hora",
-    "fecha hora",
-    "fecha/hora",
-];
+const CLOCKS: &str = "time, t, elapsed time, elapsed, elapsed seconds, relative time, absolute time, scan time, x value, \
+    timestamp, time stamp, datetime, date time, date/time, date&time, date & time, date and time, zeit, \
+    uhrzeit, zeitstempel, datum/zeit, datum zeit, datum/uhrzeit, datum uhrzeit, temps, heure, horodatage, \
+    date heure, date/heure, tempo, ora, hora, fecha hora, fecha/hora";
 /// Names of a column of dates beside one of times.
-const DATES: [&str; 3] = ["date", "datum", "fecha"];
+const DATES: &str = "date, datum, fecha";
 /// Names of a column of thousandths beside stamps of whole seconds.
-const THOUSANDTHS: [&str; 4] = ["ms", "msec", "millisecond", "milliseconds"];
+const THOUSANDTHS: &str = "ms, msec, millisecond, milliseconds";
 /// Names of columns that no sensor fills: what is counted, and what somebody remarked.
-const NO_SENSOR: [&str; 14] = [
-    "record",
-    "recnum",
-    "record number",
-    "rn",
-    "no.",
-    "no",
-    "nr",
-    "nr.",
-    "number",
-    "index",
-    "sample",
-    "scan",
-    "comment",
-    "kommentar",
-];
+const NO_SENSOR: &str =
+    "record, recnum, record number, rn, no., no, nr, nr., number, index, sample, scan, comment, kommentar";
 
 impl Heading {
     /// Reads a heading.
@@ -92,28 +46,27 @@ impl Heading {
         let unit = self.symbol.as_deref().and_then(Unit::named);
         let is_time = unit.is_some_and(|unit| unit.quantity == Dimension::Time);
         let begins = || ["time ", "zeit ", "temps "].iter().any(|word| name.starts_with(word));
-        self.line.is_empty()
-            && ((CLOCKS.contains(&name.as_str()) && (unit.is_none() || is_time)) || (is_time && begins()))
+        self.line.is_empty() && ((is_among(CLOCKS, &name) && (unit.is_none() || is_time)) || (is_time && begins()))
     }
 
     /// Whether it heads a column of dates.
     pub(super) fn is_date(&self) -> bool {
-        self.is_of(&DATES)
+        self.is_of(DATES)
     }
 
     /// Whether it heads thousandths of a second.
     pub(super) fn is_thousandths(&self) -> bool {
-        THOUSANDTHS.contains(&self.plain().as_str()) && self.symbol.as_deref().is_none_or(|symbol| symbol == "ms")
+        is_among(THOUSANDTHS, &self.plain()) && self.symbol.as_deref().is_none_or(|symbol| symbol == "ms")
     }
 
     /// Whether no sensor fills its column.
     pub(super) fn is_no_sensor(&self) -> bool {
-        self.is_of(&NO_SENSOR)
+        self.is_of(NO_SENSOR)
     }
 
-    fn is_of(&self, names: &[&str]) -> bool {
+    fn is_of(&self, names: &str) -> bool {
         let unit = self.symbol.as_deref().filter(|symbol| *symbol != "-").and_then(Unit::named);
-        self.line.is_empty() && unit.is_none() && names.contains(&self.plain().as_str())
+        self.line.is_empty() && unit.is_none() && is_among(names, &self.plain())
     }
 
     /// The name without capitals and underscores, and without a format or a zone: "Time (hh:mm:ss)", "Timestamp (UTC)".
@@ -128,6 +81,11 @@ impl Heading {
             _ => name,
         }
     }
+}
+
+/// Whether a name is one of these, which commas divide.
+fn is_among(names: &str, name: &str) -> bool {
+    names.split(", ").any(|known| known == name)
 }
 
 fn bracketed(text: &str, open: char, close: char, fits: fn(&str) -> bool) -> Option<(&str, Option<String>)> {

@@ -161,30 +161,9 @@ fn with_colons(clock: &str) -> Cow<'_, str> {
     }
 }
 
-/// First letters of months that other languages than English write otherwise: German, French, Italian, Spanish, Portuguese.
-const ELSEWHERE: [(&str, u32); 19] = [
-    ("gen", 1),
-    ("ene", 1),
-    ("fev", 2),
-    ("aou", 8),
-    ("mrz", 3),
-    ("avr", 4),
-    ("abr", 4),
-    ("mai", 5),
-    ("mag", 5),
-    ("juin", 6),
-    ("giu", 6),
-    ("juil", 7),
-    ("lug", 7),
-    ("ago", 8),
-    ("set", 9),
-    ("okt", 10),
-    ("ott", 10),
-    ("dez", 12),
-    ("dic", 12),
-];
-
-const MONTHS: [&str; 12] = ["jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"];
+/// First letters of each month: in English, and where German, French, Italian, Spanish and Portuguese write others.
+const MONTHS: &str = "jan gen ene, feb fev, mar mrz, apr avr abr, may mai mag, jun juin giu, jul juil lug, aug aou ago, sep set, oct okt ott, \
+                      nov, dec dez dic";
 
 fn written_date(text: &str) -> Option<Date> {
     let all = |order: Order| Order::ALL.map(|other| other == order);
@@ -200,12 +179,10 @@ fn written_date(text: &str) -> Option<Date> {
     let &[a, b, c] = &parts[..] else { return None };
     let month = |part: &str| {
         let part = part.to_lowercase();
-        let english = MONTHS.iter().position(|month| part.starts_with(month)).and_then(|at| u32::try_from(at + 1).ok());
-        english.or_else(|| ELSEWHERE.iter().find(|(month, _)| part.starts_with(month)).map(|(_, number)| *number))
+        let of = |names: &str| names.split(' ').any(|name| part.starts_with(name));
+        MONTHS.split(", ").position(of).and_then(|at| u32::try_from(at + 1).ok())
     };
-    let number = |part: &str| -> Option<u32> {
-        (part.len() <= 4 && part.bytes().all(|byte| byte.is_ascii_digit())).then(|| part.parse().ok())?
-    };
+    let number = |part: &str| digits(part).filter(|_| part.len() <= 4);
     if let Some(month) = month(b) {
         let order = if a.len() == 4 { Order::YearMonthDay } else { Order::DayMonthYear };
         return checked([number(a)?, month, number(c)?], all(order));
@@ -335,13 +312,8 @@ fn time_of_day(text: &str) -> Option<(i64, usize, i64)> {
     if parts.len() == 1 && whole.len() == 6 && whole.is_ascii() {
         parts = vec![&whole[..2], &whole[2..4], &whole[4..]];
     }
-    let numbers: Option<Vec<i64>> = parts
-        .iter()
-        .map(|part| {
-            (matches!(part.len(), 1 | 2) && part.bytes().all(|byte| byte.is_ascii_digit()))
-                .then(|| part.parse().ok())?
-        })
-        .collect();
+    let numbers: Option<Vec<i64>> =
+        parts.iter().map(|part| digits(part).filter(|_| matches!(part.len(), 1 | 2)).map(i64::from)).collect();
     let numbers = numbers?;
     if !fraction.bytes().all(|byte| byte.is_ascii_digit()) {
         return None;

@@ -1,7 +1,7 @@
 //! Do peaks depend on the speed of the train?
 
 use super::anova::{Test, blocks, half_width, mean, one_way};
-use super::{Answer, Testing};
+use super::{Answer, LEVEL, MATTERS, SAME_SPEED};
 use crate::peaks::{PeakTable, RunPeak};
 use serde::{Deserialize, Serialize};
 
@@ -49,14 +49,14 @@ struct Grouped {
 }
 
 /// Judges whether peaks depend on speed. Lines across the barrel are averaged first, for lines of one run are no repeats of it.
-pub fn dynamics(table: &PeakTable, testing: &Testing) -> Dynamics {
-    let classes = table.speed_classes(testing.same_speed);
+pub fn dynamics(table: &PeakTable) -> Dynamics {
+    let classes = table.speed_classes(SAME_SPEED);
     let speeds: Vec<f64> = classes.iter().map(|[low, high]| 0.5 * (low + high)).collect();
     let grouped: Vec<Grouped> = table.names().iter().map(|name| group(name, &table.by_run(name), &classes)).collect();
     let tested = grouped.iter().filter(|one| one_way(&one.groups, one.rounding).is_some()).count();
-    let channels: Vec<ChannelTest> = grouped.iter().map(|one| channel(one, tested, testing)).collect();
-    let (common, factors) = common(&grouped, speeds.len(), testing).map_or((None, Vec::new()), |(t, f)| (Some(t), f));
-    let (answer, words) = overall(&speeds, common, &factors, &channels, testing);
+    let channels: Vec<ChannelTest> = grouped.iter().map(|one| channel(one, tested)).collect();
+    let (common, factors) = common(&grouped, speeds.len()).map_or((None, Vec::new()), |(t, f)| (Some(t), f));
+    let (answer, words) = overall(&speeds, common, &factors, &channels);
     let mut unknown: Vec<&str> =
         table.peaks.iter().filter(|peak| peak.speed.is_none()).map(|p| p.run.as_str()).collect();
     unknown.sort_unstable();
@@ -78,7 +78,7 @@ fn group(name: &str, runs: &[RunPeak], classes: &[[f64; 2]]) -> Grouped {
     Grouped { name: name.to_owned(), groups: classes.iter().map(of).collect(), rounding: least / 12.0_f64.sqrt() }
 }
 
-fn channel(one: &Grouped, tested: usize, testing: &Testing) -> ChannelTest {
+fn channel(one: &Grouped, tested: usize) -> ChannelTest {
     let groups: Vec<&Vec<f64>> = one.groups.iter().filter(|group| !group.is_empty()).collect();
     let means: Vec<f64> = groups.iter().map(|group| mean(group)).collect();
     let size = mean(&means).abs();
@@ -90,8 +90,8 @@ fn channel(one: &Grouped, tested: usize, testing: &Testing) -> ChannelTest {
         None if groups.len() < 2 => (Answer::CannotTell, "peaks at one speed only".to_owned()),
         None => (Answer::CannotTell, "no speed was run twice, so that its scatter is not known".to_owned()),
         Some(test) => {
-            let seen = p_adjusted.is_some_and(|p| p < testing.level);
-            let excluded = excluded(&groups, &means, size, test, testing);
+            let seen = p_adjusted.is_some_and(|p| p < LEVEL);
+            let excluded = excluded(&groups, &means, size, test);
             let words = if tested > 1 { format!("{} (times {tested} channels)", test.words()) } else { test.words() };
             (Answer::of(seen, excluded), words)
         }
@@ -101,20 +101,20 @@ fn channel(one: &Grouped, tested: usize, testing: &Testing) -> ChannelTest {
 }
 
 /// Whether an effect that matters is excluded between the slowest and every other speed.
-fn excluded(groups: &[&Vec<f64>], means: &[f64], size: f64, test: Test, testing: &Testing) -> bool {
+fn excluded(groups: &[&Vec<f64>], means: &[f64], size: f64, test: Test) -> bool {
     (1..means.len()).all(|k| {
         let error = test.scatter * (1.0 / groups[0].len() as f64 + 1.0 / groups[k].len() as f64).sqrt();
-        let half = half_width(error, test.freedom[1], testing.level);
-        (means[k] - means[0]).abs() + half < testing.matters * size
+        let half = half_width(error, test.freedom[1], LEVEL);
+        (means[k] - means[0]).abs() + half < MATTERS * size
     })
 }
 
 /// The factor that speed puts on all peaks alike: channels with a peak of one sign at every speed are blocks.
-fn common(grouped: &[Grouped], speeds: usize, testing: &Testing) -> Option<(Test, Vec<[f64; 2]>)> {
+fn common(grouped: &[Grouped], speeds: usize) -> Option<(Test, Vec<[f64; 2]>)> {
     let rows: Vec<Vec<f64>> = grouped.iter().filter_map(|one| logarithms(one, speeds)).collect();
     let test = blocks(&rows, 0.0)?;
     let error = test.scatter * (2.0 / rows.len() as f64).sqrt();
-    let half = half_width(error, test.freedom[1], testing.level);
+    let half = half_width(error, test.freedom[1], LEVEL);
     let column = |k: usize| rows.iter().map(|row| row[k]).sum::<f64>() / rows.len() as f64;
     let factors = (0..speeds).map(|k| [(column(k) - column(0)).exp(), if k == 0 { 0.0 } else { half.exp() - 1.0 }]);
     Some((test, factors.collect()))
@@ -126,20 +126,14 @@ fn logarithms(one: &Grouped, speeds: usize) -> Option<Vec<f64>> {
     (means.len() == speeds && sided).then(|| means.iter().map(|mean| mean.abs().ln()).collect())
 }
 
-fn overall(
-    speeds: &[f64],
-    common: Option<Test>,
-    factors: &[[f64; 2]],
-    channels: &[ChannelTest],
-    testing: &Testing,
-) -> (Answer, String) {
+fn overall(speeds: &[f64], common: Option<Test>, factors: &[[f64; 2]], channels: &[ChannelTest]) -> (Answer, String) {
     if speeds.len() < 2 {
         let words = "runs of two speeds at least are needed to judge dynamics".to_owned();
         return (Answer::CannotTell, words);
     }
-    let margin = (1.0 + testing.matters).ln();
+    let margin = (1.0 + MATTERS).ln();
     let within = |[factor, half]: &[f64; 2]| factor.ln().abs() + (1.0 + half).ln() < margin;
-    let of_all = common.map(|test| Answer::of(test.p < testing.level, factors.iter().skip(1).all(within)));
+    let of_all = common.map(|test| Answer::of(test.p < LEVEL, factors.iter().skip(1).all(within)));
     let any = |answer: Answer| channels.iter().any(|channel| channel.answer == answer);
     let judged = channels.iter().any(|channel| channel.test.is_some());
     let every = judged && channels.iter().filter(|c| c.test.is_some()).all(|c| c.answer == Answer::NotSeen);
@@ -152,7 +146,7 @@ fn overall(
         _ if every => Answer::NotSeen,
         _ => Answer::CannotTell,
     };
-    let matters = 100.0 * testing.matters;
+    let matters = 100.0 * MATTERS;
     let verdict = match answer {
         Answer::NotSeen => {
             format!("no dynamic effect is seen, and one of {matters:.0} % on all channels would have been")

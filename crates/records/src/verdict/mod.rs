@@ -14,23 +14,15 @@ pub use dynamics::{ChannelTest, Dynamics, dynamics};
 pub use plane_strain::{LineTest, PlaneStrain, plane_strain};
 use serde::{Deserialize, Serialize};
 
-/// How it is tested.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Testing {
-    /// Chance of seeing an effect where there is none [-].
-    pub level: f64,
-    /// The effect that matters, as a share of the peak [-]. A tenth is the norm that a good calibration reaches: smaller effects
-    /// drown in its misfit.
-    pub matters: f64,
-    /// Speeds up to this ratio are one class [-].
-    pub same_speed: f64,
-}
+/// Chance of seeing an effect where there is none [-].
+const LEVEL: f64 = 0.05;
 
-impl Default for Testing {
-    fn default() -> Testing {
-        Testing { level: 0.05, matters: 0.1, same_speed: 1.15 }
-    }
-}
+/// The effect that matters, as a share of the peak [-]. A tenth is the norm that a good calibration reaches: smaller effects drown
+/// in its misfit.
+const MATTERS: f64 = 0.1;
+
+/// Speeds up to this ratio are one class [-].
+const SAME_SPEED: f64 = 1.15;
 
 /// An answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

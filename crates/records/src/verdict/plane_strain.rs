@@ -1,8 +1,8 @@
 //! Do lines across the barrel differ, or may one line stand for the whole width?
 
 use super::anova::{Test, blocks, half_width};
-use super::{Answer, Testing};
-use crate::peaks::{Peak, PeakTable};
+use super::{Answer, LEVEL, MATTERS};
+use crate::peaks::{Peak, PeakTable, distinct};
 use crate::{Recording, Series};
 use serde::{Deserialize, Serialize};
 
@@ -40,8 +40,8 @@ pub struct PlaneStrain {
 }
 
 /// Judges whether lines across the barrel differ; with histories, also by their shapes.
-pub fn plane_strain(table: &PeakTable, series: Option<&Series>, testing: &Testing) -> PlaneStrain {
-    let tests: Vec<LineTest> = table.names().iter().filter_map(|name| lines(table, series, name, testing)).collect();
+pub fn plane_strain(table: &PeakTable, series: Option<&Series>) -> PlaneStrain {
+    let tests: Vec<LineTest> = table.names().iter().filter_map(|name| lines(table, series, name)).collect();
     let any = |answer: Answer| tests.iter().any(|test| test.answer == answer);
     let answer = match () {
         () if tests.is_empty() => Answer::CannotTell,
@@ -50,7 +50,7 @@ pub fn plane_strain(table: &PeakTable, series: Option<&Series>, testing: &Testin
         () if any(Answer::SeenButSmall) => Answer::SeenButSmall,
         () => Answer::NotSeen,
     };
-    let matters = 100.0 * testing.matters;
+    let matters = 100.0 * MATTERS;
     let verdict = match answer {
         Answer::NotSeen => {
             format!("lines across the barrel differ by less than {matters:.0} %: plane strain may be assumed")
@@ -72,7 +72,7 @@ pub fn plane_strain(table: &PeakTable, series: Option<&Series>, testing: &Testin
     PlaneStrain { answer, channels: tests, words }
 }
 
-fn lines(table: &PeakTable, series: Option<&Series>, name: &str, testing: &Testing) -> Option<LineTest> {
+fn lines(table: &PeakTable, series: Option<&Series>, name: &str) -> Option<LineTest> {
     let own: Vec<&Peak> = table.peaks.iter().filter(|peak| peak.name == name && peak.value.is_finite()).collect();
     let lines = distinct(own.iter().map(|peak| peak.line.as_str()));
     if lines.len() < 2 {
@@ -95,13 +95,13 @@ fn lines(table: &PeakTable, series: Option<&Series>, name: &str, testing: &Testi
     let (answer, how) = match test {
         Some(test) => {
             let error = test.scatter * (2.0 / runs as f64).sqrt();
-            let half = half_width(error, test.freedom[1], testing.level);
-            let excluded = high - low + half < testing.matters * size;
-            (Answer::of(test.p < testing.level, excluded), test.words())
+            let half = half_width(error, test.freedom[1], LEVEL);
+            let excluded = high - low + half < MATTERS * size;
+            (Answer::of(test.p < LEVEL, excluded), test.words())
         }
         None if runs == 0 => (Answer::CannotTell, "no run has a peak on every line".to_owned()),
         // One run has no scatter: two least counts are what rounding may make of equal peaks.
-        None if difference < testing.matters => (Answer::NotSeen, "of a single run, without a test".to_owned()),
+        None if difference < MATTERS => (Answer::NotSeen, "of a single run, without a test".to_owned()),
         None if high - low <= 2.0 * least => (Answer::CannotTell, "no more than two least counts".to_owned()),
         None => (Answer::CannotTell, "of a single run, whose scatter is not known".to_owned()),
     };
@@ -109,16 +109,6 @@ fn lines(table: &PeakTable, series: Option<&Series>, name: &str, testing: &Testi
     let words = format!("{name}: {} lines differ by {:.1} % ({how}){alike}", lines.len(), 100.0 * difference);
     let lines = lines.into_iter().map(str::to_owned).zip(means).collect();
     Some(LineTest { name: name.to_owned(), lines, runs, difference, test, likeness, answer, words })
-}
-
-fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
-    let mut seen = Vec::new();
-    for name in names {
-        if !seen.contains(&name) {
-            seen.push(name);
-        }
-    }
-    seen
 }
 
 /// Least likeness of a line's history to the mean of its run's lines, over all runs.

@@ -3,7 +3,7 @@
 use crate::{judged, read_text, train};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use records::{Finding, Preparation, Read, Recording, Testing, dynamics, peaks, plane_strain, prepare};
+use records::{Finding, Preparation, Read, Recording, dynamics, peaks, plane_strain, prepare};
 use std::sync::LazyLock;
 
 /// The start of the good table: short enough to be mangled often.
@@ -151,7 +151,7 @@ fn nothing_is_altered_in_silence(read: &Recording) -> Result<(), TestCaseError> 
     };
     let series = prepare(series, &preparation);
     let table = peaks(&series);
-    let verdict = (dynamics(&table, &Testing::default()), plane_strain(&table, Some(&series), &Testing::default()));
+    let verdict = (dynamics(&table), plane_strain(&table, Some(&series)));
     prop_assert!(!verdict.0.words.is_empty() && !verdict.1.words.is_empty());
     Ok(())
 }

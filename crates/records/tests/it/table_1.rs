@@ -1,7 +1,7 @@
 //! The railway paper's Table 1: site-recorded peaks at three speeds, and what it concludes from them: "The site data shows
 //! insignificant dynamic effects".
 
-use records::{Answer, Dimension, Peak, PeakTable, Testing, Unit, dynamics, plane_strain};
+use records::{Answer, Dimension, Peak, PeakTable, Unit, dynamics, plane_strain};
 
 /// Channels with peaks at crawling (5 km/h), slow (20 km/h) and design speed (65 km/h), in mm and microstrain.
 const TABLE_1: [(&str, Dimension, [f64; 3]); 6] = [
@@ -37,7 +37,7 @@ fn table(fastest: f64) -> PeakTable {
 
 #[test]
 fn no_dynamic_effect_is_seen_and_one_of_a_tenth_is_excluded() {
-    let verdict = dynamics(&table(1.0), &Testing::default());
+    let verdict = dynamics(&table(1.0));
     assert_eq!(verdict.answer, Answer::NotSeen, "{}", verdict.words);
     // By hand from the table: means of logarithms 0.60454, 0.58967, 0.60506; scatter 0.06945; F(2, 10) = 0.095.
     let common = verdict.common.unwrap();
@@ -53,14 +53,14 @@ fn no_dynamic_effect_is_seen_and_one_of_a_tenth_is_excluded() {
 
 #[test]
 fn a_dynamic_effect_of_a_quarter_would_have_been_seen_in_the_same_scatter() {
-    let verdict = dynamics(&table(1.25), &Testing::default());
+    let verdict = dynamics(&table(1.25));
     assert_eq!(verdict.answer, Answer::Seen, "{}", verdict.words);
     // A twentieth lies within what this scatter can hide, but so does a tenth: the answer is not "not seen".
-    let small = dynamics(&table(1.05), &Testing::default());
+    let small = dynamics(&table(1.05));
     assert_eq!(small.answer, Answer::CannotTell, "{}", small.words);
 }
 
 #[test]
 fn one_line_says_nothing_of_plane_strain() {
-    assert_eq!(plane_strain(&table(1.0), None, &Testing::default()).answer, Answer::CannotTell);
+    assert_eq!(plane_strain(&table(1.0), None).answer, Answer::CannotTell);
 }

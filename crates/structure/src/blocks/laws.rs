@@ -1,9 +1,9 @@
 //! Contact laws of all pairs of materials.
 
 use super::{Body, Particle, Said};
-use crate::discretise::laws::LEAST_LENGTH_SHARE;
+use crate::discretise::laws::{LEAST_LENGTH_SHARE, stiffness};
 use bridge::blocks::{BlockFile, Material, MaterialJoint};
-use bridge::{Joint, JointStiffness, TextRange};
+use bridge::{Joint, TextRange};
 use mechanics::blocks::{ContactLaw, LawTable, Stiffness};
 use mechanics::ids::{GroupId, Id};
 
@@ -91,11 +91,6 @@ fn law(joint: &Joint, [a, b]: [&Material; 2], least: f64) -> ContactLaw {
     let together = |p: Option<f64>, q: Option<f64>| Some(2.0 / (1.0 / p? + 1.0 / q?));
     let shear = |m: &Material| Some(m.masonry.elastic_modulus? / (2.0 * (1.0 + m.masonry.poisson_ratio?)));
     let strength = |m: &Material| m.masonry.compressive_strength.unwrap_or(f64::INFINITY);
-    let stiffness = |given: Option<JointStiffness>, body: Option<f64>| match (given, body) {
-        (Some(JointStiffness::Contact(k)), _) => Stiffness::Given(k),
-        (Some(JointStiffness::Series(joint)), Some(body)) => Stiffness::Series { joint, body },
-        _ => Stiffness::Given(f64::INFINITY),
-    };
     ContactLaw {
         normal: stiffness(joint.normal_stiffness, together(a.masonry.elastic_modulus, b.masonry.elastic_modulus)),
         shear: stiffness(joint.shear_stiffness, together(shear(a), shear(b))),

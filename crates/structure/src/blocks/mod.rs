@@ -7,7 +7,7 @@ mod overlaps;
 mod write;
 
 pub use bodies::{Body, Particle};
-pub use write::{Skeleton, of_bridge, skeleton, toml};
+pub use write::{of_bridge, skeleton, toml};
 
 use crate::discretise::cover::Surface;
 use crate::discretise::extrados::Extrados;

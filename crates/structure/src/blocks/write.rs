@@ -7,24 +7,16 @@ use mechanics::blocks::{ContactLaw, Stiffness};
 use mechanics::ids::GroupId;
 use std::fmt::Write;
 
-/// What a drawing alone says of a model: where its bodies are, and nothing of what they are made of.
-pub struct Skeleton<'a> {
-    /// Name for titles.
-    pub name: &'a str,
-    /// The drawing.
-    pub drawing: &'a drawing::Drawing,
-}
-
-/// A block model file from a drawing. What the drawing does not say stands there as a line to fill in, which the reader
-/// refuses until that is done.
-pub fn skeleton(of: &Skeleton<'_>) -> String {
+/// A block model file from a drawing, which says where bodies are and nothing of what they are made of. What it does not say
+/// stands there as a line to fill in, which the reader refuses until that is done.
+pub fn skeleton(name: &str, drawing: &drawing::Drawing) -> String {
     let mut page = format!(
         "# {}: outlines of a drawing, in metres.\n# Lines marked TO FILL IN hold what no drawing says; the file is refused until they are filled in.\n\n\
          [model]\nname = {}\n\n",
-        of.name,
-        text(of.name)
+        name,
+        text(name)
     );
-    for layer in &of.drawing.layers {
+    for layer in &drawing.layers {
         let _ = write!(
             page,
             "[[material]]\nname = {}\ndensity = \"TO FILL IN kg/m^3\"\ncompressive_strength = \"TO FILL IN MPa\"  # or \"unlimited\"\nrounding = \"0 mm\"\n\n",
@@ -35,12 +27,11 @@ pub fn skeleton(of: &Skeleton<'_>) -> String {
              friction_angle = \"TO FILL IN deg\"\ncohesion = \"0 kPa\"\n\n";
     page += "# A load, such as\n# [[load]]\n# x = \"1.0 m\"\n# y = \"2.0 m\"\n# down = \"1 kN/m\"\n\n";
     page += "# Change role to \"support\" for blocks that do not move.\n\n";
-    for outline in &of.drawing.outlines {
+    for outline in &drawing.outlines {
         block(&mut page, &outline.layer, &outline.layer, None, false, &outline.points);
     }
-    for layer in &of.drawing.layers {
-        let circles: Vec<[f64; 3]> = of
-            .drawing
+    for layer in &drawing.layers {
+        let circles: Vec<[f64; 3]> = drawing
             .circles
             .iter()
             .filter(|c| c.layer == *layer)

@@ -246,23 +246,19 @@ impl Laying<'_, '_> {
     }
 
     fn piece(&mut self, outline: Polygon, ends: &[f64]) -> BlockId {
-        let faces: Vec<(f64, f64, f64)> = ends
+        let faces: Vec<(f64, [f64; 2], f64)> = ends
             .iter()
             .filter_map(|&x| {
                 let on = outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y);
                 let (low, high) = on.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
-                (high - low > NEAR).then_some((x, low, high))
+                (high - low > NEAR).then_some((x, [low, high], (outline.centroid().x - x).signum()))
             })
             .collect();
-        let inwards = |x: f64| (outline.centroid().x - x).signum();
-        let inwards: Vec<f64> = faces.iter().map(|f| inwards(f.0)).collect();
         let origin = Origin::Backing { column: self.pieces };
         self.pieces += 1;
         let block = self.build.block(outline, self.group, Held::FREE, origin, None);
         self.build.blocks[block].density = self.backing.density;
-        for ((x, low, high), inwards) in faces.into_iter().zip(inwards) {
-            self.faces.push(Face { block, x, levels: [low, high], inwards });
-        }
+        self.faces.extend(faces.into_iter().map(|(x, levels, inwards)| Face { block, x, levels, inwards }));
         block
     }
 }

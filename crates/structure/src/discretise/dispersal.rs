@@ -26,23 +26,16 @@ pub struct Strip {
 /// The strips of a load so far from its own place [m]; axles in the order of the file.
 pub fn strips(load: &Load, offset: f64) -> Vec<Strip> {
     let (position, horizontal) = (load.position + offset, load.horizontal);
+    let is_pressure = matches!(load.kind, LoadKind::Patch { .. });
+    let strip = |middle: f64, length: f64, force: f64| Strip { middle, length, force, horizontal, is_pressure };
     match &load.kind {
-        LoadKind::KnifeEdge { force, length } => {
-            vec![Strip { middle: position, length: *length, force: *force, horizontal, is_pressure: false }]
+        LoadKind::KnifeEdge { force, length } => vec![strip(position, *length, *force)],
+        LoadKind::Patch { pressure, length } => vec![strip(position, *length, pressure * length)],
+        LoadKind::Axles { axles, contact_length, effective_width } => {
+            let axle =
+                |&(force, behind): &(f64, f64)| strip(position - behind, *contact_length, force / effective_width);
+            axles.iter().map(axle).collect()
         }
-        LoadKind::Patch { pressure, length } => {
-            vec![Strip { middle: position, length: *length, force: pressure * length, horizontal, is_pressure: true }]
-        }
-        LoadKind::Axles { axles, contact_length, effective_width } => axles
-            .iter()
-            .map(|&(force, behind)| Strip {
-                middle: position - behind,
-                length: *contact_length,
-                force: force / effective_width,
-                horizontal,
-                is_pressure: false,
-            })
-            .collect(),
     }
 }
 

@@ -79,14 +79,10 @@ impl Build<'_> {
         if cover.backing.is_some() && !are_level(self.bridge) {
             return Err(DiscretiseError::SpringingsNotLevel { what: "backing as particles" });
         }
-        let rank = |l: &Layer| {
-            if l.particles {
-                0
-            } else if l.slabs.is_some() {
-                1
-            } else {
-                2
-            }
+        let rank = |l: &Layer| match (l.particles, l.slabs) {
+            (true, _) => 0,
+            (false, Some(_)) => 1,
+            (false, None) => 2,
         };
         if let Some(k) = cover.layers.windows(2).position(|pair| rank(&pair[0]) > rank(&pair[1])) {
             return Err(DiscretiseError::LayerOrder { layer: k + 2 });

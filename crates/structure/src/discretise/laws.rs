@@ -45,7 +45,7 @@ fn of_length(bridge: &Bridge, joint: &Joint, length: f64) -> ContactLaw {
     }
 }
 
-pub(super) fn stiffness(given: Option<JointStiffness>, body: Option<f64>) -> Stiffness {
+pub(crate) fn stiffness(given: Option<JointStiffness>, body: Option<f64>) -> Stiffness {
     match (given, body) {
         (Some(JointStiffness::Contact(k)), _) => Stiffness::Given(k),
         (Some(JointStiffness::Series(joint)), Some(body)) => Stiffness::Series { joint, body },

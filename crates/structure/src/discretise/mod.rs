@@ -16,6 +16,7 @@ pub mod laws;
 pub mod mesh;
 mod movement;
 mod origin;
+mod outline;
 pub mod pressure;
 pub mod ring_mesh;
 mod rings;

@@ -6,7 +6,7 @@ use super::springings::{bridge_length, springings};
 use bridge::Bridge;
 use mechanics::blocks::{BlockModel, Movement};
 use mechanics::ids::{BlockId, Id, Table};
-use mechanics::plane::{Vec2, vec2};
+use mechanics::plane::vec2;
 
 /// The support movement of the plan, on the block that is the support. It turns about the springing's middle for an
 /// abutment and about the middle of the foundation's upper face for a pier.
@@ -29,15 +29,10 @@ pub(super) fn movements(
     let centre = model.blocks[block].outline.centroid();
     let pivot = match origins[block] {
         Origin::Abutment { support: 0 } => vec2(0.0, 0.0),
-        Origin::Abutment { .. } => vec2(bridge_length(bridge), last_springing(bridge).y),
+        Origin::Abutment { .. } => vec2(bridge_length(bridge), springings(bridge).last().map_or(0.0, |ends| ends[1].y)),
         _ => vec2(centre.x, model.blocks[block].outline.bounds().1.y),
     };
     // The centroid of a block that turns about another point also moves.
     let translation = vec2(m.horizontal, m.vertical) + (centre - pivot).left() * m.rotation;
     Ok(vec![Movement { block, translation, rotation: m.rotation }])
-}
-
-/// The right springing of the last span [m].
-fn last_springing(bridge: &Bridge) -> Vec2 {
-    springings(bridge).last().map_or(Vec2::ZERO, |ends| ends[1])
 }

@@ -131,13 +131,7 @@ pub fn water(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
             return None;
         }
         // The upper face of the fill may lie below the level of the water.
-        let mut corners = vec![low, to];
-        let [a, b] = [low, to].map(|y| back.at(y).x);
-        corners.extend(column.kinks(a.min(b), a.max(b)).map(|x| low + (to - low) * (x - a) / (b - a)));
-        corners.sort_by(f64::total_cmp);
-        let mut cuts = corners.clone();
-        cuts.extend(corners.windows(2).flat_map(|pair| column.levels_passed(back.at(pair[0]), back.at(pair[1]))));
-        cuts.sort_by(f64::total_cmp);
+        let cuts = cuts(&column, [low, to], None, |y| back.at(y));
         // What is solid has no water in pores.
         let drowned = |pair: &&[f64]| {
             let middle = 0.5 * (pair[0] + pair[1]);
@@ -151,6 +145,20 @@ pub fn water(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
         Some(PointForce { block: back.block, at, force: vec2(back.way * sum.force, 0.0) })
     };
     extrados.stretches.iter().filter(|stretch| !stretch.ground).filter_map(on).collect()
+}
+
+/// Levels from one to another between which pressure on a line is linear: one more, those under kinks of the upper faces, and those at which the
+/// line, which is at these places, passes solid parts.
+fn cuts(column: &Column, [low, high]: [f64; 2], more: Option<f64>, at: impl Fn(f64) -> Vec2) -> Vec<f64> {
+    let mut corners = vec![low, high];
+    corners.extend(more);
+    let [a, b] = [at(low).x, at(high).x];
+    corners.extend(column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
+    corners.sort_by(f64::total_cmp);
+    let passed: Vec<f64> = corners.windows(2).flat_map(|pair| column.levels_passed(at(pair[0]), at(pair[1]))).collect();
+    corners.extend(passed);
+    corners.sort_by(f64::total_cmp);
+    corners
 }
 
 /// What the fill presses with.
@@ -174,15 +182,8 @@ impl Presses {
             (self.column.pressure(at) - self.column.pore(at)).max(0.0)
         };
         // Vertical stress is linear between the levels of solid parts, that of the water and those under kinks of the road.
-        let mut corners = vec![low, high];
-        corners.extend(Some(self.column.water_level()).filter(|y| *y > low && *y < high));
-        let [a, b] = [middle(low).x, middle(high).x];
-        corners.extend(self.column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
-        corners.sort_by(f64::total_cmp);
-        let mut cuts = corners.clone();
-        let at = |level: f64| vec2(middle(level).x, level);
-        cuts.extend(corners.windows(2).flat_map(|pair| self.column.levels_passed(at(pair[0]), at(pair[1]))));
-        cuts.sort_by(f64::total_cmp);
+        let water = Some(self.column.water_level()).filter(|y| *y > low && *y < high);
+        let cuts = cuts(&self.column, [low, high], water, |level| vec2(middle(level).x, level));
         let (mut vertical, mut even) = (Resultant::default(), Resultant::default());
         for pair in cuts.windows(2) {
             vertical.trapezoid(pair[0], pressure(pair[0]), pair[1], pressure(pair[1]));

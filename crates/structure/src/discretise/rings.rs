@@ -32,20 +32,14 @@ struct Joints {
     upper: Vec<Vec2>,
 }
 
-/// Thickness of a ring at a share of the arc length: linear from springing to crown.
-fn thickness(ring: &bridge::Ring, share: f64) -> f64 {
-    let to_crown = 1.0 - (2.0 * share - 1.0).abs();
-    ring.springing_thickness + (ring.crown_thickness - ring.springing_thickness) * to_crown
-}
-
 /// Distance of a ring's lower and upper face from the intrados of the span as it was built, along its normal, at a share of the arc length
 /// [m]: less what stones have lost.
 pub(super) fn faces(span: &Span, ring: usize, share: f64) -> [f64; 2] {
-    let below: f64 = span.rings[..ring].iter().map(|r| thickness(r, share)).sum();
+    let below: f64 = span.rings[..ring].iter().map(|r| r.thickness(share)).sum();
     let lost = |face: Face, is_outer: bool| {
         if is_outer { thinned(&span.defects, face, share, span.rings[ring].voussoirs) } else { 0.0 }
     };
-    let upper = below + thickness(&span.rings[ring], share);
+    let upper = below + span.rings[ring].thickness(share);
     [below + lost(Face::Intrados, ring == 0), upper - lost(Face::Extrados, ring + 1 == span.rings.len())]
 }
 

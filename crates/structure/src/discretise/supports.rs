@@ -6,6 +6,7 @@
 use super::DiscretiseError;
 use super::cover::{Column, Resultant};
 use super::extrados::Extrados;
+use super::outline::polygon;
 use bridge::{Abutment, AbutmentBody, Bridge, Pier};
 use mechanics::blocks::PointForce;
 use mechanics::ids::BlockId;
@@ -194,20 +195,4 @@ pub(super) fn earth(bridge: &Bridge, extrados: &Extrados, backs: &[Back]) -> Vec
         Some(PointForce { block: back.block, at, force: vec2(back.inwards * sum.force, 0.0) })
     };
     backs.iter().filter_map(on).collect()
-}
-
-/// The outline without corners that coincide or lie on a straight edge: a face must be one edge for the blocks that
-/// rest on it.
-fn polygon(mut corners: Vec<Vec2>) -> Result<Polygon, mechanics::plane::PolygonError> {
-    corners.dedup_by(|a, b| (*a - *b).norm() < 1e-9);
-    let straight = |before: Vec2, at: Vec2, after: Vec2| {
-        let (u, v) = ((at - before).unit(), (after - at).unit());
-        u.cross(v).abs() < 1e-9 && u.dot(v) > 0.0
-    };
-    let n = corners.len();
-    let kept = (0..n)
-        .filter(|&i| !straight(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]))
-        .map(|i| corners[i])
-        .collect();
-    Polygon::new(kept)
 }

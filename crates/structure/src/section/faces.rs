@@ -170,7 +170,7 @@ fn score(arch: &[[f64; 2]], faces: &[Line]) -> Option<(f64, [f64; 2])> {
     if arch.len() < FEWEST {
         return None;
     }
-    let polar = Polar { centre: robust_circle(arch)?.0.centre };
+    let polar = Polar { centre: robust_circle(arch)?.centre };
     let seen = in_order(&polar, arch)?;
     let kept = robust(&seen)?;
     let curve = chosen(&seen, &kept)?;

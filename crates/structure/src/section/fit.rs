@@ -66,7 +66,7 @@ pub fn fit(points: &[[f64; 2]]) -> Result<Section, SectionError> {
             why: "it holds the ground under the arch, and no faces of abutments are told from it",
         });
     }
-    let (circle, _) = robust_circle(&points).ok_or(SectionError::NoArch { why: "they lie on a straight line" })?;
+    let circle = robust_circle(&points).ok_or(SectionError::NoArch { why: "they lie on a straight line" })?;
     let polar = Polar { centre: circle.centre };
     let seen = in_order(&polar, &points)
         .ok_or(SectionError::NoArch { why: "some lie below the centre of the circle through the others" })?;
@@ -176,9 +176,7 @@ impl Radius {
         let at = self.at(angle);
         (radius - at) / (1.0 + (slope / at).powi(2)).sqrt()
     }
-}
 
-impl Radius {
     /// How many terms it has.
     pub(super) fn terms(&self) -> usize {
         self.terms.len()
@@ -230,16 +228,15 @@ fn weights(deviations: &[f64]) -> Vec<f64> {
     deviations.iter().map(|d| (1.0 - (d / limit).powi(2)).max(0.0).powi(2)).collect()
 }
 
-/// A circle that outliers do not move, and the deviations from it; none where the points lie on a line.
-pub(super) fn robust_circle(points: &[[f64; 2]]) -> Option<(Circle, Vec<f64>)> {
+/// A circle that outliers do not move; none where the points lie on a line.
+pub(super) fn robust_circle(points: &[[f64; 2]]) -> Option<Circle> {
     let mut weights_ = vec![1.0; points.len()];
     let mut found = None;
     for _ in 0..ROUNDS {
         let circle = circle(points, &weights_)?;
-        let deviations: Vec<f64> =
-            points.iter().map(|p| (p[0] - circle.centre[0]).hypot(p[1] - circle.centre[1]) - circle.radius).collect();
-        weights_ = weights(&deviations);
-        found = Some((circle, deviations));
+        let off = |p: &[f64; 2]| (p[0] - circle.centre[0]).hypot(p[1] - circle.centre[1]) - circle.radius;
+        weights_ = weights(&points.iter().map(off).collect::<Vec<_>>());
+        found = Some(circle);
     }
     found
 }

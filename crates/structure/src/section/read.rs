@@ -107,12 +107,13 @@ fn separator(row: &str) -> char {
 }
 
 fn cells(row: &str, separator: char) -> Vec<&str> {
-    let trim = |cell: &'_ str| cell.trim_matches(['"', ' ', '\t']).len();
     match separator {
         ' ' => row.split_whitespace().collect(),
-        _ => {
-            row.split(separator).map(|cell| cell.trim_matches(['"', ' ', '\t'])).filter(|cell| trim(cell) > 0).collect()
-        }
+        _ => row
+            .split(separator)
+            .map(|cell| cell.trim_matches(['"', ' ', '\t']))
+            .filter(|cell| !cell.is_empty())
+            .collect(),
     }
 }
 

@@ -2,7 +2,8 @@
 //! the same bridge seen from its other side comes to the same; finer steps find no more; an axle more carries no less.
 //!
 //! `cargo test --release -p verification --test one_policy` asks some random bridges and examples, `-- --ignored --nocapture` every example and
-//! the bridges that the variable `EXTRADOS_POLICY` names (0..24 without it), by every method, and prints what was asked and what helped.
+//! the bridges that the variable `EXTRADOS_POLICY` names (0..24 without it), by every method, and prints what was asked and what helped. The files of
+//! the bridges go to the folder that `EXTRADOS_POLICY_FILES` names.
 
 mod asked;
 mod changed;
@@ -131,6 +132,9 @@ fn examples() -> Vec<(String, Bridge)> {
 
 fn drawn(seed: u64) -> (String, Bridge) {
     let text = drawn::draw(seed);
+    if let Some(folder) = std::env::var_os("EXTRADOS_POLICY_FILES") {
+        std::fs::write(Path::new(&folder).join(format!("{seed}.toml")), &text).expect("a folder");
+    }
     let read = bridge::read(text.as_bytes());
     (format!("seed {seed}"), read.bridge.unwrap_or_else(|| panic!("seed {seed}: {:?}\n{text}", read.diagnostics)))
 }

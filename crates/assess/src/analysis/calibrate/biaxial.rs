@@ -1,15 +1,14 @@
 //! Squares of fill sheared to their peak: a smooth box whose right side and lid are pressed alike, then the lid until the sample
 //! gives way. Peaks at several confining pressures lie on a line; its slope is the friction angle, its height the cohesion.
 
-use super::sample::Sample;
+use super::press::Rig;
+use super::sample::{Part, Sample};
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
-use crate::analysis::engine::dem::settings;
-use bridge::Bridge;
-use mechanics::blocks::{Block, BlockModel, Held, LawTable, Loading, PointForce};
+use mechanics::blocks::{BlockModel, ContactLaw, Held, Loading, PointForce};
 use mechanics::dem::{self, Model, begin, collapse_from};
-use mechanics::ids::{BlockId, Table};
-use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
+use mechanics::ids::BlockId;
+use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
 use outcome::calibration::Spread;
 use outcome::calibration::moduli::scatter;
@@ -26,38 +25,17 @@ const GIVEN_WAY: f64 = 0.05;
 /// the lid as the sample is confined.
 const GAP: f64 = 0.5;
 
-pub(super) struct Box2 {
-    settings: dem::Settings,
-    laws: Laws,
-    pressures: Vec<f64>,
-}
-
-impl Box2 {
-    /// For samples of a fill with these laws.
-    pub(super) fn new(bridge: &Bridge, laws: &Laws) -> Box2 {
-        Box2 {
-            settings: settings(bridge),
-            laws: laws.clone(),
-            pressures: bridge.calibration.confining_pressures.clone(),
-        }
-    }
-
-    /// How many tests one sample takes.
-    pub(super) fn tests(&self) -> usize {
-        self.pressures.len()
-    }
-
-    /// The stress on the lid [Pa] that one sample still carries under one of the confining pressures; none where it does not
+impl Rig {
+    /// The stress on the lid [Pa] that one sample still carries under a confining pressure [Pa]; none where it does not
     /// rest, or carries all that is tried.
     pub(super) fn peak(
         &self,
         sample: &Sample,
         contact: Contact,
-        test: usize,
+        pressure: f64,
         watch: &mut dyn Watch,
     ) -> Result<Option<f64>, AnalysisError> {
-        let pressure = self.pressures[test];
-        let (model, loading, watched) = self.build(sample, contact, pressure)?;
+        let (model, loading, watched) = self.boxed(sample, contact, pressure)?;
         let model = Model::new(&model, &loading)?;
         let program = dem::Program { increment: INCREMENT, limit: LIMIT, resolution: None, watched };
         let start = || begin(&model, &self.settings);
@@ -74,20 +52,17 @@ impl Box2 {
         Ok(Some(pressure * (1.0 + rested[held - 1].factor)))
     }
 
-    fn build(
+    fn boxed(
         &self,
         sample: &Sample,
         contact: Contact,
         pressure: f64,
     ) -> Result<(BlockModel, Loading, (BlockId, Vec2)), AnalysisError> {
-        let (size, group) = (sample.size, self.laws.walls);
+        let size = sample.size;
         let (thickness, gap) = (0.2 * size, GAP * sample.smallest);
         let density = sample.particles.first().map_or(1.0, |p| p.density);
-        let block = |low: Vec2, width: f64, height: f64, held: Held| -> Result<Block, PolygonError> {
-            Ok(Block { outline: Polygon::rectangle(low, width, height)?, rounding: 0.0, density, group, held })
-        };
-        let top = sample.particles.iter().map(|p| p.centre.y + p.radius).fold(0.0, f64::max);
-        let side = 1.5 * size;
+        let block = |low: Vec2, width: f64, height: f64, held: Held| Part { low, width, height, density, held };
+        let (top, side) = (sample.top(), 1.5 * size);
         let sliding = Held { x: false, y: true, rotation: true };
         let sinking = Held { x: true, y: false, rotation: true };
         let parts = [
@@ -96,15 +71,7 @@ impl Box2 {
             block(vec2(size, 0.1 * gap), thickness, side, sliding),
             block(vec2(0.1 * gap, top), size - 1.1 * gap, thickness, sinking),
         ];
-        let shapeless = |_| AnalysisError::SmallSample { size, diameter: sample.mean_diameter };
-        let mut blocks: Table<BlockId, Block> = Table::default();
-        let mut placed = Vec::new();
-        for part in parts {
-            let part = part.map_err(shapeless)?;
-            let at = part.outline.centroid();
-            placed.push((blocks.push(part), at));
-        }
-        let [(right, beside), (lid, above)] = [placed[2], placed[3]];
+        let (model, [_, _, (right, beside), (lid, above)]) = sample.among(parts, self.smooth(contact))?;
         let force = |block, at, force| PointForce { block, at, force };
         let down = vec2(0.0, -pressure * size);
         let loading = Loading {
@@ -112,23 +79,16 @@ impl Box2 {
             variable: vec![force(lid, above, down)],
             ..Loading::default()
         };
-        let model = BlockModel {
-            blocks,
-            particles: sample.particles.iter().copied().collect(),
-            groups: self.laws.groups.clone(),
-            laws: self.smooth(contact),
-            // Weight would add to the confining pressure from top to bottom.
-            gravity: Vec2::ZERO,
-        };
         Ok((model, loading, (lid, vec2(0.5 * size, top))))
     }
 
     /// The laws with other contacts between particles, and walls that resist no sliding.
-    fn smooth(&self, contact: Contact) -> LawTable {
-        let mut laws = contacts(&self.laws, contact).table;
+    fn smooth(&self, contact: Contact) -> Laws {
+        // Weight would add to the confining pressure from top to bottom.
+        let mut laws = Laws { gravity: Vec2::ZERO, ..contacts(&self.laws, contact) };
         for group in self.laws.groups.ids() {
-            let law = *laws.between(self.laws.walls, group);
-            laws.set(self.laws.walls, group, mechanics::blocks::ContactLaw { friction: 0.0, cohesion: 0.0, ..law });
+            let law = *laws.table.between(laws.walls, group);
+            laws.table.set(laws.walls, group, ContactLaw { friction: 0.0, cohesion: 0.0, ..law });
         }
         laws
     }
@@ -136,15 +96,8 @@ impl Box2 {
 
 /// The laws with other contacts between particles.
 pub(super) fn contacts(laws: &Laws, contact: Contact) -> Laws {
-    let mut laws = laws.clone();
-    for &a in &laws.layers {
-        for &b in &laws.layers {
-            let law = *laws.table.between(a, b);
-            let friction = contact.friction_angle.tan();
-            laws.table.set(a, b, mechanics::blocks::ContactLaw { friction, cohesion: contact.cohesion, ..law });
-        }
-    }
-    laws
+    let (friction, cohesion) = (contact.friction_angle.tan(), contact.cohesion);
+    laws.with_contacts(|law| ContactLaw { friction, cohesion, ..law })
 }
 
 /// What peaks [Pa] of all samples amount to, test by test of each sample; none where fewer than one sample has all.

@@ -1,5 +1,6 @@
 //! Many pieces of work side by side, one onlooker. Results come in the order of the work, whoever did it.
 
+use super::halt::Halt;
 use crate::analysis::parallel;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -32,18 +33,21 @@ impl<'a> Crowd<'a> {
         self.all = all;
     }
 
-    /// Does `work` on every item; each counts as `weight`. None where the onlooker wants to stop.
-    pub(super) fn each<T: Sync, R: Send>(
+    /// Does `work` on every item; each counts as `weight`.
+    pub(super) fn each<T: Sync, R: Send, E: Send>(
         &mut self,
         stage: &str,
         weight: f64,
         items: &[T],
-        work: impl Fn(&T, &mut dyn Watch) -> R + Sync,
-    ) -> Option<Vec<R>> {
+        work: impl Fn(&T, &mut dyn Watch) -> Result<R, E> + Sync,
+    ) -> Result<Vec<R>, Halt>
+    where
+        Halt: From<E>,
+    {
         let stop = AtomicBool::new(false);
-        let mut found: Vec<Option<R>> = items.iter().map(|_| None).collect();
+        let mut found: Vec<Option<Result<R, E>>> = items.iter().map(|_| None).collect();
         let mut finished = 0;
-        let mut hear = |said: Option<Said<R>>| {
+        let mut hear = |said: Option<Said<Result<R, E>>>| {
             match said {
                 Some(Said::Going { steps }) => self.steps += steps,
                 Some(Said::Finished(k, result)) => {
@@ -69,7 +73,10 @@ impl<'a> Crowd<'a> {
                 let _ = tell.send(Said::Finished(k, result));
             }
         });
-        if stop.load(Ordering::Relaxed) { None } else { found.into_iter().collect() }
+        if stop.load(Ordering::Relaxed) {
+            return Err(Halt::Stopped);
+        }
+        found.into_iter().flatten().map(|result| Ok(result?)).collect()
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod biaxial;
 mod crowd;
+mod halt;
 mod press;
 mod report;
 mod sample;
@@ -16,17 +17,17 @@ mod tests;
 
 use super::engine::joints::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
-use biaxial::{Box2, contacts};
+use biaxial::contacts;
 use bridge::{Bridge, Particles, Sizes, Strip};
 use crowd::Crowd;
+use halt::Halt;
 use mechanics::watch::Watch;
 use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, TargetStrength};
-use press::Pressed;
 use press::Rig;
 use sample::Sample;
 use search::{Found, search};
 use std::f64::consts::PI;
-use strength::{Fitted, fit};
+use strength::fit;
 
 /// Share of the work of one sample's press that one packing takes, for the estimate of the time left.
 const PACKING_WORK: f64 = 30.0;
@@ -38,78 +39,86 @@ const PACKING_WORK: f64 = 30.0;
 /// Those of [`planned`], and fill that cannot be packed or does not come to rest.
 pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<CalibrationReport, AnalysisError> {
     require_stiffness(bridge)?;
-    let (bridge, mut particles) = prepared(bridge)?;
+    let (bridge, particles) = prepared(bridge)?;
+    let seeds: Vec<u64> = (0..bridge.calibration.seeds).map(|k| bridge.plan.seed.wrapping_add(k)).collect();
+    let mut report = CalibrationReport::blank(&bridge, &seeds);
+    match calibrated(&bridge, particles, &mut report, watch) {
+        Ok(()) => Ok(report),
+        Err(Halt::Stopped) => Ok(report.cancelled()),
+        Err(Halt::Failed(error)) => Err(error),
+    }
+}
+
+/// The same of a bridge and its particles, into a report of which nothing is known but the seeds.
+fn calibrated(
+    bridge: &Bridge,
+    mut particles: Particles,
+    report: &mut CalibrationReport,
+    watch: &mut dyn Watch,
+) -> Result<(), Halt> {
     let plan = &bridge.calibration;
     let wanted_strength = TargetStrength { friction_angle: plan.wanted_friction_angle, cohesion: plan.wanted_cohesion };
     let sheared = wanted_strength.friction_angle.is_some() || wanted_strength.cohesion.is_some();
-    let seeds: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(k)).collect();
     let others: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(plan.seeds + k)).collect();
     let rounds = plan.multiples.len() as f64 + if plan.wanted_modulus.is_some() { EXPECTED_ROUNDS } else { 0.0 };
     let packings = if plan.wanted_modulus.is_some() || sheared { 2 } else { 1 } * plan.seeds;
     let shears = if sheared { SHEARS * (plan.sheared_samples * plan.confining_pressures.len()) as f64 } else { 0.0 };
     let mut crowd = Crowd::new(watch, packings as f64 * (PACKING_WORK + rounds * EXPECTED_SQUARES) + shears);
-    let mut report = CalibrationReport::blank(&bridge, &seeds);
 
-    let Some(mut samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
+    let mut samples = self::samples(bridge, &report.seeds, &mut crowd)?;
     crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds + shears);
-    report::describe(&mut report, &samples);
+    report::describe(report, &samples);
     report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
     if sheared {
-        let first = Contact { friction_angle: particles.joint.friction_angle, cohesion: particles.joint.cohesion };
         let few = spaced(&samples, plan.sheared_samples);
-        let fitted = fit(wanted_strength, first, &mut |contact| shear(&bridge, &few, contact, &mut crowd))?;
-        let fitted = match fitted {
-            Fitted::Contacts(found) => Some((found, true)),
-            Fitted::OutOfReach(found) => Some((found, false)),
-            Fitted::Untested => None,
-            Fitted::Stopped => return Ok(report.cancelled()),
-        };
-        let Some(contact) = report.sheared(wanted_strength, fitted) else { return Ok(report) };
+        let fitted =
+            fit(wanted_strength, contact_of(&particles), &mut |contact| shear(bridge, &few, contact, &mut crowd))?;
+        let Some(contact) = report.sheared(wanted_strength, fitted) else { return Ok(()) };
         samples.iter_mut().for_each(|sample| sample.laws = contacts(&sample.laws, contact));
         (particles.joint.friction_angle, particles.joint.cohesion) = (contact.friction_angle, contact.cohesion);
     }
     // Other packings come to rest with the contacts that were found.
     let found = Bridge { particles: Some(particles.clone()), ..bridge.clone() };
-    let rig = Rig::new(&bridge, &samples[0].laws);
+    let rig = Rig::new(bridge, &samples[0].laws);
     report.stiffness = rig.stiffness(1.0, report.mean_diameter);
-    let Some(table) = measure(&rig, &samples, &plan.multiples, &mut crowd)? else { return Ok(report.cancelled()) };
-    report::tabulate(&mut report, table, &samples);
-    let Some(wanted) = plan.wanted_modulus else {
-        if !sheared {
-            return Ok(report.without_search());
-        }
-        let Some(fresh) = self::samples(&found, &particles, &others, &mut crowd)? else {
-            return Ok(report.cancelled());
-        };
-        let again = check_strength(&bridge, &fresh, &particles, &mut crowd)?;
-        return Ok(again.map_or_else(|| report.clone().cancelled(), |again| report.clone().strength_checked(again)));
-    };
-
-    let mut press = |multiple: f64| -> Result<Option<Measured>, AnalysisError> {
-        Ok(measure(&rig, &samples, &[multiple], &mut crowd)?.and_then(|mut one| one.pop()))
-    };
-    match search(wanted, plan.tolerance, plan.modulus, &report.table, &mut press)? {
-        Found::Multiple(measured) => {
-            if !report.table.iter().any(|known| known.multiple == measured.multiple) {
-                report.leave_out(&measured);
+    let table = measure(&rig, &samples, &plan.multiples, &mut crowd)?;
+    report::tabulate(report, table, &samples);
+    if let Some(wanted) = plan.wanted_modulus {
+        let mut press = |multiple: f64| measure(&rig, &samples, &[multiple], &mut crowd).map(|mut one| one.remove(0));
+        match search(wanted, plan.tolerance, plan.modulus, &report.table, &mut press)? {
+            Found::Multiple(measured) => {
+                if !report.table.iter().any(|known| known.multiple == measured.multiple) {
+                    report.leave_out(&measured);
+                }
+                report.found = Some(*measured);
             }
-            report.found = Some(*measured);
+            Found::OutOfReach(reach) => {
+                report.out_of_reach(wanted, reach);
+                return Ok(());
+            }
         }
-        Found::OutOfReach(reach) => return Ok(report.out_of_reach(wanted, reach)),
-        Found::Stopped => return Ok(report.cancelled()),
+    } else if !sheared {
+        return Ok(());
     }
-    let multiple = report.found.as_ref().map_or(1.0, |found| found.multiple);
-    let Some(fresh) = self::samples(&found, &particles, &others, &mut crowd)? else { return Ok(report.cancelled()) };
-    let rig = Rig::new(&bridge, &fresh[0].laws);
-    let Some(mut again) = measure(&rig, &fresh, &[multiple], &mut crowd)? else { return Ok(report.cancelled()) };
-    report.check = again.pop().map(|measured| Check { seeds: others, measured });
+    let fresh = self::samples(&found, &others, &mut crowd)?;
+    if plan.wanted_modulus.is_some() {
+        let multiple = report.found.as_ref().map_or(1.0, |found| found.multiple);
+        let rig = Rig::new(bridge, &fresh[0].laws);
+        let measured = measure(&rig, &fresh, &[multiple], &mut crowd)?.remove(0);
+        report.check = Some(Check { seeds: others, measured });
+    }
     if sheared {
-        let Some(again) = check_strength(&bridge, &fresh, &particles, &mut crowd)? else {
-            return Ok(report.cancelled());
-        };
-        report = report.strength_checked(again);
+        let few = spaced(&fresh, plan.sheared_samples);
+        report.strength_checked(shear(bridge, &few, contact_of(&particles), &mut crowd)?);
     }
-    Ok(report.judged(wanted))
+    if let Some(wanted) = plan.wanted_modulus {
+        report.judged(wanted);
+    }
+    Ok(())
+}
+
+fn contact_of(particles: &Particles) -> Contact {
+    Contact { friction_angle: particles.joint.friction_angle, cohesion: particles.joint.cohesion }
 }
 
 /// So many of the samples, spaced evenly, so that all packings have their share.
@@ -118,32 +127,21 @@ fn spaced(samples: &[Sample], most: usize) -> Vec<Sample> {
     (0..count).map(|k| samples[k * samples.len() / count].clone()).collect()
 }
 
-/// Shears every sample at every confining pressure. None where it was stopped; none inside where no sample gave way.
+/// Shears every sample at every confining pressure. None where no sample gave way.
 fn shear(
     bridge: &Bridge,
     samples: &[Sample],
     contact: Contact,
     crowd: &mut Crowd<'_>,
-) -> Result<Option<Option<Strength>>, AnalysisError> {
-    let Some(first) = samples.first() else { return Ok(Some(None)) };
-    let sheared = Box2::new(bridge, &first.laws);
-    let jobs: Vec<(usize, usize)> =
-        (0..samples.len()).flat_map(|k| (0..sheared.tests()).map(move |test| (k, test))).collect();
-    let peaks = crowd.each("shearing", 1.0, &jobs, |&(k, test), watch| sheared.peak(&samples[k], contact, test, watch));
-    let Some(peaks) = peaks else { return Ok(None) };
-    let peaks = peaks.into_iter().collect::<Result<Vec<Option<f64>>, _>>()?;
-    Ok(Some(biaxial::strength(contact, samples, &bridge.calibration.confining_pressures, &peaks)))
-}
-
-/// The strength of other packings with the contacts that were found.
-fn check_strength(
-    bridge: &Bridge,
-    fresh: &[Sample],
-    particles: &Particles,
-    crowd: &mut Crowd<'_>,
-) -> Result<Option<Option<Strength>>, AnalysisError> {
-    let contact = Contact { friction_angle: particles.joint.friction_angle, cohesion: particles.joint.cohesion };
-    shear(bridge, &spaced(fresh, bridge.calibration.sheared_samples), contact, crowd)
+) -> Result<Option<Strength>, Halt> {
+    let Some(first) = samples.first() else { return Ok(None) };
+    let rig = Rig::new(bridge, &first.laws);
+    let pressures = &bridge.calibration.confining_pressures;
+    let jobs: Vec<(&Sample, f64)> =
+        samples.iter().flat_map(|sample| pressures.iter().map(move |pressure| (sample, *pressure))).collect();
+    let peak = |&(sample, pressure): &(&Sample, f64), watch: &mut dyn Watch| rig.peak(sample, contact, pressure, watch);
+    let peaks = crowd.each("shearing", 1.0, &jobs, peak)?;
+    Ok(biaxial::strength(contact, samples, pressures, &peaks))
 }
 
 /// Presses that a search and its check take, about.
@@ -205,48 +203,38 @@ fn prepared(bridge: &Bridge) -> Result<(Bridge, Particles), AnalysisError> {
     Ok((bridge, particles))
 }
 
-/// Packs the fill once for each seed, lets it come to rest, and cuts the squares out. None where it was stopped.
-fn samples(
-    bridge: &Bridge,
-    particles: &Particles,
-    seeds: &[u64],
-    crowd: &mut Crowd<'_>,
-) -> Result<Option<Vec<Sample>>, AnalysisError> {
-    let packed =
-        crowd.each("packing", PACKING_WORK, seeds, |&seed, watch| settled::settled(bridge, particles, seed, watch));
-    let Some(packed) = packed else { return Ok(None) };
+/// Packs the fill once for each seed, lets it come to rest, and cuts the squares out.
+fn samples(bridge: &Bridge, seeds: &[u64], crowd: &mut Crowd<'_>) -> Result<Vec<Sample>, Halt> {
+    let size = bridge.calibration.sample_size;
+    let packed = crowd.each("packing", PACKING_WORK, seeds, |&seed, watch| {
+        let fill = settled::settled(bridge, seed, watch)?;
+        let diameter = fill.mean_diameter();
+        if size < LEAST_SAMPLE * diameter {
+            return Err(AnalysisError::SmallSample { size, diameter }.into());
+        }
+        Ok::<_, Halt>(fill)
+    })?;
     let mut samples = Vec::new();
     for (fill, &seed) in packed.into_iter().zip(seeds) {
-        let Some(fill) = fill? else { return Ok(None) };
-        let (size, diameter) = (bridge.calibration.sample_size, fill.mean_diameter());
-        if size < LEAST_SAMPLE * diameter {
-            return Err(AnalysisError::SmallSample { size, diameter });
-        }
-        let squares = squares::squares(&fill.region, bridge.calibration.sample_size, 2.0 * fill.largest());
+        let squares = squares::squares(&fill.region, size, 2.0 * fill.largest());
         samples
             .extend(squares.into_iter().enumerate().map(|(k, corner)| Sample::cut(bridge, &fill, (seed, k), corner)));
     }
     if samples.is_empty() {
-        return Err(AnalysisError::NoSample { size: bridge.calibration.sample_size });
+        return Err(AnalysisError::NoSample { size }.into());
     }
-    Ok(Some(samples))
+    Ok(samples)
 }
 
-/// Presses every sample at every multiple. None where it was stopped.
-fn measure(
-    rig: &Rig,
-    samples: &[Sample],
-    multiples: &[f64],
-    crowd: &mut Crowd<'_>,
-) -> Result<Option<Vec<Measured>>, AnalysisError> {
+/// Presses every sample at every multiple.
+fn measure(rig: &Rig, samples: &[Sample], multiples: &[f64], crowd: &mut Crowd<'_>) -> Result<Vec<Measured>, Halt> {
     let jobs: Vec<(f64, usize)> =
         multiples.iter().flat_map(|&multiple| (0..samples.len()).map(move |k| (multiple, k))).collect();
-    let pressed = crowd.each("pressing", 1.0, &jobs, |&(multiple, k), watch| rig.press(&samples[k], multiple, watch));
-    let Some(pressed) = pressed else { return Ok(None) };
-    let pressed = pressed.into_iter().collect::<Result<Vec<Pressed>, _>>()?;
+    let pressed =
+        crowd.each("pressing", 1.0, &jobs, |&(multiple, k), watch| rig.press(&samples[k], multiple, watch))?;
     let of = |(k, &multiple): (usize, &f64)| {
         let own = &pressed[k * samples.len()..(k + 1) * samples.len()];
         report::measured(multiple, samples, own, rig.plan())
     };
-    Ok(Some(multiples.iter().enumerate().map(of).collect()))
+    Ok(multiples.iter().enumerate().map(of).collect())
 }

@@ -1,22 +1,22 @@
 //! The press: a sample held below and at both sides, under a block that is loaded in steps.
 
-use super::sample::Sample;
+use super::sample::{Part, Sample};
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
 use crate::analysis::engine::dem::settings;
 use bridge::{Bridge, Calibration};
-use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
+use mechanics::blocks::{BlockModel, ContactLaw, Held, Loading, PointForce, Stiffness};
 use mechanics::dem::{self, Frame, Model, begin, collapse_from};
-use mechanics::ids::{BlockId, GroupId, Table};
-use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
+use mechanics::ids::BlockId;
+use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
 use outcome::calibration::AtRest;
 
-/// Everything about the press that is the same for all samples.
+/// Everything about the tests that is the same for all samples.
 pub(super) struct Rig {
     plan: Calibration,
-    settings: dem::Settings,
-    laws: Laws,
+    pub settings: dem::Settings,
+    pub laws: Laws,
 }
 
 /// What a press of one sample gave.
@@ -51,10 +51,9 @@ impl Rig {
         multiple: f64,
         watch: &mut dyn Watch,
     ) -> Result<Pressed, AnalysisError> {
-        let built = self.build(sample, multiple)?;
-        let model = Model::new(&built.model, &built.loading)?;
-        let program =
-            dem::Program { increment: 1.0, limit: self.plan.steps as f64, resolution: None, watched: built.watched };
+        let (blocks, loading, watched) = self.build(sample, multiple)?;
+        let model = Model::new(&blocks, &loading)?;
+        let program = dem::Program { increment: 1.0, limit: self.plan.steps as f64, resolution: None, watched };
         let start = || begin(&model, &self.settings);
         let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
         let rested: Vec<&dem::PathPoint> = outcome.path.iter().filter(|point| point.at_rest).collect();
@@ -67,66 +66,46 @@ impl Rig {
         let settled: Vec<&Frame> = outcome.frames[..outcome.last_stable_frame.map_or(0, |k| k + 1)].iter().collect();
         let moment = |frame: &&Frame| {
             let particles = frame.particles.iter().map(|p| [p.centre.x, p.centre.y, p.radius]).collect();
-            let (block, point) = built.watched;
-            let sunk = frame.poses[block].position - built.model.blocks[block].outline.centroid();
+            let (block, point) = watched;
+            let sunk = frame.poses[block].position - blocks.blocks[block].outline.centroid();
             AtRest { particles, block: point.y + sunk.y }
         };
         Ok(Pressed {
             status: outcome.status,
-            height: built.watched.1.y + first,
+            height: watched.1.y + first,
             path: rested.iter().map(at).collect(),
             moments: settled.first().into_iter().chain(settled.last()).map(moment).collect(),
             iterations: outcome.iterations_total,
         })
     }
 
-    fn build(&self, sample: &Sample, multiple: f64) -> Result<Built, AnalysisError> {
-        let (size, group) = (sample.size, self.laws.walls);
-        let thickness = 0.2 * size;
-        let fixed = |low: Vec2, width: f64, height: f64| -> Result<Block, PolygonError> {
-            let outline = Polygon::rectangle(low, width, height)?;
-            Ok(Block { outline, rounding: 0.0, density: 1.0, group, held: Held::FIXED })
-        };
+    /// The sample in the press, the load of a step, and the pressing block with the middle of its underside.
+    fn build(&self, sample: &Sample, multiple: f64) -> Result<(BlockModel, Loading, (BlockId, Vec2)), AnalysisError> {
+        let (size, thickness) = (sample.size, 0.2 * sample.size);
         let side = 1.5 * size + thickness;
         // So narrow a gap that no particle comes between the block and the walls.
         let gap = GAP * sample.smallest;
-        let top = sample.particles.iter().map(|p| p.centre.y + p.radius).fold(0.0, f64::max);
-        let height = 0.25 * size;
+        let (top, height) = (sample.top(), 0.25 * size);
         let density = self.plan.block_weight / (self.laws.gravity.norm() * (size - 2.0 * gap) * height);
-        let press = Block {
-            density,
-            held: Held { x: true, y: false, rotation: true },
-            ..fixed(vec2(gap, top), size - 2.0 * gap, height).map_err(shapeless(sample))?
-        };
-        let walls = [
+        let fixed = |low: Vec2, width: f64, height: f64| Part { low, width, height, density: 1.0, held: Held::FIXED };
+        let sinking = Held { x: true, y: false, rotation: true };
+        let parts = [
             fixed(vec2(0.0, -thickness), size, thickness),
             fixed(vec2(-thickness, -thickness), thickness, side),
             fixed(vec2(size, -thickness), thickness, side),
+            Part { low: vec2(gap, top), width: size - 2.0 * gap, height, density, held: sinking },
         ];
-        let mut blocks: Table<BlockId, Block> = Table::default();
-        for wall in walls {
-            blocks.push(wall.map_err(shapeless(sample))?);
-        }
-        let at = press.outline.centroid();
-        let block = blocks.push(press);
+        let laws = self.laws.with_contacts(|law| stiffer(&law, multiple));
+        let (model, [.., (block, at)]) = sample.among(parts, laws)?;
         let force = PointForce { block, at, force: vec2(0.0, -self.plan.load_step) };
-        Ok(Built {
-            model: BlockModel {
-                blocks,
-                particles: sample.particles.iter().copied().collect(),
-                groups: self.laws.groups.clone(),
-                laws: stiffer(&self.laws.table, &self.laws.layers, multiple),
-                gravity: self.laws.gravity,
-            },
-            loading: Loading { variable: vec![force], ..Loading::default() },
-            watched: (block, vec2(0.5 * size, top)),
-        })
+        let loading = Loading { variable: vec![force], ..Loading::default() };
+        Ok((model, loading, (block, vec2(0.5 * size, top))))
     }
 
     /// Normal and shear stiffness [Pa/m] of contacts between particles at a multiple, for centres `distance` [m] apart.
     pub(super) fn stiffness(&self, multiple: f64, distance: f64) -> [f64; 2] {
         let Some(&layer) = self.laws.layers.first() else { return [0.0; 2] };
-        let law = stiffer_law(self.laws.table.between(layer, layer), multiple);
+        let law = stiffer(self.laws.table.between(layer, layer), multiple);
         [law.normal.at(distance), law.shear.at(distance)]
     }
 }
@@ -134,33 +113,8 @@ impl Rig {
 /// Gap between the pressing block and the walls, as a share of the smallest radius.
 const GAP: f64 = 0.05;
 
-/// A sample in the press.
-struct Built {
-    model: BlockModel,
-    loading: Loading,
-    /// The pressing block and the middle of its underside.
-    watched: (BlockId, Vec2),
-}
-
-/// Sides are positive lengths: only a sample of next to nothing leaves no shape.
-fn shapeless(sample: &Sample) -> impl Fn(PolygonError) -> AnalysisError {
-    let (size, diameter) = (sample.size, sample.mean_diameter);
-    move |_| AnalysisError::SmallSample { size, diameter }
-}
-
-/// The laws with the stiffness among particles multiplied.
-fn stiffer(laws: &LawTable, layers: &[GroupId], multiple: f64) -> LawTable {
-    let mut laws = laws.clone();
-    for (k, &a) in layers.iter().enumerate() {
-        for &b in &layers[k..] {
-            let law = stiffer_law(laws.between(a, b), multiple);
-            laws.set(a, b, law);
-        }
-    }
-    laws
-}
-
-fn stiffer_law(law: &ContactLaw, multiple: f64) -> ContactLaw {
+/// A law with its stiffness multiplied.
+fn stiffer(law: &ContactLaw, multiple: f64) -> ContactLaw {
     let times = |stiffness: Stiffness| match stiffness {
         Stiffness::Given(k) => Stiffness::Given(multiple * k),
         Stiffness::Series { joint, body } => Stiffness::Series { joint: multiple * joint, body: multiple * body },

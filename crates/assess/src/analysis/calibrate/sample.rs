@@ -2,9 +2,11 @@
 //! ("replacing, when possible, the partially truncated particles by smaller ones").
 
 use super::settled::{Laws, SettledFill};
+use crate::analysis::AnalysisError;
 use bridge::Bridge;
-use mechanics::blocks::Particle;
-use mechanics::plane::{Vec2, vec2};
+use mechanics::blocks::{Block, BlockModel, Held, Particle};
+use mechanics::ids::{BlockId, Table};
+use mechanics::plane::{Polygon, Vec2, vec2};
 use outcome::calibration::Cut;
 
 /// Particles of a square, seen from its lower left corner.
@@ -28,7 +30,46 @@ pub(super) struct Sample {
     pub laws: Laws,
 }
 
+/// A rectangular block beside a sample.
+pub(super) struct Part {
+    /// Its lower left corner [m].
+    pub low: Vec2,
+    /// How wide it is [m].
+    pub width: f64,
+    /// How high [m].
+    pub height: f64,
+    /// Its density [kg/m^3].
+    pub density: f64,
+    /// How it is held.
+    pub held: Held,
+}
+
 impl Sample {
+    /// The sample among blocks, and each of them with its middle.
+    pub(super) fn among(
+        &self,
+        parts: [Part; 4],
+        laws: Laws,
+    ) -> Result<(BlockModel, [(BlockId, Vec2); 4]), AnalysisError> {
+        let mut blocks: Table<BlockId, Block> = Table::default();
+        let mut placed = [(BlockId(0), Vec2::ZERO); 4];
+        for (Part { low, width, height, density, held }, place) in parts.into_iter().zip(&mut placed) {
+            // Sides are positive lengths: only a sample of next to nothing leaves no shape.
+            let shapeless = |_| AnalysisError::SmallSample { size: self.size, diameter: self.mean_diameter };
+            let outline = Polygon::rectangle(low, width, height).map_err(shapeless)?;
+            let middle = outline.centroid();
+            *place = (blocks.push(Block { outline, rounding: 0.0, density, group: laws.walls, held }), middle);
+        }
+        let particles = self.particles.iter().copied().collect();
+        let Laws { table, groups, gravity, .. } = laws;
+        Ok((BlockModel { blocks, particles, groups, laws: table, gravity }, placed))
+    }
+
+    /// Level of the highest particle's top [m].
+    pub(super) fn top(&self) -> f64 {
+        self.particles.iter().map(|p| p.centre.y + p.radius).fold(0.0, f64::max)
+    }
+
     /// Cuts the square at `corner` out of the fill; `name` is its seed and number.
     pub(super) fn cut(bridge: &Bridge, fill: &SettledFill, name: (u64, usize), corner: Vec2) -> Sample {
         let size = bridge.calibration.sample_size;

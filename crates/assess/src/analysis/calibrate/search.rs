@@ -2,7 +2,7 @@
 //! slowly the more the particles move instead of yielding: nearly straight pieces in logarithms, closed in on by the rule
 //! of false position (Illinois variant, Dowell and Jarratt 1971).
 
-use crate::analysis::AnalysisError;
+use super::halt::Halt;
 use bridge::Modulus;
 use outcome::calibration::{At, Measured};
 
@@ -12,8 +12,6 @@ pub(super) enum Found {
     Multiple(Box<Measured>),
     /// Lowest and highest modulus that stiffness reaches.
     OutOfReach([At; 2]),
-    /// The onlooker stopped it.
-    Stopped,
 }
 
 /// Doublings beyond the multiples of the table, to either side.
@@ -28,8 +26,8 @@ pub(super) fn search(
     tolerance: f64,
     modulus: Modulus,
     table: &[Measured],
-    press: &mut dyn FnMut(f64) -> Result<Option<Measured>, AnalysisError>,
-) -> Result<Found, AnalysisError> {
+    press: &mut dyn FnMut(f64) -> Result<Measured, Halt>,
+) -> Result<Found, Halt> {
     let mut known: Vec<(At, Measured)> = table.iter().filter_map(|m| Some((m.at(modulus)?, m.clone()))).collect();
     known.sort_by(|a, b| a.0.multiple.total_cmp(&b.0.multiple));
     let mut beyond = [BEYOND; 2];
@@ -55,7 +53,7 @@ pub(super) fn search(
         }
         *left -= 1;
         let multiple = if up { 2.0 * last.0.multiple } else { 0.5 * first.0.multiple };
-        let Some(measured) = press(multiple)? else { return Ok(Found::Stopped) };
+        let measured = press(multiple)?;
         match measured.at(modulus) {
             Some(at) => {
                 let place = if up { known.len() } else { 0 };
@@ -73,8 +71,8 @@ fn close_in(
     modulus: Modulus,
     [mut low, mut high]: [At; 2],
     mut known: Vec<(At, Measured)>,
-    press: &mut dyn FnMut(f64) -> Result<Option<Measured>, AnalysisError>,
-) -> Result<Found, AnalysisError> {
+    press: &mut dyn FnMut(f64) -> Result<Measured, Halt>,
+) -> Result<Found, Halt> {
     let mut weights = [off(low, wanted), off(high, wanted)];
     let mut stayed = None;
     for _ in 0..MOST {
@@ -84,7 +82,7 @@ fn close_in(
         }
         let (a, b) = (low.multiple.ln(), high.multiple.ln());
         let share = (weights[0] / (weights[0] - weights[1])).clamp(0.02, 0.98);
-        let Some(measured) = press((a + (b - a) * share).exp())? else { return Ok(Found::Stopped) };
+        let measured = press((a + (b - a) * share).exp())?;
         let Some(at) = measured.at(modulus) else { break };
         known.push((at, measured));
         let distance = off(at, wanted);
@@ -121,19 +119,37 @@ fn nearest(known: &[(At, Measured)], wanted: f64) -> Option<&(At, Measured)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use outcome::calibration::Spread;
     use std::cell::Cell;
 
     /// A fill whose modulus [MPa] is a function of the multiple.
     fn find(modulus: impl Fn(f64) -> f64, wanted: f64, table: &[f64]) -> (Found, u32) {
-        let at = |multiple: f64| Measured::bare(multiple, modulus(multiple));
+        let at = |multiple: f64| bare(multiple, modulus(multiple));
         let table: Vec<Measured> = table.iter().map(|&m| at(m)).collect();
         let presses = Cell::new(0);
         let mut press = |multiple: f64| {
             presses.set(presses.get() + 1);
-            Ok(Some(at(multiple)))
+            Ok(at(multiple))
         };
         let found = search(wanted, 0.01, Modulus::Tangent, &table, &mut press);
-        (found.unwrap_or(Found::Stopped), presses.get())
+        (found.unwrap(), presses.get())
+    }
+
+    /// Nothing but a modulus.
+    fn bare(multiple: f64, modulus: f64) -> Measured {
+        let spread = Spread::of(&[(0, modulus)]);
+        Measured {
+            multiple,
+            tangent: spread,
+            least_squares: spread,
+            secant: spread,
+            late_secant: spread,
+            left_out: 0,
+            curve: Vec::new(),
+            samples: Vec::new(),
+            iterations: 0,
+            drawn: None,
+        }
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! The fill of a bridge at rest: packed for a seed, the ring let go, before any load.
 
 use super::AnalysisError;
+use super::halt::Halt;
 use crate::analysis::engine::dem::filled::{fill, packing, without_loading_blocks};
 use crate::analysis::engine::dem::settings;
-use bridge::{Bridge, Particles};
-use mechanics::blocks::{LawTable, Loading, Particle};
+use bridge::Bridge;
+use mechanics::blocks::{ContactLaw, LawTable, Loading, Particle};
 use mechanics::dem::{self, Model, PackingError, begin};
 use mechanics::ids::{GroupId, Table};
 use mechanics::plane::Vec2;
@@ -36,6 +37,19 @@ pub(super) struct Laws {
     pub gravity: Vec2,
 }
 
+impl Laws {
+    /// The same with other contacts between particles.
+    pub(super) fn with_contacts(&self, change: impl Fn(ContactLaw) -> ContactLaw) -> Laws {
+        let mut laws = self.clone();
+        for (k, &a) in self.layers.iter().enumerate() {
+            for &b in &self.layers[k..] {
+                laws.table.set(a, b, change(*self.table.between(a, b)));
+            }
+        }
+        laws
+    }
+}
+
 impl SettledFill {
     /// Radius of the largest particle [m].
     pub(super) fn largest(&self) -> f64 {
@@ -51,20 +65,16 @@ impl SettledFill {
     }
 }
 
-/// Packs the fill for a seed, lets ring and fill come to rest under their weight. None where it was stopped.
-pub(super) fn settled(
-    bridge: &Bridge,
-    particles: &Particles,
-    seed: u64,
-    watch: &mut dyn Watch,
-) -> Result<Option<SettledFill>, AnalysisError> {
+/// Packs the fill for a seed, lets ring and fill come to rest under their weight.
+pub(super) fn settled(bridge: &Bridge, seed: u64, watch: &mut dyn Watch) -> Result<SettledFill, Halt> {
     let mut bridge = bridge.clone();
     bridge.plan.seed = seed;
     let mut d = discretise(&bridge)?;
-    let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoParticles) };
+    let region = d.fill.clone().ok_or(AnalysisError::NoParticles)?;
+    let particles = bridge.particles.as_ref().ok_or(AnalysisError::NoParticles)?;
     let grains = match packing(&bridge, &d, &region, particles, watch) {
         Ok(grains) => grains,
-        Err(PackingError::Stopped) => return Ok(None),
+        Err(PackingError::Stopped) => return Err(Halt::Stopped),
         Err(error) => return Err(error.into()),
     };
     fill(&mut d, &region, &grains);
@@ -74,14 +84,14 @@ pub(super) fn settled(
     let rested = dem::rest(&model, &|| begin(&model, &settings), &settings, None, watch)?;
     match rested.status {
         dem::Status::StableToLastLoad => {}
-        dem::Status::Cancelled => return Ok(None),
-        _ => return Err(AnalysisError::FillNotAtRest { seed }),
+        dem::Status::Cancelled => return Err(Halt::Stopped),
+        _ => return Err(AnalysisError::FillNotAtRest { seed }.into()),
     }
     let frame = dem::frame(&model, &rested.state);
     let at = |(p, now): (&Particle, &dem::ParticleState)| Particle { centre: now.centre, ..*p };
     let walls = d.origins.pairs().find(|(_, origin)| matches!(origin, Origin::EndWall { .. }));
-    let Some((wall, _)) = walls else { return Err(AnalysisError::NoParticles) };
-    Ok(Some(SettledFill {
+    let (wall, _) = walls.ok_or(AnalysisError::NoParticles)?;
+    Ok(SettledFill {
         particles: d.model.particles.iter().zip(frame.particles.iter()).map(at).collect(),
         laws: Laws {
             table: d.model.laws.clone(),
@@ -91,5 +101,5 @@ pub(super) fn settled(
             gravity: d.model.gravity,
         },
         region,
-    }))
+    })
 }

@@ -3,22 +3,13 @@
 //! Discs roll past one another, so fill is weaker than its contacts, and beyond some angle of contact it gets no stronger: what
 //! is wanted may be out of reach, and then the answer says so.
 
-use crate::analysis::AnalysisError;
+use super::halt::Halt;
 use outcome::calibration::strength::{ANGLE, COHESION, SHARE};
 use outcome::calibration::{Contact, Strength, TargetStrength};
 
-/// How a search for strength ended.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Fitted {
-    /// Contacts with the wanted strength.
-    Contacts(Strength),
-    /// The strongest fill that contacts make, weaker than wanted; or the weakest, stronger than wanted.
-    OutOfReach(Strength),
-    /// The samples could not be tested.
-    Untested,
-    /// The onlooker stopped it.
-    Stopped,
-}
+/// How a search for strength ended: what contacts make, and whether it is what is wanted, or the strongest fill, weaker than wanted, or the
+/// weakest, stronger than wanted; none where the samples could not be tested.
+pub(super) type Fitted = Option<(Strength, bool)>;
 
 /// Friction angles of contacts between which the search moves [rad].
 const ANGLES: [f64; 2] = [0.05, 1.2];
@@ -27,11 +18,11 @@ const MOST: usize = 8;
 /// Rounds over both: cohesion of contacts hardly changes the friction angle.
 const ROUNDS: usize = 2;
 
-/// A measurement; none where the onlooker stopped it.
-pub(super) type Measure<'a> = dyn FnMut(Contact) -> Result<Option<Option<Strength>>, AnalysisError> + 'a;
+/// A measurement; none where no sample could be tested.
+pub(super) type Measure<'a> = dyn FnMut(Contact) -> Result<Option<Strength>, Halt> + 'a;
 
 /// Finds contacts with the wanted strength, from those of the file on.
-pub(super) fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<'_>) -> Result<Fitted, AnalysisError> {
+pub(super) fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<'_>) -> Result<Fitted, Halt> {
     let mut contact = first;
     let mut found = None;
     for _ in 0..ROUNDS {
@@ -39,7 +30,7 @@ pub(super) fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<
             let off = |s: &Strength| s.friction_angle.mean - angle;
             let with = |x: f64| Contact { friction_angle: x, ..contact };
             match one(off, ANGLE, ANGLES, contact.friction_angle, with, measure)? {
-                Fitted::Contacts(strength) => (contact, found) = (strength.contact, Some(strength)),
+                Some((strength, true)) => (contact, found) = (strength.contact, Some(strength)),
                 other => return Ok(other),
             }
         }
@@ -48,7 +39,7 @@ pub(super) fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<
             let with = |x: f64| Contact { cohesion: x, ..contact };
             let range = [0.0, 20.0 * cohesion.max(COHESION)];
             match one(off, (SHARE * cohesion).max(COHESION), range, contact.cohesion.max(cohesion), with, measure)? {
-                Fitted::Contacts(strength) => (contact, found) = (strength.contact, Some(strength)),
+                Some((strength, true)) => (contact, found) = (strength.contact, Some(strength)),
                 other => return Ok(other),
             }
         }
@@ -57,7 +48,7 @@ pub(super) fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<
             break;
         }
     }
-    Ok(found.map_or(Fitted::Untested, Fitted::Contacts))
+    Ok(found.map(|strength| (strength, true)))
 }
 
 /// One quantity by false position (Illinois variant): strength grows with what contacts have.
@@ -68,24 +59,23 @@ fn one(
     first: f64,
     with: impl Fn(f64) -> Contact,
     measure: &mut Measure<'_>,
-) -> Result<Fitted, AnalysisError> {
+) -> Result<Fitted, Halt> {
     let mut ends: [Option<(f64, f64)>; 2] = [None, None];
     let mut x = first.clamp(range[0], range[1]);
     let mut nearest: Option<Strength> = None;
     let mut stayed = None;
     for _ in 0..MOST {
-        let Some(measured) = measure(with(x))? else { return Ok(Fitted::Stopped) };
-        let Some(strength) = measured else { return Ok(Fitted::Untested) };
+        let Some(strength) = measure(with(x))? else { return Ok(None) };
         let distance = off(&strength);
         if nearest.as_ref().is_none_or(|old| distance.abs() < off(old).abs()) {
             nearest = Some(strength.clone());
         }
         if distance.abs() <= within {
-            return Ok(Fitted::Contacts(strength));
+            return Ok(Some((strength, true)));
         }
         let side = usize::from(distance > 0.0);
         if x == range[1 - side] {
-            return Ok(Fitted::OutOfReach(strength));
+            return Ok(Some((strength, false)));
         }
         ends[side] = Some((x, distance));
         if stayed == Some(side) {
@@ -100,7 +90,7 @@ fn one(
             _ => range[1 - side],
         };
     }
-    Ok(nearest.map_or(Fitted::Untested, Fitted::Contacts))
+    Ok(nearest.map(|strength| (strength, true)))
 }
 
 #[cfg(test)]
@@ -125,7 +115,7 @@ mod tests {
         let mut count = 0;
         let mut measure = |contact| {
             count += 1;
-            Ok(Some(Some(fill(contact))))
+            Ok(Some(fill(contact)))
         };
         let first = Contact { friction_angle: 35.6f64.to_radians(), cohesion: 10e3 };
         let wanted = TargetStrength { friction_angle: friction_angle.map(f64::to_radians), cohesion };
@@ -134,14 +124,14 @@ mod tests {
 
     #[test]
     fn both_are_found_in_a_few_measurements() {
-        let (Fitted::Contacts(strength), count) = found(Some(15.0), Some(8e3)) else { panic!() };
+        let (Some((strength, true)), count) = found(Some(15.0), Some(8e3)) else { panic!() };
         assert!((strength.friction_angle.mean.to_degrees() - 15.0).abs() < 0.51, "{strength:?}");
         assert!((strength.cohesion.mean / 8e3 - 1.0).abs() < 0.07 && count <= 12, "{strength:?} {count}");
     }
 
     #[test]
     fn an_angle_that_discs_do_not_reach_is_out_of_reach() {
-        let (Fitted::OutOfReach(strength), _) = found(Some(35.0), None) else { panic!() };
+        let (Some((strength, false)), _) = found(Some(35.0), None) else { panic!() };
         assert!(strength.friction_angle.mean.to_degrees() < 24.0 && strength.contact.friction_angle == ANGLES[1]);
     }
 }

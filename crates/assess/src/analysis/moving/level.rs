@@ -106,11 +106,12 @@ impl<S: Stands> Scene<'_, S> {
         let mut level = Vec::new();
         for way in ways(places) {
             for key in way {
-                let Some(found) = self.by_friction(sweepers, &key, token) else { return level };
-                if found.friction == Friction::Associated || found.status == Status::Locks {
-                    break;
+                let found = self.again(sweepers, &key, key.position).filter(|_| !token.is_cancelled());
+                let Some((key, effect)) = found else { return level };
+                match sweepers[key.weights].gives_way(&effect) {
+                    Some(f64::INFINITY) => break,
+                    factor => level.push((key, factor)),
                 }
-                level.push((key, found.factor));
             }
         }
         level

@@ -47,7 +47,7 @@ impl Key {
     }
 
     /// How many axles stand on the bridge, and how many pieces with uniform loads.
-    fn extent(&self) -> [usize; 2] {
+    pub(crate) fn extent(&self) -> [usize; 2] {
         [self.axles, self.uniform].map(|run| run.map_or(0, |[first, last]| last + 1 - first))
     }
 }
@@ -74,7 +74,7 @@ pub(crate) struct Scene<'a, S> {
     /// What may stand where.
     pub stands: &'a S,
     /// The bridge under each combination of factors on weights.
-    pub grounds: &'a [Ground<'a>],
+    pub grounds: &'a [Ground],
     /// Joints whose forces are kept.
     pub watched: &'a [Watched],
     /// Whether slow cases are left out whose upper bound lies far above the least factor.

@@ -238,16 +238,19 @@ impl<S: Stands> Scene<'_, S> {
         Some((key, answer.ok_or(found.status)))
     }
 
-    /// The factor at a place with cases without an answer that cannot govern: one above the least of all others is proven to be carried.
+    /// The factor at a place with cases without an answer that cannot govern: one above the least of all others is proven to be carried with
+    /// dilation, or where only the answer without is missing, blocks that rest are seen to carry it.
     fn settled(&self, sweepers: &mut [Sweeper<'_>], place: &Place, least: f64) -> Option<f64> {
         let mut lowest = place.least.map_or(f64::INFINITY, |least| least.factor);
-        for (key, is_provable) in &place.open {
-            let carried = is_provable
-                .then(|| self.again(sweepers, key, key.position))
-                .flatten()
-                .and_then(|(key, effect)| sweepers[key.weights].proven_up_to(&effect, DILATANCY * least));
+        for (key, dilates) in &place.open {
+            let carried = self.again(sweepers, key, key.position).and_then(|(key, effect)| match dilates {
+                true => sweepers[key.weights].proven_up_to(&effect, DILATANCY * least),
+                false => sweepers[key.weights].gives_way(&effect),
+            });
             lowest = lowest.min(carried.unwrap_or(0.0));
         }
+        // Where every load is carried, a number stands for it that does not govern.
+        let lowest = if lowest.is_finite() { lowest } else { DILATANCY * least };
         (!place.open.is_empty() && lowest > least).then_some(lowest)
     }
 }

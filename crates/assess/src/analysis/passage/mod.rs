@@ -12,7 +12,7 @@ mod solve;
 pub use error::PassageError;
 pub use record::record;
 pub use setup::{Setup, setup};
-pub use solve::{Passing, Slices, Solution, WantedSlices, records, slices, solve};
+pub use solve::{Passing, Scope, Slices, Solution, WantedSlices, slices, solve};
 
 use super::AnalysisError;
 use bridge::Bridge;
@@ -21,7 +21,7 @@ use mechanics::watch::Watch;
 use outcome::note::{InPassage, Note};
 use outcome::passage::SensorRecord;
 use outcome::passage::{Part, Passage, PassageStatus};
-use outcome::warning;
+use outcome::warning::{self, Warning};
 
 /// A tolerance above this is worth a word: peaks then differ in their third digit.
 const LOOSE: f64 = 1e-4;
@@ -32,7 +32,7 @@ const LOOSE: f64 = 1e-4;
 /// Those of [`setup()`] and [`solve()`].
 pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, AnalysisError> {
     let setup = setup(bridge)?;
-    let solution = solve(bridge, &setup, watch)?;
+    let solution = solve(bridge, &setup, Scope::Everything, &[], watch)?;
     Ok(report(bridge, &setup, solution))
 }
 
@@ -44,7 +44,7 @@ fn kept(log: &[outcome::passage::StepLog]) -> impl Iterator<Item = &outcome::pas
 /// The solution in an engineer's words.
 pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let plan = &setup.plan;
-    let mut warnings = solution.warnings;
+    let mut warnings: Vec<Warning> = Vec::new();
     if let (PassageStatus::NotConverged, Some(reason)) = (solution.status, &solution.reason) {
         warnings.push(warning::Service::BrokenPassage { reason: reason.clone() }.into());
     }

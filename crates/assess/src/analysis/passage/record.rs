@@ -68,27 +68,17 @@ pub fn record(passage: &Passage, name: &str, made_by: &str, logger: &Logger) -> 
         Exact {
             name: channel.name.clone(),
             line: String::new(),
-            unit: unit(channel.quantity),
+            unit: Unit::named(channel.quantity.unit()).unwrap_or_else(|| Unit::usual(channel.quantity.recorded())),
             values: channel.values.clone(),
             least_count: scatter.least_count,
             deviation: scatter.deviation,
         }
     });
     let exact: Vec<Exact> = exact.collect();
-    let noise = Noise { rate: logger.rate, seed: logger.seed, origin: origin(passage, made_by) };
+    let Passage { bridge, train, analysis, .. } = passage;
+    let origin = format!("{made_by} ({bridge}, train {train}, {analysis} analysis, self-weight taken off)");
+    let noise = Noise { rate: logger.rate, seed: logger.seed, origin };
     synthesise(name, Some(passage.speed), &passage.times, &exact, &noise)
-}
-
-/// The unit of a channel's cells.
-fn unit(quantity: Measurand) -> Unit {
-    Unit::named(quantity.unit()).unwrap_or_else(|| Unit::usual(quantity.recorded()))
-}
-
-fn origin(passage: &Passage, made_by: &str) -> String {
-    format!(
-        "{made_by} ({}, train {}, {} analysis, self-weight taken off)",
-        passage.bridge, passage.train, passage.analysis
-    )
 }
 
 #[cfg(test)]

@@ -103,80 +103,65 @@ pub enum SensorError {
 /// A place outside the bridge, one that is on no stone or joint where its kind needs one, or a gauge longer than its stone.
 pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed, SensorError> {
     let name = sensor.name.clone();
-    let (quantity, reading, about) = match (sensor.kind, sensor.place) {
-        (SensorKind::Displacement(direction), SensorPosition::Span { span, share }) => {
-            let ring = ring(rings, span, sensor)?;
-            let terms = on_face(mesh, faces(ring, sensor.face), share);
-            let (towards, sign) = direction_of(direction, share);
-            let about = format!("{}, {sign} positive", site(span, share, sensor.face));
-            (Measurand::Displacement, along(&terms, towards), about)
-        }
-        (SensorKind::Displacement(direction), SensorPosition::Point(at)) => {
+    let needs_ring = || SensorError::NeedsRing { name: name.clone() };
+    let (span, share) = match (sensor.place, sensor.kind) {
+        (SensorPosition::Span { span, share }, _) => (span, share),
+        (SensorPosition::Point(at), SensorKind::Displacement(direction)) => {
             let terms = inside(mesh, at).ok_or(SensorError::Outside { name: name.clone(), at })?;
-            let share = share_at(mesh, rings, at[0]);
-            let (towards, sign) = direction_of(direction, share);
+            let (towards, sign) = direction_of(direction, share_at(mesh, rings, at[0]));
             let about = format!("point at x = {:.3} m, y = {:.3} m, {sign} positive", at[0], at[1]);
-            (Measurand::Displacement, along(&terms, towards), about)
+            return Ok(Placed { name, quantity: Measurand::Displacement, reading: along(&terms, towards), about });
         }
-        (SensorKind::Strain { gauge_length }, SensorPosition::Span { span, share }) => {
-            let stones = faces(ring(rings, span, sensor)?, sensor.face);
+        (SensorPosition::Point(_), _) => return Err(needs_ring()),
+    };
+    let ring = rings.get(span).filter(|ring| is_usable(ring)).ok_or_else(needs_ring)?;
+    let stones = match sensor.face {
+        Face::Intrados => &ring.intrados,
+        Face::Extrados => &ring.extrados,
+    };
+    let site = site(span, share, sensor.face);
+    let of_stone = |stone: usize| format!("stone {} of {}, {site}", stone + 1, stones.len());
+    let (quantity, reading, about) = match sensor.kind {
+        SensorKind::Displacement(direction) => {
+            let (towards, sign) = direction_of(direction, share);
+            let reading = along(&on_face(mesh, stones, share), towards);
+            (Measurand::Displacement, reading, format!("{site}, {sign} positive"))
+        }
+        SensorKind::Strain { gauge_length } => {
             let stone = stone_at(mesh, stones, share);
             let reading = gauge(mesh, &stones[stone], gauge_length).map_err(|stone| SensorError::LongGauge {
                 name: name.clone(),
                 gauge: gauge_length,
                 stone,
             })?;
-            let site = site(span, share, sensor.face);
-            let about = format!(
-                "stone {} of {}, {site}, over {:.0} mm, tension positive",
-                stone + 1,
-                stones.len(),
-                1e3 * gauge_length
-            );
+            let about = format!("{}, over {:.0} mm, tension positive", of_stone(stone), 1e3 * gauge_length);
             (Measurand::Strain, reading, about)
         }
-        (SensorKind::JointOpening | SensorKind::JointSliding, SensorPosition::Span { span, share }) => {
-            let ring = ring(rings, span, sensor)?;
+        SensorKind::JointOpening | SensorKind::JointSliding => {
             let joint = joint_at(mesh, ring, share);
-            let opening = sensor.kind == SensorKind::JointOpening;
-            let reading = across(mesh, &ring.joints[joint], sensor.face, opening)
-                .ok_or(SensorError::NeedsRing { name: name.clone() })?;
-            let sign = if opening { "apart positive" } else { "its right side outwards positive" };
-            let about =
-                format!("joint {joint} of {}, {}, {sign}", ring.joints.len() - 1, site(span, share, sensor.face));
-            (if opening { Measurand::JointOpening } else { Measurand::JointSliding }, reading, about)
+            let (quantity, sign) = match sensor.kind {
+                SensorKind::JointOpening => (Measurand::JointOpening, "apart positive"),
+                _ => (Measurand::JointSliding, "its right side outwards positive"),
+            };
+            let opening = quantity == Measurand::JointOpening;
+            let reading = across(mesh, &ring.joints[joint], sensor.face, opening).ok_or_else(needs_ring)?;
+            (quantity, reading, format!("joint {joint} of {}, {site}, {sign}", ring.joints.len() - 1))
         }
-        (SensorKind::Stress, SensorPosition::Span { span, share }) => {
-            let stones = faces(ring(rings, span, sensor)?, sensor.face);
+        SensorKind::Stress => {
             let stone = stone_at(mesh, stones, share);
             let (at, along) = middle(mesh, &stones[stone]);
-            let quad = nearest_of(mesh, &stones[stone], at).ok_or(SensorError::NeedsRing { name: name.clone() })?;
-            let about = format!(
-                "stone {} of {}, {}, along the ring, tension positive",
-                stone + 1,
-                stones.len(),
-                site(span, share, sensor.face)
-            );
-            (Measurand::Stress, Reading::Stress { quad, along: [along.x, along.y] }, about)
+            let quad = nearest_of(mesh, &stones[stone], at).ok_or_else(needs_ring)?;
+            let reading = Reading::Stress { quad, along: [along.x, along.y] };
+            (Measurand::Stress, reading, format!("{}, along the ring, tension positive", of_stone(stone)))
         }
-        (_, SensorPosition::Point(_)) => return Err(SensorError::NeedsRing { name }),
     };
     Ok(Placed { name, quantity, reading, about })
 }
 
-fn ring<'r>(rings: &'r [RingNodes], span: usize, sensor: &Sensor) -> Result<&'r RingNodes, SensorError> {
-    let usable = |ring: &&RingNodes| {
-        let whole = |faces: &[Vec<NodeId>]| !faces.is_empty() && faces.iter().all(|face| face.len() > 1);
-        whole(&ring.intrados) && whole(&ring.extrados) && !ring.joints.is_empty()
-    };
-    rings.get(span).filter(usable).ok_or_else(|| SensorError::NeedsRing { name: sensor.name.clone() })
-}
-
-fn faces(ring: &RingNodes, face: Face) -> &[Vec<NodeId>] {
-    match face {
-        Face::Intrados => &ring.intrados,
-        Face::Extrados => &ring.extrados,
-    }
+/// Whether a ring has both faces and joints on the mesh.
+fn is_usable(ring: &RingNodes) -> bool {
+    let whole = |faces: &[Vec<NodeId>]| !faces.is_empty() && faces.iter().all(|face| face.len() > 1);
+    whole(&ring.intrados) && whole(&ring.extrados) && !ring.joints.is_empty()
 }
 
 /// A place in words.

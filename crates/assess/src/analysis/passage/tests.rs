@@ -120,7 +120,6 @@ fn a_report_ends_where_the_solution_ends() {
         moments: Vec::new(),
         influence: None,
         assumptions: vec![InPassage::Base.into()],
-        warnings: Vec::new(),
     };
     let report = report(&bridge, &setup, solution);
     assert_eq!((report.times.len(), report.positions.len(), report.channels.len()), (3, 3, 6));
@@ -143,7 +142,6 @@ fn solved() -> Solution {
         moments: Vec::new(),
         influence: None,
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     }
 }
 
@@ -191,7 +189,6 @@ fn the_object_has_the_fields_that_scripts_read() {
         moments: Vec::new(),
         influence: None,
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     };
     let passage = report(&bridge, &setup, solution);
     let object = passage.object();
@@ -232,7 +229,7 @@ fn slices_are_those_of_the_whole_system() {
         let mut one = Setup { positions: vec![*position], times: vec![0.0], ..base.clone() };
         one.plan.path = PassagePath::Plain;
         one.plan.tolerance = 1e-9;
-        let plain = records(&bridge, &one, &[], &mut Unwatched).unwrap();
+        let plain = solve(&bridge, &one, Scope::Sensors, &[], &mut Unwatched).unwrap();
         let size = plain.values.iter().fold(0.0_f64, |most, value| most.max(value[0].abs()));
         assert!(size > 0.0);
         for (s, sensor) in base.sensors.iter().enumerate() {

@@ -17,7 +17,7 @@ use structure::discretise::dispersal::{self, Strip};
 pub(super) struct State {
     pub bridge: Bridge,
     pub built: Vec<Discretised>,
-    grounds: Vec<Ground<'static>>,
+    grounds: Vec<Ground>,
     learnt: Vec<Experience>,
     /// The vehicle that is put on it, and what it may do there; none where loads are those of the file.
     pub vehicle: Option<(Driven, Driving)>,
@@ -61,7 +61,7 @@ impl State {
             let mut d = rigid::prepared(bridge)?;
             d.loading.variable.clear();
             let settings = limit::Settings { friction: Friction::Associated, ..rigid::settings(bridge) };
-            grounds.push(Ground::owning(d.model.clone(), &d.loading, &settings)?);
+            grounds.push(Ground::new(&d.model, &d.loading, &settings)?);
             built.push(d);
         }
         let learnt = bridges.iter().map(|_| Experience::default()).collect();
@@ -149,7 +149,7 @@ impl State {
         let k = put.weights;
         let mut sweeper = self.grounds[k].sweeper_with(std::mem::take(&mut self.learnt[k]));
         let effect = sweeper.effect(&put.forces);
-        let outcome = sweeper.outcome_by(&effect, put.friction);
+        let outcome = sweeper.outcome(&effect, put.friction);
         self.learnt[k] = sweeper.learnt();
         outcome
     }

@@ -1,12 +1,13 @@
 //! The least of what the states of a bridge come to: a load, a thickness, a support movement.
 
+use super::super::parallel::Retold;
 use super::super::{AnalysisError, notes};
 use super::standing::{Standing, hurts, leading, not_counted, warned};
 use super::states::{State, states};
 use bridge::Bridge;
 use mechanics::blocks::ModelError;
 use mechanics::kept;
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Progress, Watch};
 use outcome::collapse::{By, Collapse, PathPressure, Permissible, Sought, Status};
 use outcome::help::{Help, WithHelp};
 use outcome::note::Size;
@@ -23,11 +24,8 @@ pub(crate) fn collapse(
     method: Method<'_, Bridge>,
 ) -> Result<Collapse, AnalysisError> {
     let states = states(bridge);
-    let Some(found) = each(&states, resume, watch, method)? else { return method(bridge, resume, watch) };
-    let mut led = found.led;
-    if let Some(all) = &found.all {
-        pressed(bridge, &states, all, &mut led);
-    }
+    let (mut led, all) = each(&states, resume, watch, method)?;
+    pressed(bridge, &states, &all, &mut led);
     Ok(led)
 }
 
@@ -38,31 +36,21 @@ pub(crate) fn of_blocks(
     watch: &mut dyn Watch,
     method: Method<'_, Scene>,
 ) -> Result<Collapse, AnalysisError> {
-    let states = super::scene::states(scene);
-    Ok(match each(&states, resume, watch, method)? {
-        Some(found) => found.led,
-        None => method(scene, resume, watch)?,
-    })
+    Ok(each(&super::scene::states(scene), resume, watch, method)?.0)
 }
 
-/// The result that leads, and what every state came to; none where the onlooker wished to stop.
-struct Found {
-    led: Collapse,
-    all: Option<Vec<Collapse>>,
-}
-
-/// Analyses every state; none where there is one alone. A kept state starts with the number of the one that was at work; on resuming, those before
-/// it are made again, to the same bits.
+/// Analyses every state: the result that leads, and what every state came to, where there are several and all were made. A kept state starts with
+/// the number of the one that was at work; on resuming, those before it are made again, to the same bits.
 fn each<T>(
     states: &[State<T>],
     resume: Option<&[u8]>,
     watch: &mut dyn Watch,
     method: Method<'_, T>,
-) -> Result<Option<Found>, AnalysisError> {
-    let count = states.len();
-    if count == 1 {
-        return Ok(None);
+) -> Result<(Collapse, Vec<Collapse>), AnalysisError> {
+    if let [alone] = states {
+        return Ok((method(&alone.bridge, resume, watch)?, Vec::new()));
     }
+    let count = states.len();
     let kept = resume.map(kept::split::<usize>).transpose()?;
     if kept.is_some_and(|(at, _)| at >= count) {
         return Err(ModelError::ForeignState.into());
@@ -74,9 +62,14 @@ fn each<T>(
             [] => "without what may come and go".to_owned(),
             helps => format!("with {}", Help::all_told(helps)),
         };
-        let found = method(&state.bridge, own, &mut Part { watch, number, count, what })?;
+        let told = |progress: &Progress| Progress {
+            stage: format!("{what}: {}", progress.stage),
+            fraction: progress.fraction.map(|share| (share + number as f64) / count as f64),
+            ..progress.clone()
+        };
+        let found = method(&state.bridge, own, &mut Retold { watch, number: Some(number), told })?;
         if found.status == Status::Cancelled {
-            return Ok(Some(Found { led: found, all: None }));
+            return Ok((found, Vec::new()));
         }
         all.push(found);
     }
@@ -89,7 +82,7 @@ fn each<T>(
     let own = size(&standings[lead].numbers);
     led.warnings.extend(warned(&led.not_counted, None, own, size));
     led.assumptions.extend(hurts(&standings, lead, size));
-    Ok(Some(Found { led, all: Some(all) }))
+    Ok((led, all))
 }
 
 /// What a state comes to. What is not known is least; what nothing makes fall is most.
@@ -116,7 +109,7 @@ fn standing(helps: &[Help], found: &Collapse) -> Standing {
         Sought::Load | Sought::SupportMovement(_) => found.status == Status::Locks,
     };
     let size = known.unwrap_or(if stands { f64::INFINITY } else { f64::NEG_INFINITY });
-    Standing { helps: helps.to_vec(), size, numbers }
+    Standing { size, numbers }
 }
 
 /// The number of a state.
@@ -162,24 +155,4 @@ fn pressed(bridge: &Bridge, states: &[State<Bridge>], all: &[Collapse], led: &mu
         _ => {}
     }
     led.warnings.extend(notes::pressure_range(bridge, bare, with));
-}
-
-/// An onlooker of one state.
-struct Part<'a> {
-    watch: &'a mut dyn Watch,
-    number: usize,
-    count: usize,
-    what: String,
-}
-
-impl Watch for Part<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let fraction = progress.fraction.map(|share| (share + self.number as f64) / self.count as f64);
-        let stage = format!("{}: {}", self.what, progress.stage);
-        self.watch.look(&Progress { stage, fraction, ..progress.clone() })
-    }
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
-        let number = self.number;
-        self.watch.keep(&|| kept::join(&number, &state()));
-    }
 }

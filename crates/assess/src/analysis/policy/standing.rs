@@ -9,7 +9,6 @@ const SAME: f64 = 1e-3;
 
 /// What a state comes to: its size, by which states are compared (more is better), and its numbers for a reader.
 pub(super) struct Standing {
-    pub(super) helps: Vec<Help>,
     pub(super) size: f64,
     pub(super) numbers: WithHelp,
 }
@@ -28,9 +27,10 @@ fn is_more(size: f64, than: f64) -> bool {
 
 /// What the leading state does not count, and what each state that counts more of it comes to.
 pub(super) fn not_counted(all: &[Standing], lead: usize) -> NotCounted {
-    let counted = &all[lead].helps;
-    let adds =
-        |one: &&Standing| one.helps.iter().any(|help| !counted.contains(help)) && is_more(one.size, all[lead].size);
+    let counted = &all[lead].numbers.helps;
+    let adds = |one: &&Standing| {
+        one.numbers.helps.iter().any(|help| !counted.contains(help)) && is_more(one.size, all[lead].size)
+    };
     let with_help: Vec<WithHelp> = all.iter().filter(adds).map(|one| one.numbers.clone()).collect();
     let left_out = Help::ALL
         .iter()
@@ -57,8 +57,8 @@ pub(super) fn warned(
 
 /// Help that hurts, and is counted.
 pub(super) fn hurts(all: &[Standing], lead: usize, size: fn(&WithHelp) -> Size) -> Option<Note> {
-    let counted = &all[lead].helps;
-    let bare = all.iter().find(|one| one.helps.is_empty())?;
+    let counted = &all[lead].numbers.helps;
+    let bare = all.iter().find(|one| one.numbers.helps.is_empty())?;
     let hurts = is_more(bare.size, all[lead].size) && !counted.is_empty();
     let [without, with] = [bare, &all[lead]].map(|one| size(&one.numbers));
     hurts.then(|| note::State::Counted { helps: counted.clone(), without, with }.into())

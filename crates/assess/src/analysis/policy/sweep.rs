@@ -106,7 +106,7 @@ fn standing(helps: &[Help], point: &SweepPoint) -> Standing {
         factor: point.bound(),
         ..WithHelp::default()
     };
-    Standing { helps: helps.to_vec(), size: size(point), numbers }
+    Standing { size: size(point), numbers }
 }
 
 /// The size by which positions are compared: loads that nothing makes fall are most, what is not known is least.

@@ -52,7 +52,7 @@ pub(crate) fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) 
             let factor = case_by_itself(&state.bridge, &vehicle.code, case, &mut Portion::new(watch, [1.0, 1.0]))?;
             let numbers =
                 WithHelp { helps: state.helps.clone(), status: Status::Collapsed, factor, ..WithHelp::default() };
-            standings.extend(factor.map(|size| Standing { helps: state.helps.clone(), size, numbers }));
+            standings.extend(factor.map(|size| Standing { size, numbers }));
         }
         vehicle.not_counted = not_counted(&standings, lead);
         if found.governing == Some(k) {
@@ -85,7 +85,7 @@ fn least_permissible(runs: &[VehicleSweep], k: usize, vehicle: &mut Swept) {
 fn standing(helps: &[Help], vehicle: &Swept) -> Standing {
     let numbers =
         WithHelp { helps: helps.to_vec(), status: vehicle.status, factor: vehicle.factor(), ..WithHelp::default() };
-    Standing { helps: helps.to_vec(), size: vehicle.size(), numbers }
+    Standing { size: vehicle.size(), numbers }
 }
 
 /// The number of a state.

@@ -1,7 +1,7 @@
 //! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
 //! and what stands on it is made once, where no parameter moves it.
 
-use crate::analysis::passage::{PassageError, Setup, WantedSlices, records, setup, slices};
+use crate::analysis::passage::{PassageError, Scope, Setup, Slices, Solution, WantedSlices, setup, slices, solve};
 use crate::analysis::{AnalysisError, parallel};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
@@ -46,13 +46,6 @@ enum Seen {
 
 /// Parts that are expected, found when they are first asked for.
 type Expected = Arc<OnceLock<Vec<usize>>>;
-
-/// Answers of the sensors, and parts that took part in them.
-struct Answers {
-    values: Vec<Vec<f64>>,
-    derivatives: Vec<Vec<Vec<f64>>>,
-    taking_part: Vec<usize>,
-}
 
 /// Share of a range by which the neighbours differ that derivatives are taken from: laws are nearly linear over it, and their rounding
 /// leaves ten digits.
@@ -120,7 +113,7 @@ impl<'a> Model<'a> {
         setup: &Setup,
         asked: Asked,
         neighbours: &[(Bridge, f64)],
-    ) -> Result<Answers, Failure> {
+    ) -> Result<Slices, Failure> {
         if self.moves {
             return answers(bridge, setup, &asked, &[], &[], &self.token);
         }
@@ -203,44 +196,19 @@ fn not_set_up(error: AnalysisError) -> Failure {
     Failure::new("not-set-up", error.to_string())
 }
 
-/// Static answers at some positions alone, in ascending order. Stresses are no functionals of displacements: with them the train
-/// goes from one of these positions to the next.
-fn at_places(
-    bridge: &Bridge,
-    setup: &Setup,
-    places: &[usize],
-    expected: &[usize],
-    neighbours: &[(Bridge, f64)],
-    token: &CancelToken,
-) -> Result<Answers, Failure> {
-    let positions = positions(setup, places);
-    if has_stress(setup) {
-        let times = places.iter().map(|k| setup.times[*k]).collect();
-        let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
-        let some = Setup { times, positions, plan, ..setup.clone() };
-        return whole(bridge, &some, &[], token);
-    }
-    let wanted = WantedSlices { positions: &positions, expected, neighbours };
-    let found = slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?;
-    let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
-    completed(found.status, found.reason, answers)
-}
-
-fn positions(setup: &Setup, places: &[usize]) -> Vec<f64> {
-    places.iter().map(|k| setup.positions[*k]).collect()
-}
-
 fn has_stress(setup: &Setup) -> bool {
     setup.sensors.iter().any(|sensor| sensor.quantity == Measurand::Stress)
 }
 
 /// Answers at every position of the passage.
-fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Answers, Failure> {
-    let found = records(bridge, setup, expected, &mut token.clone()).map_err(not_set_up)?;
-    let answers = Answers { values: found.values, derivatives: Vec::new(), taking_part: found.taking_part };
-    completed(found.status, found.reason, answers)
+fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Slices, Failure> {
+    let found = solve(bridge, setup, Scope::Sensors, expected, &mut token.clone()).map_err(not_set_up)?;
+    let Solution { status, reason, values, taking_part, .. } = found;
+    completed(Slices { status, reason, values, taking_part, ..Slices::default() })
 }
 
+/// Answers at every position of the passage, or static ones at some alone, in ascending order. Stresses are no functionals of
+/// displacements: with them the train goes from one of these positions to the next.
 fn answers(
     bridge: &Bridge,
     setup: &Setup,
@@ -248,18 +216,24 @@ fn answers(
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
     token: &CancelToken,
-) -> Result<Answers, Failure> {
-    match asked {
-        None => whole(bridge, setup, expected, token),
-        Some(places) => at_places(bridge, setup, places, expected, neighbours, token),
+) -> Result<Slices, Failure> {
+    let Some(places) = asked else { return whole(bridge, setup, expected, token) };
+    let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
+    if has_stress(setup) {
+        let times = places.iter().map(|k| setup.times[*k]).collect();
+        let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
+        let some = Setup { times, positions, plan, ..setup.clone() };
+        return whole(bridge, &some, &[], token);
     }
+    let wanted = WantedSlices { positions: &positions, expected, neighbours };
+    completed(slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?)
 }
 
-fn completed(status: PassageStatus, reason: Option<String>, answers: Answers) -> Result<Answers, Failure> {
-    match status {
+fn completed(answers: Slices) -> Result<Slices, Failure> {
+    match answers.status {
         PassageStatus::Completed => Ok(answers),
         PassageStatus::Cancelled => Err(Failure::new(calibrate::STOPPED, String::new())),
-        status => Err(Failure::new(status.word(), reason.unwrap_or_default())),
+        status => Err(Failure::new(status.word(), answers.reason.unwrap_or_default())),
     }
 }
 

@@ -9,7 +9,7 @@ use calibrate::Channel;
 use outcome::update::{RecordsUsed, RunUsed, Verdict};
 use records::{
     Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Recording, Reference,
-    Scrutiny, Series, Source, Testing, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
+    Scrutiny, Series, Source, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
 };
 
 /// A table beside the bridge file.
@@ -93,12 +93,8 @@ pub(super) fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (V
 
 /// What the peaks of all runs and lines tell; nothing where there is none.
 fn verdict(series: &Series) -> Option<Verdict> {
-    let (peaks, testing) = (peaks(series), Testing::default());
-    let told = |peaks| Verdict {
-        dynamics: dynamics(&peaks, &testing),
-        plane_strain: plane_strain(&peaks, Some(series), &testing),
-        peaks,
-    };
+    let peaks = peaks(series);
+    let told = |peaks| Verdict { dynamics: dynamics(&peaks), plane_strain: plane_strain(&peaks, Some(series)), peaks };
     (!peaks.peaks.is_empty()).then(|| told(peaks))
 }
 

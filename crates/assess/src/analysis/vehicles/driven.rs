@@ -181,13 +181,13 @@ impl Driving {
     pub(crate) fn governing(
         &self,
         d: &Discretised,
-        (grounds, sweepers): (&[Ground<'_>], &mut [Sweeper<'_>]),
+        (grounds, sweepers): (&[Ground], &mut [Sweeper<'_>]),
         position: f64,
         asked: Asked,
     ) -> Governing {
         let standing = self.standing(d);
         let (cases, skipped) = self.cases((&standing, grounds), sweepers, position, asked);
-        let (mut answered, mut open) = (Vec::new(), Vec::new());
+        let (mut answered, mut open, mut locks) = (Vec::new(), Vec::new(), Vec::new());
         for (key, effect) in cases {
             let found = sweepers[key.weights].factor(&effect);
             match (found.lower, found.upper) {
@@ -195,13 +195,29 @@ impl Driving {
                     let answer = Answer { key, factor, upper };
                     answered.push(Answered { answer, effect, dilatant: found });
                 }
-                _ if found.status == Status::Locks => {}
+                _ if found.status == Status::Locks => locks.push((key, effect)),
                 _ => open.push((key, effect)),
             }
         }
         let answers: Vec<Answer> = answered.iter().map(|case| case.answer).collect();
+        // What locks with dilation may fall without, as in a sweep.
+        let locks = locks.into_iter().filter(|_| asked == Asked::Carefully).max_by_key(|(key, _)| key.extent());
+        let locking = locks.map(|(key, effect)| (key, sweepers[key.weights].gives_way(&effect)));
+        let falls = locking.and_then(|(key, factor)| Some((key, factor?))).filter(|(_, factor)| factor.is_finite());
+        let level = |(key, factor): (Key, f64)| Governing {
+            case: Some(standing.told(&key)),
+            weights: key.weights,
+            factor: Some(factor),
+            slides: true,
+            level: true,
+            ..Governing::nothing(Status::Solved)
+        };
+        if locking.is_some_and(|(_, factor)| factor.is_none()) {
+            return Governing::nothing(Status::NotConverged);
+        }
         let Some(worst) = least(&answers) else {
-            return Governing::nothing(if open.is_empty() { Status::Locks } else { Status::NotConverged });
+            let status = if open.is_empty() { Status::Locks } else { Status::NotConverged };
+            return falls.filter(|_| open.is_empty()).map_or_else(|| Governing::nothing(status), level);
         };
         // Where a factor above the least is proven to be carried, a case without an answer does not govern.
         let is_carried = |(key, effect): &(Key, Effect)| {
@@ -239,24 +255,20 @@ impl Driving {
             turns.met(*dilates, own);
             if found.friction == Friction::NonAssociated && own < factor {
                 factor = own;
-                governing = Governing {
-                    case: Some(standing.told(key)),
-                    weights: key.weights,
-                    factor: Some(own),
-                    slides: true,
-                    level: true,
-                    ..governing
-                };
+                governing = Governing { dilatant: governing.dilatant, ..level((*key, own)) };
             }
         }
-        governing
+        match falls.filter(|(_, own)| *own < factor) {
+            Some(falls) => Governing { dilatant: governing.dilatant, ..level(falls) },
+            None => governing,
+        }
     }
 
     /// Every case at a place under every combination of weights. Asked quickly, cases are left out whose upper bound by the mechanisms met
     /// before lies far above the least such bound; whether any was.
     fn cases(
         &self,
-        (standing, grounds): (&Standing<'_>, &[Ground<'_>]),
+        (standing, grounds): (&Standing<'_>, &[Ground]),
         sweepers: &mut [Sweeper<'_>],
         position: f64,
         asked: Asked,

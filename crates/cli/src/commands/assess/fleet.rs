@@ -1,23 +1,24 @@
 //! A folder of bridge files: each is assessed into a folder of its own, side by side over the cores, and one table lists them,
 //! worst first. A file that cannot be used is a row and stops nothing. What is finished is taken up by the next run.
 
-use super::{answer, assessed, command, files, pictures_left_out};
+use super::{answer, assessed, command, pictures, pictures_left_out};
 use crate::args::Assess as Arguments;
-use crate::commands::source::{Pictures, Source, read_text};
+use crate::commands::source::{Source, read_text};
 use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::program;
 use crate::report::Report;
-use crate::results;
+use crate::results::{self, Written};
 use crate::shards::{self, Merged};
 use crate::signs;
 use crate::status::Status;
+use crate::summary;
 use crate::watcher;
 use ::report::FleetRow;
 use bridge::Severity;
-use extrados::Means;
 use extrados::shard::Shard;
+use extrados::{Disk, Means};
 use findings::visible::{is_hidden, one_line};
 use findings::words::counted;
 use rayon::prelude::*;
@@ -40,14 +41,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
         unchanged(&arguments.file, merged)?;
         merged.bring(&identity, &folder)?;
     }
-    let own: Vec<&PathBuf> = paths
-        .iter()
-        .enumerate()
-        .filter(|(place, _)| shard.is_none_or(|one| one.makes(*place)))
-        .map(|(_, path)| path)
-        .collect();
+    let own: Vec<&PathBuf> = shards::own(&paths, shard).collect();
     signs::keeps("out", folder.path(), KEPT);
-    let bar = watcher::count(desk.screen.quiet, own.len() as u64);
+    let bar = watcher::bar(desk.screen.quiet, own.len() as u64);
     let rows: Vec<Option<FleetRow>> = own
         .par_iter()
         .map(|file| {
@@ -103,11 +99,11 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
         command(arguments, &arguments.file.display().to_string())
     );
     let title = arguments.file.display().to_string();
-    let tables = vec![
+    let files = vec![
         figures::File { name: "fleet.csv".into(), bytes: ::report::fleet_csv(&rows).into_bytes() },
         figures::File { name: "fleet.html".into(), bytes: ::report::fleet_html(&title, &rows, &made).into_bytes() },
     ];
-    results::publish(desk, report, &folder, &tables)
+    results::publish(desk, report, &folder, Written { files, ..Written::default() })
 }
 
 /// A shard of a fleet: the finished stages of its bridges are its pieces, the bridge files its inputs.
@@ -123,7 +119,7 @@ fn share(
     let mut files = Vec::new();
     for path in own {
         // A file that cannot be used has no others beside it.
-        let beside = Source::read(path).map_or(Vec::new(), |source| source.project.inputs().to_vec());
+        let beside = Source::read(path, &Disk).map_or(Vec::new(), |source| source.project.inputs().to_vec());
         for input in beside.iter().filter(|input| input.is_file()).chain([*path]) {
             let hash = folder::hash(input).map_err(|error| Failure::unreadable(input, &error))?;
             inputs.insert(input.strip_prefix(root).unwrap_or(input).display().to_string(), hash);
@@ -202,72 +198,57 @@ fn folder_of(path: &Path, files: &[PathBuf]) -> String {
 
 /// One bridge, into a folder of this name; none where somebody asked to stop.
 fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &str) -> Option<FleetRow> {
-    let file = one_line(&name_of(path)).into_owned();
-    let blank = |status: Status, words: String| FleetRow {
-        file: file.clone(),
-        name: String::new(),
-        status: status.name().to_owned(),
-        utilisation: None,
-        governing: String::new(),
-        load_model: String::new(),
-        finished: false,
-        broken: 0,
-        words,
-        head: String::new(),
-        beside: Vec::new(),
-        skipped: Vec::new(),
-        left_out: Vec::new(),
-        doubtful: Vec::new(),
-        report: String::new(),
-    };
-    let refused = |failure: Failure| blank(failure.status, format!("{} ({})", failure.message, failure.code));
-    let source = match Source::read_with(path, Pictures::allowed(arguments.allow_outside)) {
-        Ok(source) => source,
-        Err(failure) => return Some(refused(failure)),
-    };
+    let row = judged(path, stem, arguments, fleet, program)
+        .unwrap_or_else(|failure| Some(blank(failure.status, format!("{} ({})", failure.message, failure.code))));
+    row.map(|row| FleetRow { file: one_line(&name_of(path)).into_owned(), ..row })
+}
+
+/// A row with nothing but how the assessment ended, and words about it.
+fn blank(status: Status, words: String) -> FleetRow {
+    FleetRow { status: status.name().to_owned(), words, ..FleetRow::default() }
+}
+
+/// The row of a bridge, but for its file.
+fn judged(
+    path: &Path,
+    stem: &str,
+    arguments: &Arguments,
+    fleet: &Folder,
+    program: &str,
+) -> Result<Option<FleetRow>, Failure> {
+    let source = Source::read(path, pictures(arguments))?;
     if source.bridge().is_none() {
         let errors = source.project.findings().iter().filter(|finding| finding.severity == Severity::Error);
         let words = errors.map(|finding| {
             let place = bridge::text::position(source.project.text(), finding.range.start);
             format!("line {}: {} ({})", place.line, finding.message, finding.code)
         });
-        return Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; ")));
+        return Ok(Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; "))));
     }
-    let folder = match source.folder(&fleet.file(stem), "assess") {
-        Ok(folder) => folder,
-        Err(failure) => return Some(refused(failure)),
-    };
-    let done = match assessed(&source, &folder, program, arguments, true) {
-        Ok(done) => done?,
-        Err(failure) => return Some(refused(failure)),
-    };
+    let folder = source.folder(&fleet.file(stem), "assess")?;
+    let Some(done) = assessed(&source, &folder, program, arguments, true)? else { return Ok(None) };
     let mut report = answer(&done, &source);
     let left_out = pictures_left_out(&done).into_iter();
     report.warnings.extend(left_out.map(|[code, message]| json!({ "code": code, "message": message })));
-    let written = folder.fill(
-        |staging| files(&done).iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
+    let files = extrados::written::assessed(&done).files;
+    folder.fill(
+        |staging| results::write(staging, &files),
         |names, place, _| {
             report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
             ::outcome::published::json(&report.object("extrados.assess/1", crate::clock::Clock::start()))
         },
-    );
-    if let Err(failure) = written {
-        return Some(refused(failure));
-    }
-    let worst = ::outcome::checked::governing(&done.assessment.checked);
-    let finding =
-        worst.and_then(|(c, k)| done.assessment.checked[c].outcome.as_ref().ok()?.get(k).map(|finding| (c, finding)));
-    let verdict = &done.assessment.verdict;
-    let all = done.assessment.checked.iter().flat_map(|check| check.outcome.iter().flatten());
-    Some(FleetRow {
-        name: done.assessment.bridge.clone(),
-        utilisation: finding.map(|(_, finding)| finding.utilisation),
-        governing: finding.map_or(String::new(), |(c, _)| {
-            format!("{} {}", done.assessment.checked[c].code, done.assessment.checked[c].title)
-        }),
-        load_model: finding.map_or(String::new(), |(_, finding)| finding.load_model.clone()),
-        finished: done.assessment.verdict.finished,
+    )?;
+    let assessment = &done.assessment;
+    let verdict = &assessment.verdict;
+    let worst = summary::governs(assessment);
+    let all = assessment.checked.iter().flat_map(|check| check.outcome.iter().flatten());
+    Ok(Some(FleetRow {
+        name: assessment.bridge.clone(),
+        utilisation: worst.map(|(_, finding)| finding.utilisation),
+        governing: worst.map_or(String::new(), |(check, _)| format!("{} {}", check.code, check.title)),
+        load_model: worst.map_or(String::new(), |(_, finding)| finding.load_model.clone()),
+        finished: verdict.finished,
         broken: all.filter(|finding| !finding.met()).count(),
         report: format!("{}/report.html", web(stem)),
         head: verdict.head(),
@@ -275,11 +256,8 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         skipped: verdict.given.skipped.clone(),
         left_out: verdict.given.load_cases_left_out.clone(),
         doubtful: verdict.given.doubtful.iter().map(|one| one.code.clone()).collect(),
-        ..blank(
-            Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined),
-            done.assessment.verdict.words.clone(),
-        )
-    })
+        ..blank(report.status, verdict.words.clone())
+    }))
 }
 
 /// A name as a link has it.

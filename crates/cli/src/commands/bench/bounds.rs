@@ -1,6 +1,6 @@
 //! `extrados bench bounds`: both bounds of Bridgemill's load with its fill as a continuum, from the bridge to the last mesh.
 
-use super::of_bridgemill;
+use super::of_example;
 use super::repeated::{Repeated, repeated};
 use crate::args::Bench;
 use crate::failure::Failure;
@@ -17,7 +17,7 @@ const CLOSE: (f64, usize) = (1.02, 12_000);
 /// Repeats the bounds and gives the least and the middle time, once more for close ones; pictures and the range of strength are not
 /// part of it.
 pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
-    let bridge = of_bridgemill("continuum.toml")?;
+    let bridge = of_example("bridgemill", "continuum.toml")?;
     let mut finer = bridge.clone();
     finer.continuum.iter_mut().for_each(|plan| (plan.bound_ratio, plan.elements) = CLOSE);
     let wanted = measured(arguments, &bridge)?;

@@ -1,14 +1,15 @@
 //! `extrados bench disks`: steps of particles in a second.
 
+use super::repeated::least_and_middle;
 use crate::args::Bench;
 use crate::checkpoint::Checkpoint;
 use crate::clock::Clock;
-use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop};
+use crate::watcher::{Spectator, asked_to_stop, watched};
+use findings::words::counted;
 use mechanics::dem::{State, Workspace, begin, step};
 use mechanics::kept::digest;
 use mechanics::watch::{Progress, Watch, Wish};
@@ -30,14 +31,14 @@ struct Stepped {
 }
 
 /// One repeat after the other: the box on all threads and, where it is wanted, copies of it side by side.
-pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Failure> {
     let count = arguments.count.unwrap_or(DISCS).max(LEAST) as usize;
     if let Some(steps) = arguments.steps {
-        return from_the_packing(desk, arguments, count, u64::from(steps));
+        return watched(quiet, |onlooker| from_the_packing(onlooker, arguments, count, u64::from(steps)));
     }
-    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
-    let built = disks(count, &mut onlooker).map(|disks| disks.settled(&mut onlooker).map(|state| (disks, state)));
-    onlooker.finish();
+    let built = watched(quiet, |onlooker| {
+        disks(count, onlooker).map(|disks| disks.settled(onlooker).map(|state| (disks, state)))
+    });
     let (disks, (mut state, mut work)) = match built {
         Ok(Some(built)) => built,
         _ if asked_to_stop() => return Ok(Report::new(Status::Cancelled)),
@@ -60,12 +61,11 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
             together.push(side_by_side(&disks, &mut copies, steps)?);
         }
     }
-    let rate = |seconds: &mut Vec<f64>, boxes: usize| {
-        seconds.sort_by(f64::total_cmp);
+    let rate = |seconds: &mut [f64], boxes: usize| {
         let done = (boxes * count) as f64 * steps as f64;
-        (done / seconds[0], done / seconds[seconds.len() / 2])
+        least_and_middle(seconds).map(|seconds| done / seconds)
     };
-    let (best, middle) = rate(&mut alone, 1);
+    let [best, middle] = rate(&mut alone, 1);
     let touching = disks.touching(&state);
     let bytes = state.particle_bytes(&disks.model, &work) as f64 / count as f64;
     let threads = rayon::current_num_threads();
@@ -86,29 +86,29 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         .with("largest_move_per_step_radii", moved)
         .with("tiles", disks.tiles);
     let mut words = format!(
-        "disks: {:.2} million particle steps a second (median {:.2} of {}), {count} discs, {threads} thread{}\n\
+        "disks: {:.2} million particle steps a second (median {:.2} of {}), {count} discs, {}\n\
          {steps} steps in {:.3} s with {} searches; {:.2} contacts a disc, coordination {:.2}, {bytes:.0} bytes a disc, {moved:.0e} \
          of a radius in a step at most\n",
         best / 1e6,
         middle / 1e6,
         arguments.repeats,
-        if threads == 1 { "" } else { "s" },
+        counted(threads, "thread"),
         alone[0],
         stepped.searches,
         touching.contacts_per_particle,
         touching.coordination,
     );
     if !copies.is_empty() {
-        let (of_copies, _) = rate(&mut together, copies.len());
+        let [of_copies, _] = rate(&mut together, copies.len());
         report = report
             .with("copies", copies.len())
             .with("copies_particle_steps_per_second", of_copies)
             .with("share_of_copies", best / of_copies);
         words += &format!(
-            "{} copies on one thread each: {:.2} million together; {threads} thread{} on one box reach {:.0} % of that\n",
+            "{} copies on one thread each: {:.2} million together; {} on one box reach {:.0} % of that\n",
             copies.len(),
             of_copies / 1e6,
-            if threads == 1 { "" } else { "s" },
+            counted(threads, "thread"),
             100.0 * best / of_copies,
         );
     }
@@ -116,11 +116,10 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 }
 
 /// So many steps from the expanded packing on, while friction and gravity bring it to rest.
-fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Failure> {
+fn from_the_packing(onlooker: &mut Spectator, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Failure> {
     const LOOK: u64 = 20;
     const KEEP_EVERY: f64 = 30.0;
-    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
-    let disks = match disks(count, &mut onlooker) {
+    let disks = match disks(count, onlooker) {
         Ok(disks) => disks,
         Err(_) if asked_to_stop() => return Ok(Report::new(Status::Cancelled)),
         Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
@@ -154,7 +153,6 @@ fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) ->
         }
     }
     let seconds = clock.seconds() - keeping;
-    onlooker.finish();
     if let Some(checkpoint) = checkpoint {
         checkpoint.remove();
     }

@@ -1,7 +1,7 @@
 //! `extrados bench factor`: the elastic stiffness of a mesh, assembled, factorised and solved with.
 
+use super::repeated::timed;
 use crate::args::Bench;
-use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
@@ -11,21 +11,8 @@ use verification::footing::{Footing, FootingError, Ground, footing};
 /// Elements along the ground where `--count` does not say: 99,793 degrees of freedom.
 const COLUMNS: u32 = 316;
 
-/// Seconds of one repeat.
-#[derive(Debug, Clone, Copy)]
-struct Seconds {
-    pattern: f64,
-    analyse: f64,
-    assembly: f64,
-    factor: f64,
-    solve: f64,
-}
-
-impl Seconds {
-    fn in_all(&self) -> f64 {
-        self.analyse + self.factor + self.solve
-    }
-}
+/// Seconds of one repeat: for the pattern, to analyse, to assemble, to factorise, to solve.
+type Seconds = [f64; 5];
 
 /// Repeats all of it; each part's least time.
 pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
@@ -38,15 +25,9 @@ pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
         all.push(seconds);
         entries = found;
     }
-    let least = |part: fn(&Seconds) -> f64| all.iter().map(part).fold(f64::INFINITY, f64::min);
-    let [pattern, analyse, assembly, factor, solve, whole] = [
-        least(|s| s.pattern),
-        least(|s| s.analyse),
-        least(|s| s.assembly),
-        least(|s| s.factor),
-        least(|s| s.solve),
-        least(Seconds::in_all),
-    ];
+    let least = |part: &dyn Fn(&Seconds) -> f64| all.iter().map(part).fold(f64::INFINITY, f64::min);
+    let [pattern, analyse, assembly, factor, solve] = [0, 1, 2, 3, 4].map(|part| least(&|seconds| seconds[part]));
+    let whole = least(&|[_, analyse, _, factor, solve]| analyse + factor + solve);
     let equations = ground.model.equations();
     Ok(Report::new(Status::Completed)
         .with("name", "factor")
@@ -71,23 +52,16 @@ pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
 
 /// Times, and the entries of the stiffness and of its factor.
 fn repeat(ground: &Footing) -> Result<(Seconds, [usize; 2]), FootingError> {
-    let clock = Clock::start();
-    let pattern = Pattern::new(&ground.model);
-    let seconds_pattern = clock.seconds();
-    let clock = Clock::start();
-    let mut work = Workspace::with_pattern(&ground.model, pattern)?;
-    let analyse = clock.seconds();
-    let state = State::new(&ground.model);
-    let clock = Clock::start();
-    work.stiffness(&ground.model, &state)?;
-    let assembly = clock.seconds();
-    let clock = Clock::start();
-    work.factorise()?;
-    let factor = clock.seconds();
-    let right = vec![1.0; ground.model.equations()];
-    let clock = Clock::start();
-    work.solve(&right, 1e-6)?;
-    let solve = clock.seconds();
-    let entries = [work.tangent_entries(), work.factor_entries()];
-    Ok((Seconds { pattern: seconds_pattern, analyse, assembly, factor, solve }, entries))
+    let model = &ground.model;
+    let (pattern, of_pattern) = timed(|| Pattern::new(model));
+    let (work, analyse) = timed(|| Workspace::with_pattern(model, pattern));
+    let (mut work, state) = (work?, State::new(model));
+    let (assembled, assembly) = timed(|| work.stiffness(model, &state));
+    assembled?;
+    let (factorised, factor) = timed(|| work.factorise());
+    factorised?;
+    let right = vec![1.0; model.equations()];
+    let (solved, solve) = timed(|| work.solve(&right, 1e-6));
+    solved?;
+    Ok(([of_pattern, analyse, assembly, factor, solve], [work.tangent_entries(), work.factor_entries()]))
 }

@@ -1,14 +1,14 @@
 //! `extrados bench footing`: yielding ground under a rough footing, from the mesh to the last load step.
 
+use super::repeated::least_and_middle;
 use crate::args::{Bench, GROUNDS, word_for};
 use crate::clock::Clock;
-use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
 use mechanics::fem;
-use verification::footing::{Ground, footing, prandtl, settings};
+use verification::footing::{FootingError, Ground, footing, prandtl, settings};
 
 /// Elements along the ground where `--count` does not say.
 const COLUMNS: u32 = 142;
@@ -17,26 +17,22 @@ const COLUMNS: u32 = 142;
 const TOLERANCE: f64 = 1e-6;
 
 /// Repeats the push and gives the least and the middle time.
-pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Failure> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
     let ground = arguments.material.unwrap_or(Ground::VonMises);
-    let refused =
-        |error: verification::footing::FootingError| Failure::input("F108", error.to_string(), "ask for less");
-    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
+    let refused = |error: FootingError| Failure::input("F108", error.to_string(), "ask for less");
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
         let clock = Clock::start();
         let mesh = footing(columns, ground, fem::Element::Q4).map_err(refused)?;
-        let pushed = mesh.push(&settings(TOLERANCE), &mut onlooker).map_err(refused)?;
+        let pushed = mesh.push(&settings(TOLERANCE), onlooker).map_err(refused)?;
         seconds.push(clock.seconds());
         last = Some((pushed, mesh.model.equations()));
         if asked_to_stop() {
             break;
         }
     }
-    onlooker.finish();
-    seconds.sort_by(f64::total_cmp);
-    let (least, middle) = (seconds[0], seconds[seconds.len() / 2]);
+    let [least, middle] = least_and_middle(&mut seconds);
     let Some((pushed, equations)) = last else { return Ok(Report::new(Status::Undetermined)) };
     let (status, ended) = match pushed.outcome.status {
         fem::Status::Completed => (Status::Completed, "completed"),

@@ -1,17 +1,15 @@
 //! `extrados bench passage`: a train over the railway arch on a fine mesh, from the bridge to the last position.
 
+use super::of_example;
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
-use crate::results;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop};
-use assess::analysis::passage::{Setup, Solution, records, setup};
+use crate::watcher::{Spectator, asked_to_stop, watched};
+use assess::analysis::passage::{Scope, Setup, Solution, setup, solve};
 use bridge::Bridge;
 use bridge::passage::PassagePath;
-use extrados::examples;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::PassageStatus;
 
@@ -22,22 +20,18 @@ const SIZE: f64 = 0.045;
 const COMPARED: usize = 50;
 
 /// Repeats the passage, then compares it with the plain path at some of its positions.
-pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
-    let mut bridge = railway_arch()?;
+pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Failure> {
+    let mut bridge = of_example("railway-arch", "passage.toml")?;
     // A count is one of elements along a metre.
     bridge.service.mesh.size = Some(arguments.count.map_or(SIZE, |count| 1.0 / f64::from(count)));
-    let quiet = desk.screen.quiet || desk.screen.json;
-    let set_up = || setup(&bridge).map_err(|error| results::not_set_up(&error));
     let (mut runs, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
-        let mut onlooker = Timed::new(quiet);
         let clock = Clock::start();
-        let setup = set_up()?;
+        let made = setup(&bridge)?;
         let seconds_mesh = clock.seconds();
-        let found = records(&bridge, &setup, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
-        runs.push([clock.seconds(), seconds_mesh, onlooker.until_positions.unwrap_or_default()]);
-        onlooker.spectator.finish();
-        last = Some((setup, found));
+        let (found, until_positions) = timed(quiet, clock, &bridge, &made)?;
+        runs.push([clock.seconds(), seconds_mesh, until_positions]);
+        last = Some((made, found));
         if asked_to_stop() {
             break;
         }
@@ -116,11 +110,9 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Fail
     let thinned = |all: &[f64]| all.iter().skip(middle).step_by(EVERY).take(COMPARED).copied().collect::<Vec<f64>>();
     let mut few = Setup { times: thinned(&setup.times), positions: thinned(&setup.positions), ..setup.clone() };
     let go = |few: &Setup| -> Result<(Solution, f64), Failure> {
-        let mut onlooker = Timed::new(quiet);
         let clock = Clock::start();
-        let found = records(bridge, few, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
-        onlooker.spectator.finish();
-        Ok((found, clock.seconds() - onlooker.until_positions.unwrap_or_default()))
+        let (found, until_positions) = timed(quiet, clock, bridge, few)?;
+        Ok((found, clock.seconds() - until_positions))
     };
     let (condensed, _) = go(&few)?;
     few.plan.path = PassagePath::Plain;
@@ -142,31 +134,26 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Fail
 }
 
 /// An onlooker that notes when the positions begin.
-struct Timed {
-    spectator: Spectator,
+struct Timed<'a> {
+    spectator: &'a mut Spectator,
     clock: Clock,
     until_positions: Option<f64>,
 }
 
-impl Timed {
-    fn new(quiet: bool) -> Timed {
-        Timed { spectator: Spectator::new(quiet), clock: Clock::start(), until_positions: None }
-    }
+/// A passage, and what a clock says when its positions begin [s].
+fn timed(quiet: bool, clock: Clock, bridge: &Bridge, setup: &Setup) -> Result<(Solution, f64), Failure> {
+    watched(quiet, |spectator| {
+        let mut onlooker = Timed { spectator, clock, until_positions: None };
+        let found = solve(bridge, setup, Scope::Sensors, &[], &mut onlooker)?;
+        Ok((found, onlooker.until_positions.unwrap_or_default()))
+    })
 }
 
-impl Watch for Timed {
+impl Watch for Timed<'_> {
     fn look(&mut self, progress: &Progress) -> Wish {
         if progress.stage.starts_with("position") {
             self.until_positions.get_or_insert(self.clock.seconds());
         }
         self.spectator.look(progress)
     }
-}
-
-/// The example.
-pub(super) fn railway_arch() -> Result<Bridge, Failure> {
-    let example = examples::named("railway-arch");
-    let text = example.and_then(|example| example.files.iter().find(|file| file.name == example.main));
-    let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
-    read.ok_or_else(|| Failure::input("F104", "the example railway-arch cannot be read", "report this"))
 }

@@ -3,7 +3,6 @@
 use crate::args::Bench;
 use crate::clock::Clock;
 use crate::failure::Failure;
-use crate::results;
 use assess::analysis::AnalysisError;
 
 /// What was measured often.
@@ -19,18 +18,29 @@ pub(super) fn repeated<T>(
     arguments: &Bench,
     measure: impl Fn() -> Result<T, AnalysisError>,
 ) -> Result<Repeated<T>, Failure> {
-    let once = || -> Result<(f64, T), Failure> {
-        let clock = Clock::start();
-        let found = measure().map_err(|error| results::not_set_up(&error))?;
-        Ok((clock.seconds(), found))
+    let mut seconds = Vec::new();
+    let mut once = || -> Result<T, Failure> {
+        let (found, taken) = timed(&measure);
+        seconds.push(taken);
+        Ok(found?)
     };
-    let (first, mut last) = once()?;
-    let mut seconds = vec![first];
+    let mut last = once()?;
     for _ in 1..arguments.repeats {
-        let (more, found) = once()?;
-        seconds.push(more);
-        last = found;
+        last = once()?;
     }
+    let [least, middle] = least_and_middle(&mut seconds);
+    Ok(Repeated { least, middle, last })
+}
+
+/// The least and the middle one of some times [s].
+pub(super) fn least_and_middle(seconds: &mut [f64]) -> [f64; 2] {
     seconds.sort_by(f64::total_cmp);
-    Ok(Repeated { least: seconds[0], middle: seconds[seconds.len() / 2], last })
+    [seconds[0], seconds[seconds.len() / 2]]
+}
+
+/// What some work gives, and how long it takes [s].
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let clock = Clock::start();
+    let found = work();
+    (found, clock.seconds())
 }

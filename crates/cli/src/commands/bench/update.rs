@@ -1,31 +1,28 @@
 //! `extrados bench update`: what one evaluation of a model under updating costs: six slices of a passage for other moduli.
 
-use super::passage::railway_arch;
+use super::of_example;
+use super::repeated::least_and_middle;
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::desk::Desk;
 use crate::failure::Failure;
 use crate::report::Report;
-use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
 use assess::analysis::passage::{WantedSlices, setup, slices};
-use mechanics::watch::{Progress, Watch};
+use mechanics::watch::{Progress, Unwatched, Watch};
 use outcome::passage::PassageStatus;
 
 /// Slices of an evaluation: one for each channel of the railway paper.
 const SLICES: usize = 6;
 
 /// Evaluates models whose fill and mortar differ a little from one another, and gives the time of one.
-pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
-    let bridge = railway_arch()?;
-    let base = setup(&bridge).map_err(|error| results::not_set_up(&error))?;
+pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Failure> {
+    let bridge = of_example("railway-arch", "passage.toml")?;
+    let base = setup(&bridge)?;
     let count = base.positions.len();
     let positions: Vec<f64> = (1..=SLICES).map(|k| base.positions[k * count / (SLICES + 2)]).collect();
     let asked = WantedSlices { positions: &positions, ..WantedSlices::default() };
-    let start = slices(&bridge, &base, asked, &mut mechanics::watch::Unwatched);
-    let usual = start.map_err(|error| results::not_set_up(&error))?.taking_part;
-    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
+    let usual = slices(&bridge, &base, asked, &mut Unwatched)?.taking_part;
     let (mut seconds, mut iterations, mut completed) = (Vec::new(), 0, true);
     for k in 0..arguments.repeats {
         let share = f64::from(k) / f64::from(arguments.repeats);
@@ -35,9 +32,7 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         other.service.mortar.elastic_modulus = scaled(bridge.service.mortar.elastic_modulus, 1.2 - 0.4 * share);
         onlooker.look(&Progress { stage: "evaluations".into(), fraction: Some(share), steps: u64::from(k) });
         let clock = Clock::start();
-        let mut unwatched = mechanics::watch::Unwatched;
-        let found = slices(&other, &base, WantedSlices { expected: &usual, ..asked }, &mut unwatched);
-        let found = found.map_err(|error| results::not_set_up(&error))?;
+        let found = slices(&other, &base, WantedSlices { expected: &usual, ..asked }, &mut Unwatched)?;
         seconds.push(clock.seconds());
         iterations += found.iterations;
         completed &= found.status == PassageStatus::Completed;
@@ -45,11 +40,9 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
             break;
         }
     }
-    onlooker.finish();
     let evaluations = seconds.len();
     let total: f64 = seconds.iter().sum();
-    seconds.sort_by(f64::total_cmp);
-    let (least, middle) = (seconds[0], seconds[evaluations / 2]);
+    let [least, middle] = least_and_middle(&mut seconds);
     Ok(Report::new(if completed { Status::Completed } else { Status::Undetermined })
         .with("name", "update")
         .with("size", 2 * base.meshed.mesh.nodes.len())

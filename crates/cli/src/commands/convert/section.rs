@@ -1,10 +1,11 @@
 //! A surveyed section of an intrados becomes a bridge file to fill in, a drawing or a table of its deviations.
 
-use super::{Report, folder, guard, results};
+use super::{Report, folder, guard};
 use crate::args::Convert;
 use crate::commands::source::read_file;
 use crate::desk::Desk;
 use crate::failure::Failure;
+use crate::results;
 use crate::status::Status;
 use extrados::files::LONGEST;
 use findings::words::counted;

@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Where a record goes and how it is taken, both settled before anything is computed.
 pub(super) struct Recorder {
-    path: PathBuf,
+    /// The file.
+    pub(super) path: PathBuf,
     logger: Logger,
     file: String,
 }
@@ -28,32 +29,13 @@ impl Recorder {
     }
 
     /// Writes the record, named after its file.
-    pub(super) fn write(&self, passage: &Passage) -> Result<Written, Failure> {
+    pub(super) fn write(&self, passage: &Passage) -> Result<Recording, Failure> {
         let name = self.path.file_stem().unwrap_or_default().to_string_lossy();
         let made_by = format!("extrados respond {}", self.file);
         let run = record(passage, &name, &made_by, &self.logger);
-        let text = records::write(&run);
-        folder::write_whole(&self.path, text.as_bytes()).map_err(|error| Failure::not_written(&self.path, &error))?;
-        Ok(Written { path: self.path.display().to_string(), run })
-    }
-}
-
-/// A record in its file.
-pub(super) struct Written {
-    /// The file.
-    pub path: String,
-    /// What it holds.
-    pub run: Recording,
-}
-
-impl Written {
-    pub(super) fn label(&self) -> &str {
-        self.run.synthetic.as_deref().unwrap_or_default()
-    }
-
-    /// For the summary.
-    pub(super) fn words(&self) -> String {
-        format!("synthetic record in {}: {}\n", self.path, self.label())
+        folder::write_whole(&self.path, records::write(&run).as_bytes())
+            .map_err(|error| Failure::not_written(&self.path, &error))?;
+        Ok(run)
     }
 }
 

@@ -6,13 +6,6 @@ use super::{Disc, ParticleModel, Particles, with_forces};
 use crate::ids::{BlockId, ParticleId, Table};
 use crate::plane::{Pose, Vec2, vec2};
 
-/// The particles' part of the energy account [J/m].
-#[derive(Debug, Clone, Copy, Default)]
-pub(in crate::dem) struct ParticleEnergy {
-    pub gravity: f64,
-    pub elastic: f64,
-}
-
 /// Share of the shear that a contact can carry above which it slides: it was cut to that within rounding.
 const SLIDES: f64 = 1.0 - 1e-12;
 
@@ -28,31 +21,30 @@ impl Particles {
         sum
     }
 
-    /// Work of gravity since the particles were built and elastic energy, both `half` a step [s] back.
-    pub(crate) fn energy(&self, model: &ParticleModel, half: f64) -> ParticleEnergy {
-        let mut sum = ParticleEnergy::default();
+    /// Work of gravity since the particles were built and elastic energy [J/m], both `half` a step [s] back.
+    pub(crate) fn energy(&self, model: &ParticleModel, half: f64) -> [f64; 2] {
+        let [mut gravity, mut elastic] = [0.0; 2];
         for ((disc, built), weight) in self.discs.iter().zip(&model.built).zip(&model.weights) {
             let moved = vec2(disc.x - disc.vx * half - built[0], disc.y - disc.vy * half - built[1]);
-            sum.gravity += moved.dot(vec2(weight[0], weight[1]));
+            gravity += moved.dot(vec2(weight[0], weight[1]));
         }
         for chunk in &self.chunks {
             with_forces(chunk, &self.chunks, |k, force| {
                 let (disc, w) = (&self.discs[chunk.first as usize + k], &model.weights[chunk.first as usize + k]);
                 let of_contacts = (force[0] - w[0]) * disc.vx + (force[1] - w[1]) * disc.vy + force[2] * disc.rim;
-                sum.elastic -= half * of_contacts;
+                elastic -= half * of_contacts;
             });
             for c in &chunk.contacts {
                 let (_, overlap) = meeting(&self.discs[chunk.first as usize + c.one as usize], &self.discs[c.other()]);
                 let compressed = overlap.max(0.0);
-                sum.elastic +=
-                    0.5 * (c.normal_stiffness * compressed * compressed + c.shear * c.shear / c.shear_stiffness);
+                elastic += 0.5 * (c.normal_stiffness * compressed * compressed + c.shear * c.shear / c.shear_stiffness);
             }
             for l in &chunk.leans {
-                sum.elastic +=
+                elastic +=
                     0.5 * (l.compression * l.compression / l.normal_stiffness + l.shear * l.shear / l.shear_stiffness);
             }
         }
-        sum
+        [gravity, elastic]
     }
 
     /// Calls `each` with the compression [N/m] of every near pair, the distance [m] over which it acts inside the particles,
@@ -88,6 +80,7 @@ impl Particles {
                 let compression = c.normal_stiffness * overlap;
                 let (law, sum) = (&model.particles.laws.pairs[c.law()], one.radius + two.radius);
                 let cap = law.cohesion + law.cohesion_share * sum + law.friction * compression;
+                let own = model.laws.between(model.particles.group(i as u32), model.particles.group(j as u32));
                 let reach = one.radius * (sum - overlap) / sum;
                 found.push(ParticleContact {
                     particle: id(j),
@@ -96,7 +89,7 @@ impl Particles {
                     normal,
                     compression,
                     shear: c.shear,
-                    length: model.particles.length(&model.laws, (i as u32, j as u32), sum),
+                    length: own.fixed_length.unwrap_or(sum),
                     sliding: c.shear.abs() >= cap * SLIDES,
                 });
             }

@@ -2,7 +2,7 @@
 //! sums: each chunk adds up its own forces, and what others exert on its particles is added in the order of the chunks.
 
 use super::disc::Disc;
-use super::laws::PairLaw;
+use super::laws::{ContactStiffness, PairLaw};
 use super::lean::Lean;
 use super::neighbours::Blocks;
 use super::quad::{ByFours, Quad, by_fours};
@@ -34,15 +34,10 @@ pub(in crate::dem) struct Contact {
 pub(in crate::dem) const MOST_PARTICLES: usize = 1 << 24;
 
 impl Contact {
-    pub(crate) fn new(other: u32, law: u8, rows: (u16, u16), shear: f64, stiffness: (f64, f64)) -> Contact {
-        Contact {
-            tagged: other | u32::from(law) << 24,
-            one: rows.0,
-            two: rows.1,
-            shear,
-            normal_stiffness: stiffness.0,
-            shear_stiffness: stiffness.1,
-        }
+    /// A contact whose other row is not known yet.
+    pub(super) fn new((other, law): (u32, u8), one: u16, shear: f64, stiffness: ContactStiffness) -> Contact {
+        let ContactStiffness { normal: normal_stiffness, shear: shear_stiffness, .. } = stiffness;
+        Contact { tagged: other | u32::from(law) << 24, one, two: 0, shear, normal_stiffness, shear_stiffness }
     }
     #[inline(always)]
     pub(crate) fn other(&self) -> usize {

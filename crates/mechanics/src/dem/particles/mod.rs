@@ -20,7 +20,7 @@ pub(super) use chunk::{Chunk, Force, MOST_PARTICLES};
 pub use disc::Disc;
 pub(super) use integrate::with_forces;
 pub(super) use lean::Lean;
-pub(super) use neighbours::{Blocks, chunks, number_all};
+pub(super) use neighbours::{Blocks, bounds, chunks, number_all};
 
 use super::settings::Damping;
 use crate::blocks::{LawTable, Particle};
@@ -116,18 +116,13 @@ impl ParticleModel {
     pub(super) fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
         let sum = discs[i as usize].radius + discs[j as usize].radius;
         let law = self.laws.index(self.kinds[i as usize], self.kinds[j as usize]);
-        let k = stiffness(laws.between(self.group(i), self.group(j)), sum, sum);
-        Contact::new(j, law, (one, 0), shear, (k.normal, k.shear))
+        Contact::new((j, law), one, shear, stiffness(laws.between(self.group(i), self.group(j)), sum, sum))
     }
     /// Square of the largest angular frequency [1/s^2] of a row's particle and another like it that touch: both give way
     /// to the normal spring, and to the shear spring with three times their masses' reciprocal, for their rims turn.
     pub(super) fn of_its_like(&self, laws: &LawTable, row: u32, disc: &Disc) -> f64 {
         let k = stiffness(laws.between(self.group(row), self.group(row)), 2.0 * disc.radius, 2.0 * disc.radius);
         2.0 * disc.inverse_mass * k.normal.max(3.0 * k.shear)
-    }
-    /// Length that a contact of two rows stands for [m].
-    fn length(&self, laws: &LawTable, (i, j): (u32, u32), sum: f64) -> f64 {
-        laws.between(self.group(i), self.group(j)).fixed_length.unwrap_or(sum)
     }
     /// The particles at rest where they are built, without contacts.
     pub(super) fn begin(&self) -> Particles {
@@ -155,6 +150,19 @@ fn each_chunk(chunks: &mut [Chunk], work: &(dyn Fn(&mut Chunk) + Sync)) {
     match chunks {
         [one] => work(one),
         many => many.par_iter_mut().for_each(work),
+    }
+}
+
+/// What work on every chunk and its part of some rows gives, side by side where there are several.
+fn by_chunks<T: Send, R: Send>(
+    chunks: &[Chunk],
+    rows: &mut [T],
+    work: impl Fn(&Chunk, &mut [T]) -> R + Sync,
+) -> Vec<R> {
+    match chunks {
+        [] => Vec::new(),
+        [only] => vec![work(only, rows)],
+        many => many.par_iter().zip(rows.par_chunks_mut(chunk::CHUNK)).map(|(one, rows)| work(one, rows)).collect(),
     }
 }
 
@@ -223,14 +231,7 @@ impl Particles {
             true => integrate::<true>(discs, chunk, chunks, &motion),
             false => integrate::<false>(discs, chunk, chunks, &motion),
         };
-        let tallies: Vec<Tally> = match chunks {
-            [] => return (0.0, 0.0),
-            [only] => vec![one(only, &mut self.discs)],
-            _ => {
-                let parts = self.discs.par_chunks_mut(chunk::CHUNK);
-                chunks.par_iter().zip(parts).map(|(chunk, discs)| one(chunk, discs)).collect()
-            }
-        };
+        let tallies: Vec<Tally> = by_chunks(chunks, &mut self.discs, one);
         let (mut fastest, mut check, mut damped) = (0.0_f64, 0.0, 0.0);
         for tally in &tallies {
             fastest = fastest.max(tally.fastest);
@@ -258,12 +259,7 @@ impl Particles {
             });
             (stiff, kinetic)
         };
-        let parts = self.previous.par_chunks_mut(chunk::CHUNK);
-        let sums: Vec<(f64, f64)> = match chunks {
-            [] => return (0.0, 0.0),
-            [only] => vec![one(only, &mut self.previous)],
-            _ => chunks.par_iter().zip(parts).map(|(chunk, previous)| one(chunk, previous)).collect(),
-        };
+        let sums: Vec<(f64, f64)> = by_chunks(chunks, &mut self.previous, one);
         sums.iter().fold((0.0, 0.0), |(s, k), (stiff, kinetic)| (s + stiff, k + kinetic))
     }
 

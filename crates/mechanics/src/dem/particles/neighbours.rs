@@ -9,7 +9,7 @@ use super::lean::{Lean, nearest};
 use super::{ParticleModel, each_chunk};
 use crate::blocks::LawTable;
 use crate::ids::GroupId;
-use crate::plane::{Core, Pose, vec2};
+use crate::plane::{Core, Pose, Vec2, vec2};
 
 /// The blocks that particles may touch.
 #[derive(Clone, Copy)]
@@ -129,19 +129,23 @@ pub(in crate::dem) fn number_all(chunks: &mut [Chunk]) {
     exchange(chunks);
 }
 
+/// Box around a core, grown by a margin [m].
+pub(in crate::dem) fn bounds(core: &Core, pose: &Pose, grow: f64) -> (Vec2, Vec2) {
+    let (mut low, mut high) = (pose.position, pose.position);
+    for &v in &core.vertices {
+        let p = pose.place(v);
+        low = vec2(low.x.min(p.x), low.y.min(p.y));
+        high = vec2(high.x.max(p.x), high.y.max(p.y));
+    }
+    (low - vec2(grow, grow), high + vec2(grow, grow))
+}
+
 /// Pairs of particle and block, with the nearest edge, sorted.
 fn find_leans(discs: &[Disc], blocks: Blocks<'_>, cells: &Cells, largest: f64, skin: f64) -> Vec<(u32, u32, u32)> {
     let mut found = Vec::new();
     for (b, (core, pose)) in blocks.cores.iter().zip(blocks.poses).enumerate() {
-        let reach = core.radius + largest + skin;
-        let (mut low, mut high) = (pose.position, pose.position);
-        for &v in &core.vertices {
-            let p = pose.place(v);
-            low = vec2(low.x.min(p.x), low.y.min(p.y));
-            high = vec2(high.x.max(p.x), high.y.max(p.y));
-        }
-        let margin = vec2(reach, reach);
-        cells.within(low - margin, high + margin, |i| {
+        let (low, high) = bounds(core, pose, core.radius + largest + skin);
+        cells.within(low, high, |i| {
             let disc = &discs[i as usize];
             let q = pose.rotation.turn_back(disc.centre() - pose.position);
             let (_, distance, edge) = nearest(core, q, 0);
@@ -218,9 +222,7 @@ fn lean(
 
 /// Tells each chunk where others put the forces on its particles.
 fn exchange(chunks: &mut [Chunk]) {
-    for c in 0..chunks.len() {
-        chunks[c].incoming.clear();
-    }
+    chunks.iter_mut().for_each(|chunk| chunk.incoming.clear());
     for c in 0..chunks.len() {
         let (count, guests) = (chunks[c].count, std::mem::take(&mut chunks[c].guests));
         for (k, &guest) in guests.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Four numbers at a time: rows of memory to columns of arithmetic and back.
 
 use super::chunk::{larger, smaller};
+use std::array::from_fn;
 
 /// Four numbers as the processor holds them. Every implementation gives the same bits.
 pub(super) trait Quad: Copy {
@@ -35,6 +36,17 @@ pub(super) trait Quad: Copy {
     fn transpose(self, rows: [Self::Row; 4]) -> [Self::Row; 4];
 }
 
+/// Operations on two rows: the name of each, what the processor, the rows are called, and what comes of them.
+macro_rules! operations {
+    ($($name:ident = |$quad:ident, $a:ident, $b:ident| $result:expr;)+) => {$(
+        #[inline(always)]
+        fn $name(self, $a: Self::Row, $b: Self::Row) -> Self::Row {
+            let $quad = self;
+            $result
+        }
+    )+};
+}
+
 /// For every processor.
 #[derive(Clone, Copy)]
 pub(super) struct Plain;
@@ -49,41 +61,22 @@ impl Quad for Plain {
     fn numbers(self, row: [f64; 4]) -> [f64; 4] {
         row
     }
-    #[inline(always)]
-    fn sum(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| a[k] + b[k])
-    }
-    #[inline(always)]
-    fn difference(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| a[k] - b[k])
-    }
-    #[inline(always)]
-    fn product(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| a[k] * b[k])
-    }
-    #[inline(always)]
-    fn quotient(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| a[k] / b[k])
+    operations! {
+        sum = |_quad, a, b| from_fn(|k| a[k] + b[k]);
+        difference = |_quad, a, b| from_fn(|k| a[k] - b[k]);
+        product = |_quad, a, b| from_fn(|k| a[k] * b[k]);
+        quotient = |_quad, a, b| from_fn(|k| a[k] / b[k]);
+        larger = |_quad, a, b| from_fn(|k| larger(a[k], b[k]));
+        smaller = |_quad, a, b| from_fn(|k| smaller(a[k], b[k]));
+        where_positive = |_quad, sign, value| from_fn(|k| if sign[k] > 0.0 { value[k] } else { 0.0 });
     }
     #[inline(always)]
     fn root(self, a: [f64; 4]) -> [f64; 4] {
         a.map(f64::sqrt)
     }
     #[inline(always)]
-    fn larger(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| larger(a[k], b[k]))
-    }
-    #[inline(always)]
-    fn smaller(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| smaller(a[k], b[k]))
-    }
-    #[inline(always)]
-    fn where_positive(self, sign: [f64; 4], value: [f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|k| if sign[k] > 0.0 { value[k] } else { 0.0 })
-    }
-    #[inline(always)]
     fn transpose(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
-        std::array::from_fn(|i| std::array::from_fn(|k| rows[k][i]))
+        from_fn(|i| from_fn(|k| rows[k][i]))
     }
 }
 
@@ -98,33 +91,17 @@ impl Quad for pulp::x86::V3 {
     fn numbers(self, row: pulp::f64x4) -> [f64; 4] {
         pulp::cast(row)
     }
-    #[inline(always)]
-    fn sum(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
-        self.add_f64x4(a, b)
-    }
-    #[inline(always)]
-    fn difference(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
-        self.sub_f64x4(a, b)
-    }
-    #[inline(always)]
-    fn product(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
-        self.mul_f64x4(a, b)
-    }
-    #[inline(always)]
-    fn quotient(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
-        self.div_f64x4(a, b)
+    operations! {
+        sum = |v3, a, b| v3.add_f64x4(a, b);
+        difference = |v3, a, b| v3.sub_f64x4(a, b);
+        product = |v3, a, b| v3.mul_f64x4(a, b);
+        quotient = |v3, a, b| v3.div_f64x4(a, b);
+        larger = |v3, a, b| v3.max_f64x4(a, b);
+        smaller = |v3, a, b| v3.min_f64x4(a, b);
     }
     #[inline(always)]
     fn root(self, a: pulp::f64x4) -> pulp::f64x4 {
         self.sqrt_f64x4(a)
-    }
-    #[inline(always)]
-    fn larger(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
-        self.max_f64x4(a, b)
-    }
-    #[inline(always)]
-    fn smaller(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
-        self.min_f64x4(a, b)
     }
     #[inline(always)]
     fn where_positive(self, sign: pulp::f64x4, value: pulp::f64x4) -> pulp::f64x4 {

@@ -1,13 +1,10 @@
 //! The active set: the retained parts that iterate in a position, and the tangent on the forces of their rows. Retained parts
 //! outside the set are dormant: they are rechecked when a position is balanced.
 
-use super::low_rank::LowRankUpdate;
+use super::low_rank::{LowRankUpdate, NO_INDEX};
 use super::parts::{Kind, Part, ROWS};
 use super::rows::{Rows, add_multiples};
 use super::tangent::{StiffnessEntry, Tangent};
-
-/// Marks a row or part without an index.
-const NO_INDEX: u32 = u32::MAX;
 
 /// The active parts, and the last tangent on the forces of their rows.
 #[derive(Default)]
@@ -106,7 +103,7 @@ impl ActiveSet {
             self.flexibility.resize_with(self.rows.len(), Vec::new);
         }
         for (local_index, row) in self.rows.iter().enumerate().filter(|_| self.rows.len() > before) {
-            let (flexibility, own) = (rows.flexibility_row(*row), &mut self.flexibility[local_index]);
+            let (flexibility, own) = (&rows.flexibility[*row], &mut self.flexibility[local_index]);
             let from = if local_index < before { before } else { 0 };
             own.truncate(from);
             own.reserve_exact(self.rows.len() - from);

@@ -9,37 +9,12 @@ use std::ops::{Add, Mul, SubAssign};
 
 /// The floating-point type in which a system and its factors are stored.
 pub(super) trait Precision:
-    RealField + Copy + Default + Add<Output = Self> + Mul<Output = Self> + SubAssign
+    RealField + Copy + Default + Into<f64> + Add<Output = Self> + Mul<Output = Self> + SubAssign
 {
-    /// Rounds to the precision of the type.
-    fn round(value: f64) -> Self;
-    /// Converts back to double precision, exactly.
-    fn widen(self) -> f64;
 }
 
-impl Precision for f32 {
-    #[inline(always)]
-    fn round(value: f64) -> f32 {
-        value as f32
-    }
-
-    #[inline(always)]
-    fn widen(self) -> f64 {
-        f64::from(self)
-    }
-}
-
-impl Precision for f64 {
-    #[inline(always)]
-    fn round(value: f64) -> f64 {
-        value
-    }
-
-    #[inline(always)]
-    fn widen(self) -> f64 {
-        self
-    }
-}
+impl Precision for f32 {}
+impl Precision for f64 {}
 
 /// A square matrix `A` and then, in its place, its factors: `P A = L U`.
 #[derive(Default)]
@@ -61,7 +36,7 @@ impl<D: Precision> Dense<D> {
         self.size = size;
         self.values.clear();
         self.values.resize(size * size, D::default());
-        (0..size).for_each(|i| self.values[i * size + i] = D::round(1.0));
+        (0..size).for_each(|i| self.values[i * size + i] = D::from_f64_impl(1.0));
         &mut self.values
     }
 
@@ -85,14 +60,14 @@ impl<D: Precision> Dense<D> {
         }
         let count = right.len() / size;
         self.scratch.clear();
-        self.scratch.extend(right.iter().map(|x| D::round(*x)));
+        self.scratch.extend(right.iter().map(|x| D::from_f64_impl(*x)));
         let requirement = solve::solve_transpose_in_place_scratch::<usize, D>(size, count, Par::Seq);
         let stack = reserve(&mut self.memory, requirement);
         let factors = MatRef::from_column_major_slice(&self.values, size, size);
         let sides = MatMut::from_column_major_slice_mut(&mut self.scratch, size, count);
         let order = PermRef::new_checked(&self.row_order, &self.inverse_order, size);
         solve::solve_transpose_in_place_with_conj(factors, factors, order, Conj::No, sides, Par::Seq, stack);
-        right.iter_mut().zip(&self.scratch).for_each(|(x, solved)| *x = solved.widen());
+        right.iter_mut().zip(&self.scratch).for_each(|(x, solved)| *x = (*solved).into());
     }
 }
 

@@ -33,7 +33,7 @@ impl Condensed {
         if position.reached != Reached::Balanced {
             self.current.broken.truncate(broken);
             undo_log.breaks.truncate(breaks);
-            undo_log.states.drain(states..).rev().for_each(|(part, state)| self.parts[part].restore(&state));
+            undo_log.states.drain(states..).rev().for_each(|(part, state)| self.parts[part].committed = state);
         }
         position
     }
@@ -84,7 +84,7 @@ impl Condensed {
         self.active_set.rows.iter().zip(&trial.forces).for_each(|(&row, force)| equilibrium.forces[row] = *force);
         undo_log.breaks.push(equilibrium);
         for &index in &breaking {
-            undo_log.states.push((index, self.parts[index].committed()));
+            undo_log.states.push((index, self.parts[index].committed));
             self.parts[index].break_spring();
         }
         self.current.broken.extend(&breaking);

@@ -12,8 +12,8 @@ use super::dense::Dense;
 use super::rows::{add_multiples, dots};
 use super::tangent::{StiffnessEntry, Tangent};
 
-/// Marks a row without an index.
-const NO_INDEX: u32 = u32::MAX;
+/// Marks a row or part without an index.
+pub(super) const NO_INDEX: u32 = u32::MAX;
 
 /// The change `D` of the excess stiffness since the tangent was factorised, and what its solution needs.
 #[derive(Default)]
@@ -42,11 +42,6 @@ impl LowRankUpdate {
         let (capacitance, columns) = (std::mem::take(&mut self.capacitance), std::mem::take(&mut self.columns));
         *self = LowRankUpdate { capacitance, columns, ..LowRankUpdate::default() };
         self.columns.clear();
-    }
-
-    /// Whether the update changes nothing.
-    pub(super) fn is_empty(&self) -> bool {
-        self.columns_in_use.is_empty()
     }
 
     /// Takes the entries `changes` as `D`. Gives `false`, and leaves the update as it was, if they are in more than `most` rows.
@@ -118,7 +113,7 @@ impl LowRankUpdate {
 
     /// Corrects a step of the factorised tangent [N/m] to that of the updated one.
     pub(super) fn correct_step(&mut self, step: &mut [f64], flexibility: &[Vec<f64>]) {
-        if self.is_empty() {
+        if self.columns_in_use.is_empty() {
             return;
         }
         let mut row_changes = Vec::with_capacity(self.reads_in_use.len());

@@ -34,18 +34,17 @@ mod spring_check;
 mod tangent;
 
 use super::dofs::HELD;
-use super::element::Kept;
+use super::element::{self, Kept};
 use super::factor::{Block, FactorError};
 use super::joint::PairState;
 use super::model::{Model, count};
 use super::settings::Kinematics;
 use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
-use super::{assemble, element};
 use crate::ids::{Id, QuadId};
 use crate::watch::{Asking, Watch};
 use active_set::ActiveSet;
-use parts::{Committed, Kind, Part, quad_components};
+use parts::{Committed, Kind, Part};
 use rows::{Row, Rows};
 use screening::Screening;
 use std::sync::Arc;
@@ -91,8 +90,6 @@ pub struct Counts {
     pub locking: usize,
     /// Retained rows: those on which excess forces act.
     pub retained_rows: usize,
-    /// Retained quadrilaterals: those that yield or have yielded in some position.
-    pub retained_quads: usize,
 }
 
 /// Largest change left in a row value, over the largest row value, at which a position counts as balanced. Over the 2,717
@@ -197,7 +194,7 @@ impl Condensed {
             screening: Screening::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
-            row_of: vec![None; model.dofs().count()],
+            row_of: vec![None; model.dofs.count()],
             active_set: ActiveSet::default(),
             current: Equilibrium {
                 amplitudes: vec![0.0; patterns.len()],
@@ -233,7 +230,7 @@ impl Condensed {
         let known = self.current.forces.len();
         self.current.forces.resize(self.rows.len(), 0.0);
         if known < self.rows.len() {
-            let new_rows = self.rows.list()[known..].iter().enumerate();
+            let new_rows = self.rows.list[known..].iter().enumerate();
             let change = |row| self.rows.row_change(row, &self.current.amplitudes, &self.current.forces);
             self.current.values.extend(new_rows.map(|(k, row)| row.start + change(known + k)));
         }
@@ -283,8 +280,8 @@ impl Condensed {
                     }
                 }
                 Kind::Quad(id) => {
-                    for (row, component) in part.rows.iter_mut().zip(quad_components(&self.model, id)) {
-                        if self.model.dofs().equation(component) != HELD {
+                    for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
+                        if self.model.dofs.equation(component) != HELD {
                             let known = &mut self.row_of[component];
                             *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
                         }
@@ -302,7 +299,7 @@ impl Condensed {
     /// Solves the whole linear system under the loads and forces of some equilibria; the solutions are written to `self.block`.
     fn solve_full_system(&mut self, equilibria: &[&Equilibrium]) {
         let Condensed { work, block, patterns, rows, .. } = self;
-        work.solve_loaded(equilibria.len(), block, |block| {
+        work.solver.solve_loaded(equilibria.len(), block, |block| {
             let mut multiples = vec![0.0; equilibria.len()];
             let mut add = |terms: &[(u32, f64)], of: &dyn Fn(&Equilibrium) -> f64| {
                 multiples.iter_mut().zip(equilibria).for_each(|(multiple, equilibrium)| *multiple = of(equilibrium));
@@ -313,8 +310,8 @@ impl Condensed {
             for (k, pattern) in patterns.iter().enumerate() {
                 add(pattern, &|equilibrium| equilibrium.amplitudes[k]);
             }
-            for (k, row) in rows.list().iter().enumerate() {
-                add(row.terms(), &|equilibrium| equilibrium.forces.get(k).copied().unwrap_or(0.0));
+            for (k, row) in rows.list.iter().enumerate() {
+                add(&row.terms, &|equilibrium| equilibrium.forces.get(k).copied().unwrap_or(0.0));
             }
         });
     }
@@ -337,18 +334,18 @@ impl Condensed {
 
     /// Counts the nonlinear parts of the last position.
     pub fn counts(&self) -> Counts {
-        let mut bonds = vec![None; self.model.springs().len()];
+        let untouched = Bond::default();
+        let mut bonds = vec![&untouched; self.model.springs().len()];
         let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
-            match part.kind {
-                Kind::Spring(index) => bonds[index] = part.committed_bond(),
-                Kind::Quad(_) => counts.retained_quads += 1,
+            if let Kind::Spring(index) = part.kind {
+                bonds[index] = part.committed_bond();
             }
             counts.yielding += part.yielding_points();
             counts.locking += usize::from(part.locks(&self.model));
         }
-        (counts.open, counts.sliding) = count(bonds.iter().flatten().map(|bond| bond.state));
-        counts.open_interfaces = open_among(&self.model, bonds.into_iter());
+        (counts.open, counts.sliding) = count(bonds.iter().map(|bond| bond.state));
+        counts.open_interfaces = open_interfaces(&self.model, bonds.into_iter());
         counts
     }
 
@@ -377,7 +374,7 @@ impl Condensed {
         let mut state = state?;
         for (index, part) in self.parts.iter().enumerate() {
             let mut part = part.clone();
-            earlier.get(&index).iter().for_each(|committed| part.restore(committed));
+            earlier.get(&index).iter().for_each(|&committed| part.committed = *committed);
             part.evaluate_in(&self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
             part.write_to(&mut state);
         }
@@ -386,11 +383,16 @@ impl Condensed {
 
     /// Finds the displacements in the last position, and the stresses of the quadrilaterals that cannot yield.
     fn linear_state(&mut self) -> Result<State, CondensedError> {
+        let here = std::mem::take(&mut self.current);
+        self.solve_full_system(&[&here]);
+        self.current = here;
         let mut state = self.start.clone();
-        state.displacements = self.displacements();
+        for (component, change) in self.model.dofs.free().iter().zip(self.block.solution(0)) {
+            state.displacements[*component as usize] += change;
+        }
         let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();
-        for (id, quad) in self.model.mesh.quads.pairs().filter(|(id, _)| linear(id)) {
-            let u = assemble::moved(&state.displacements, &quad.nodes);
+        for id in self.model.mesh.quads.ids().filter(linear) {
+            let u = self.model.components(id).map(|component| state.displacements[component]);
             let first = 4 * id.index();
             let old: [Point; 4] = std::array::from_fn(|k| self.start.points[first + k]);
             let from = state.modes[id.index()];
@@ -406,47 +408,35 @@ impl Condensed {
     /// Takes a snapshot of the last position, for [`Condensed::restore`].
     #[must_use]
     pub fn snapshot(&self) -> Snapshot {
-        let parts = self.retained.iter().map(|&index| (index, self.parts[index].committed())).collect();
+        let parts = self.retained.iter().map(|&index| (index, self.parts[index].committed)).collect();
         Snapshot { current: self.current.clone(), parts }
+    }
+
+    /// Makes an earlier equilibrium the current one. Rows that were retained since carried no force there.
+    fn go_back_to(&mut self, equilibrium: Equilibrium) {
+        self.current = equilibrium;
+        self.predicted_active.clear();
+        self.extend_to_new_rows();
+        self.active_set.discard_tangent();
     }
 
     /// Restores a snapshot. Parts and rows that were retained later stay; they carried no excess force then.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        self.current = snapshot.current.clone();
-        self.predicted_active.clear();
-        self.extend_to_new_rows();
-        self.active_set.discard_tangent();
+        self.go_back_to(snapshot.current.clone());
         for &index in &self.retained {
             self.parts[index].revert_to_start(&self.start);
         }
         for (index, committed) in &snapshot.parts {
-            self.parts[*index].restore(committed);
+            self.parts[*index].committed = *committed;
         }
-    }
-
-    /// Finds the displacements of all components in the last position [m], with one solution of the whole system.
-    pub fn displacements(&mut self) -> Vec<f64> {
-        let here = std::mem::take(&mut self.current);
-        self.solve_full_system(&[&here]);
-        self.current = here;
-        let mut all = self.start.displacements.clone();
-        for (equation, component) in self.model.dofs().free().iter().enumerate() {
-            all[*component as usize] += self.block.of(equation as u32)[0];
-        }
-        all
     }
 }
 
 /// Counts the interfaces with an open spring; `bonds` are in the order of [`Model::springs`].
 pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
-    open_among(model, bonds.map(Some))
-}
-
-/// Counts the interfaces with an open spring, where some springs have no bond.
-fn open_among<'b>(model: &Model, bonds: impl Iterator<Item = Option<&'b Bond>>) -> usize {
     let mut open = vec![false; model.mesh.interfaces.len()];
     for (spring, bond) in model.springs().iter().zip(bonds) {
-        open[spring.interface.index()] |= bond.is_some_and(|bond| bond.state == PairState::Open);
+        open[spring.interface.index()] |= bond.state == PairState::Open;
     }
     open.into_iter().filter(|open| *open).count()
 }

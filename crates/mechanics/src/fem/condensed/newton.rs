@@ -37,19 +37,14 @@ pub(super) struct Trial {
 impl Condensed {
     /// Predicts the next equilibrium with the last tangent, for given changes of the row values by the loads alone [m].
     pub(super) fn predict_trial(&mut self, load_changes: Vec<f64>) -> Trial {
-        let most = self.active_set.rows.iter().map(|&row| load_changes[row].abs());
-        self.largest_load_change = most.fold(self.largest_load_change, f64::max);
-        let (step, row_step) =
-            self.active_set.predict(&self.active_set.rows.iter().map(|&row| load_changes[row]).collect::<Vec<f64>>());
-        let start_forces: Vec<f64> = self.active_set.rows.iter().map(|&row| self.current.forces[row]).collect();
+        let loads: Vec<f64> = self.active_set.rows.iter().map(|&row| load_changes[row]).collect();
+        self.largest_load_change = loads.iter().fold(self.largest_load_change, |most, load| most.max(load.abs()));
+        let (step, row_step) = self.active_set.predict(&loads);
+        let rows = self.active_set.rows.iter();
+        let start_forces: Vec<f64> = rows.clone().map(|&row| self.current.forces[row]).collect();
         let forces = start_forces.iter().zip(step).map(|(force, step)| force + step).collect();
-        let values = self
-            .active_set
-            .rows
-            .iter()
-            .zip(row_step)
-            .map(|(&row, step)| self.current.values[row] + load_changes[row] + step)
-            .collect();
+        let changes = loads.iter().zip(row_step);
+        let values = rows.zip(changes).map(|(&row, (load, step))| self.current.values[row] + load + step).collect();
         Trial { load_changes, forces, start_forces, values, ..Trial::default() }
     }
 

@@ -2,9 +2,9 @@
 //! which it carries less than the linear system assumes.
 
 use super::quad_check::QuadCheck;
+use super::rows::{Functional, Row};
 use super::spring_check::SpringCheck;
-use crate::fem::assemble::moved;
-use crate::fem::dofs::{HELD, dof};
+use crate::fem::dofs::HELD;
 use crate::fem::element::{self, Kept, Sample, sample};
 use crate::fem::factor::Block;
 use crate::fem::joint::{PairLaw, PairMemory};
@@ -43,9 +43,9 @@ pub(super) struct Part {
     /// Row values when the run began [m]; those of held components do not change.
     base: [f64; ROWS],
     /// Integration points of a quadrilateral.
-    samples: Option<[Sample; 4]>,
+    samples: [Sample; 4],
     /// State at the end of the last balanced position.
-    committed: Committed,
+    pub committed: Committed,
     /// History by the last evaluation.
     trial: History,
     /// Force that the linear system carried beyond the part when the run began [N/m].
@@ -58,18 +58,6 @@ pub(super) struct Part {
     pub linear: bool,
 }
 
-/// Gives the displacement components of a quadrilateral's corners.
-pub(super) fn quad_components(model: &Model, id: QuadId) -> [usize; ROWS] {
-    let nodes = model.mesh.quads[id].nodes;
-    std::array::from_fn(|i| dof(nodes[i / 2], i % 2))
-}
-
-/// Gives a sum of components by equations, without those that are held.
-fn free_terms(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
-    let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
-    terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
-}
-
 /// State of a part at the end of a balanced position.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Committed {
@@ -78,6 +66,21 @@ pub(super) struct Committed {
     excess: [f64; ROWS],
     /// Whether the part was linear.
     linear: bool,
+}
+
+impl Committed {
+    /// Gives the state of an element in the `state` in which the run begins, from which excess forces are counted.
+    fn at_start(kind: Kind, state: &State) -> Committed {
+        let mut history = History::default();
+        match kind {
+            Kind::Spring(index) => history.bond = state.bonds[index],
+            Kind::Quad(id) => {
+                history.points.copy_from_slice(&state.points[4 * id.index()..][..4]);
+                history.modes = state.modes[id.index()];
+            }
+        }
+        Committed { history, excess: [0.0; ROWS], linear: true }
+    }
 }
 
 /// History variables of a part, with stress or traction.
@@ -93,39 +96,35 @@ impl Part {
     pub(super) fn spring(model: &Model, state: &State, index: usize) -> Part {
         let spring = &model.springs()[index];
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
-        let mut part = Part::at_rest(Kind::Spring(index));
+        let mut part = Part::from_rest(Kind::Spring(index), state);
         for (i, opening) in spring.openings().into_iter().enumerate() {
-            part.base[i] = opening.iter().map(|&(component, weight)| weight * state.displacements[component]).sum();
-            part.openings[i] = free_terms(model, &opening);
+            let row = Row::new(model, &Functional(opening), &state.displacements);
+            (part.base[i], part.openings[i]) = (row.start, row.terms);
             for j in 0..2 {
                 part.stiffness[i][j] = spring.area * virgin.tangent[i][j];
             }
         }
-        part.committed.history.bond = state.bonds[index];
         part
     }
 
     /// Makes the part of a quadrilateral as it stands in `state`; `None` where it has no linear stiffness.
     pub(super) fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
-        let mut part = Part::at_rest(Kind::Quad(id));
-        part.equations = quad_components(model, id).map(|component| model.dofs().equation(component));
-        let samples = sample(&model.corners(id));
+        let mut part = Part::from_rest(Kind::Quad(id), state);
+        part.samples = sample(&model.corners(id));
+        let components = model.components(id);
+        part.equations = components.map(|component| model.dofs.equation(component));
         let mut scratch = History::default();
         let from = scratch.modes;
         let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes, from, misses: &mut 0 };
         let virgin = [Point::default(); 4];
         let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
-        part.stiffness = element::respond(solid, modes, &samples, &[0.0; 8], &virgin, kept)?.tangent;
-        part.base = moved(&state.displacements, &model.mesh.quads[id].nodes);
-        let first = 4 * id.index();
-        part.committed.history.points.copy_from_slice(&state.points[first..first + 4]);
-        part.committed.history.modes = state.modes[id.index()];
-        part.samples = Some(samples);
+        part.stiffness = element::respond(solid, modes, &part.samples, &[0.0; 8], &virgin, kept)?.tangent;
+        part.base = components.map(|component| state.displacements[component]);
         Some(part)
     }
 
-    /// Makes a part without stiffness, displacement or history.
-    fn at_rest(kind: Kind) -> Part {
+    /// Makes a part without stiffness or displacement, with the history of its element in `state`.
+    fn from_rest(kind: Kind, state: &State) -> Part {
         Part {
             kind,
             rows: [None; ROWS],
@@ -134,8 +133,8 @@ impl Part {
             stiffness: [[0.0; ROWS]; ROWS],
             largest_stiffness: 0.0,
             base: [0.0; ROWS],
-            samples: None,
-            committed: Committed { history: History::default(), excess: [0.0; ROWS], linear: true },
+            samples: [Sample::default(); 4],
+            committed: Committed::at_start(kind, state),
             trial: History::default(),
             initial_excess: [0.0; ROWS],
             excess: [0.0; ROWS],
@@ -195,18 +194,16 @@ impl Part {
     /// Whether the part is linear at given row values [m]: its history does not change and its stiffness is that of the linear
     /// system. Stress and traction are written to the trial history.
     fn check_linear(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
-        match (self.kind, &self.samples) {
-            (Kind::Quad(id), Some(samples)) => {
-                let solid = &model.section(id).solid;
-                !model.incompatible(id)
-                    && element::is_linear(solid, samples, at, &self.committed.history.points, &mut self.trial.points)
+        match self.kind {
+            Kind::Quad(id) => {
+                let (solid, old) = (&model.section(id).solid, &self.committed.history.points);
+                !model.incompatible(id) && element::is_linear(solid, &self.samples, at, old, &mut self.trial.points)
             }
-            (Kind::Spring(index), _) => {
+            Kind::Spring(index) => {
                 let tangent = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let linear = (0..2).all(|i| (0..2).all(|j| tangent[i][j] == self.stiffness[i][j]));
                 linear && self.trial.bond.memory == self.committed.history.bond.memory && self.overstress(model) <= 1.0
             }
-            (Kind::Quad(_), None) => false,
         }
     }
 
@@ -251,16 +248,16 @@ impl Part {
 
     /// Gives the force of the part [N/m] and its tangent stiffness [N/m²] at given row values [m].
     fn force_and_tangent(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<([f64; ROWS], [[f64; ROWS]; ROWS])> {
-        match (self.kind, &self.samples) {
-            (Kind::Quad(id), Some(samples)) => {
+        match self.kind {
+            Kind::Quad(id) => {
                 self.trial.modes = self.committed.history.modes;
                 let from = self.committed.history.modes;
                 let kept = Kept { points: &mut self.trial.points, modes: &mut self.trial.modes, from, misses: &mut 0 };
                 let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
-                let answer = element::respond(solid, modes, samples, at, &self.committed.history.points, kept)?;
+                let answer = element::respond(solid, modes, &self.samples, at, &self.committed.history.points, kept)?;
                 Some((answer.force, answer.tangent))
             }
-            (Kind::Spring(index), _) => {
+            Kind::Spring(index) => {
                 let stiffness = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let (mut force, mut tangent) = ([0.0; ROWS], [[0.0; ROWS]; ROWS]);
                 for i in 0..2 {
@@ -269,7 +266,6 @@ impl Part {
                 }
                 Some((force, tangent))
             }
-            (Kind::Quad(_), None) => None,
         }
     }
 
@@ -308,16 +304,7 @@ impl Part {
 
     /// Restores the state in which the run began.
     pub(super) fn revert_to_start(&mut self, state: &State) {
-        self.committed.excess = [0.0; ROWS];
-        self.committed.linear = true;
-        match self.kind {
-            Kind::Spring(index) => self.committed.history.bond = state.bonds[index],
-            Kind::Quad(id) => {
-                let first = 4 * id.index();
-                self.committed.history.points.copy_from_slice(&state.points[first..first + 4]);
-                self.committed.history.modes = state.modes[id.index()];
-            }
-        }
+        self.committed = Committed::at_start(self.kind, state);
     }
 
     /// Commits the last evaluation; gives the state before, where it was another one.
@@ -337,9 +324,9 @@ impl Part {
 
     /// Gives the pointwise test of a quadrilateral without incompatible modes.
     pub(super) fn quad_check<'a>(&'a self, model: &'a Model) -> Option<QuadCheck<'a>> {
-        let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return None };
+        let Kind::Quad(id) = self.kind else { return None };
         let (solid, points) = (&model.section(id).solid, &self.committed.history.points);
-        let quad = QuadCheck { solid, samples, points, base: &self.base, equations: &self.equations };
+        let quad = QuadCheck { solid, samples: &self.samples, points, base: &self.base, equations: &self.equations };
         (!model.incompatible(id)).then_some(quad)
     }
 
@@ -399,16 +386,6 @@ impl Part {
         linear
     }
 
-    /// Gives the committed state.
-    pub(super) fn committed(&self) -> Committed {
-        self.committed
-    }
-
-    /// Restores a committed state.
-    pub(super) fn restore(&mut self, committed: &Committed) {
-        self.committed = *committed;
-    }
-
     /// Writes the part to a state: the trial history where the part is linear, the committed one where it is not.
     pub(super) fn write_to(&self, state: &mut State) {
         let now = if self.linear { &self.trial } else { &self.committed.history };
@@ -421,9 +398,9 @@ impl Part {
         }
     }
 
-    /// Gives the committed pair of a spring; `None` for a quadrilateral.
-    pub(super) fn committed_bond(&self) -> Option<&Bond> {
-        matches!(self.kind, Kind::Spring(_)).then_some(&self.committed.history.bond)
+    /// Gives the committed pair of a spring.
+    pub(super) fn committed_bond(&self) -> &Bond {
+        &self.committed.history.bond
     }
 
     /// Counts the points that yield in the committed state.

@@ -157,7 +157,7 @@ impl Condensed {
         }
         let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
         if asking.stopped() {
-            steps.drain(..).rev().for_each(|step| self.roll_back(step));
+            steps.drain(..).rev().for_each(|step| self.roll_back(step.from, &step.undo_log));
             run.passage.cancelled = true;
             return Ok(());
         }
@@ -259,9 +259,7 @@ impl Condensed {
         let (ends, breaks) = equilibria(steps);
         let Recheck { to_retain, valid } = self.recheck_eliminated(&ends, &breaks, lookahead)?;
         let first = valid.iter().position(|valid| !valid).unwrap_or(valid.len());
-        for step in steps.drain(first..).rev() {
-            self.roll_back(step);
-        }
+        steps.drain(first..).rev().for_each(|step| self.roll_back(step.from, &step.undo_log));
         let observed: Vec<Vec<f64>> = (0..first).map(|lane| self.observed_values(lane)).collect();
         if let Some(last) = observed.last() {
             self.current.observed.clone_from(last);
@@ -271,16 +269,10 @@ impl Condensed {
         Ok((observed, complete))
     }
 
-    /// Rolls back one step.
-    fn roll_back(&mut self, step: Step) {
-        self.current = step.from;
-        self.predicted_active.clear();
-        // Rows that were retained since carried no force there.
-        self.extend_to_new_rows();
-        self.active_set.discard_tangent();
-        for (part, state) in step.undo_log.states.iter().rev() {
-            self.parts[*part].restore(state);
-        }
+    /// Rolls back what was done since the equilibrium `from`.
+    fn roll_back(&mut self, from: Equilibrium, undo_log: &UndoLog) {
+        self.go_back_to(from);
+        undo_log.states.iter().rev().for_each(|&(part, state)| self.parts[part].committed = state);
     }
 
     /// Deactivates parts that have been linear for some positions.
@@ -311,23 +303,19 @@ impl Condensed {
                 continue;
             }
             step *= 0.5;
-            if position.reached == Reached::Cancelled {
-                let counts = Counts::default();
-                self.roll_back(Step { position, counts, from: from.clone(), to: Equilibrium::default(), undo_log });
-                return Ok(Step { position, counts, from: from.clone(), to: from, undo_log: UndoLog::default() });
+            let cancelled = position.reached == Reached::Cancelled;
+            if !cancelled && step >= 0.5_f64.powi(HALVINGS as i32) {
+                continue;
             }
-            if step < 0.5_f64.powi(HALVINGS as i32) {
-                // An eliminated part may be nonlinear here, so that no equilibrium is found without it.
-                let here = self.current.clone();
-                let Recheck { to_retain, .. } = self.recheck_eliminated(&[&here], &[], 0)?;
-                let counts = Counts::default();
-                self.roll_back(Step { position, counts, from: from.clone(), to: Equilibrium::default(), undo_log });
-                if to_retain.is_empty() {
-                    return Ok(Step { position, counts, from: from.clone(), to: from, undo_log: UndoLog::default() });
-                }
-                self.retain_nonlinear(&to_retain, asking);
-                (share, step, undo_log) = (0.0, 1.0, UndoLog::default());
+            // An eliminated part may be nonlinear here, so that no equilibrium is found without it.
+            let here = self.current.clone();
+            let to_retain = if cancelled { Vec::new() } else { self.recheck_eliminated(&[&here], &[], 0)?.to_retain };
+            self.roll_back(from.clone(), &undo_log);
+            (share, step, undo_log) = (0.0, 1.0, UndoLog::default());
+            if to_retain.is_empty() {
+                return Ok(Step { position, counts: Counts::default(), from: from.clone(), to: from, undo_log });
             }
+            self.retain_nonlinear(&to_retain, asking);
         }
     }
 }

@@ -33,19 +33,24 @@ impl LoadPattern {
 
     /// Gives the pattern's forces by equations, in ascending order.
     pub(super) fn on_equations(&self, model: &Model) -> Vec<(u32, f64)> {
-        let equation = |&(component, force): &(usize, f64)| (model.dofs().equation(component), force);
-        let mut forces: Vec<(u32, f64)> = self.0.iter().map(equation).collect();
-        forces.retain(|(equation, force)| *equation != HELD && *force != 0.0);
+        let mut forces = free_terms(model, &self.0);
+        forces.retain(|(_, force)| *force != 0.0);
         forces.sort_unstable_by_key(|(equation, _)| *equation);
         forces
     }
 }
 
+/// Gives a sum of components by equations, without those that are held.
+fn free_terms(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
+    let equation = |&(component, weight): &(usize, f64)| (model.dofs.equation(component), weight);
+    terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
+}
+
 /// A functional by the equations of its free components.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
-    /// Equations and weights.
-    terms: Vec<(u32, f64)>,
+    /// Equations and weights: also the right-hand side of a unit force on the row.
+    pub terms: Vec<(u32, f64)>,
     /// Value when the run began, held components included [m].
     pub start: f64,
 }
@@ -53,16 +58,10 @@ pub(super) struct Row {
 impl Row {
     /// Makes the row of a functional; `displacements` are those of all components when the run began [m].
     pub(super) fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
-        let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
         Row {
-            terms: functional.0.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect(),
+            terms: free_terms(model, &functional.0),
             start: functional.0.iter().map(|&(component, weight)| weight * displacements[component]).sum(),
         }
-    }
-
-    /// Gives the equations of the row and their weights.
-    pub(super) fn terms(&self) -> &[(u32, f64)] {
-        &self.terms
     }
 
     /// Gives the change of the row's value in one solution of a block [m].
@@ -83,19 +82,15 @@ impl Row {
     fn change_in_vector(&self, solution: &[f64]) -> f64 {
         self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
     }
-
-    /// Appends a force on the row [N/m] to a right-hand side.
-    pub(super) fn append_force(&self, right: &mut Vec<(u32, f64)>, force: f64) {
-        right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
-    }
 }
 
 /// The retained rows.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
-    list: Vec<Row>,
-    /// `G`, by rows: row values for a unit force on another row [m²/N].
-    flexibility: Vec<Vec<f64>>,
+    /// In the order in which they were retained.
+    pub list: Vec<Row>,
+    /// `G`, by rows: row values for a unit force on another row [m²/N]. It is symmetric.
+    pub flexibility: Vec<Vec<f64>>,
     /// `H`, by patterns: row values for a pattern of amplitude one [m].
     influence: Vec<Vec<f64>>,
     /// Solutions for the patterns that load more than [`WIDE_PATTERN`] equations; `None` for the others.
@@ -117,22 +112,6 @@ impl Rows {
     /// Gives the number of rows.
     pub(super) fn len(&self) -> usize {
         self.list.len()
-    }
-
-    /// Gives the rows in the order in which they were retained.
-    pub(super) fn list(&self) -> &[Row] {
-        &self.list
-    }
-
-    /// Gives one row of `G` [m²/N]; `G` is symmetric.
-    #[inline]
-    pub(super) fn flexibility_row(&self, row: usize) -> &[f64] {
-        &self.flexibility[row]
-    }
-
-    /// Gives `G` by rows [m²/N].
-    pub(super) fn flexibility_rows(&self) -> &[Vec<f64>] {
-        &self.flexibility
     }
 
     /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
@@ -157,18 +136,14 @@ impl Rows {
         self.solve_wide_patterns(patterns, work, block);
         let read = self.list[first..].iter().flat_map(|row| &row.terms);
         let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= WIDE_PATTERN).flatten();
-        work.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
+        work.solver.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDEST) {
             if asking.stops() {
                 return;
             }
             let lanes = start..(start + WIDEST).min(all);
-            let unit = |row: usize| {
-                let mut right = Vec::new();
-                self.list[row].append_force(&mut right, 1.0);
-                right
-            };
-            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &self.needed, block);
+            let units: Vec<_> = self.list[lanes.clone()].iter().map(|row| row.terms.clone()).collect();
+            work.solver.solve_block(&units, Some(&self.needed), block);
             for (row, flexibility) in self.list.iter().zip(&mut self.flexibility) {
                 row.changes_in(block, &mut flexibility[lanes.clone()]);
             }
@@ -201,10 +176,9 @@ impl Rows {
         self.wide_solutions = patterns.iter().map(|_| None).collect();
         let wide: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > WIDE_PATTERN).collect();
         for some in wide.chunks(WIDEST) {
-            work.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), block);
+            work.solver.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), None, block);
             for (lane, &k) in some.iter().enumerate() {
-                self.wide_solutions[k] =
-                    Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
+                self.wide_solutions[k] = Some(block.solution(lane));
             }
         }
     }

@@ -72,8 +72,12 @@ impl Screening {
     /// Finds the parts that are not proven linear in all of the first solutions of `block`, in ascending order; passes over those
     /// marked in `skip`.
     pub(super) fn unproven(&self, model: &Model, block: &Block, solutions: usize, skip: &[bool]) -> Vec<usize> {
-        let all = Screen { screening: self, model, block, solutions, skip };
-        if has_fma() { widest(WithFma(all)) } else { all.unproven::<false>() }
+        let screening = self;
+        if has_fma() {
+            widest(Screen::<true> { screening, model, block, solutions, skip })
+        } else {
+            pulp::NullaryFnOnce::call(Screen::<false> { screening, model, block, solutions, skip })
+        }
     }
 
     /// Whether a part is proven linear in all of the first solutions of `block`.
@@ -101,8 +105,8 @@ fn has_fma() -> bool {
     false
 }
 
-/// One screening of all parts.
-struct Screen<'a> {
+/// One screening of all parts for those that are not proven linear; `FUSED` uses fused multiply-add.
+struct Screen<'a, const FUSED: bool> {
     screening: &'a Screening,
     model: &'a Model,
     block: &'a Block,
@@ -110,10 +114,11 @@ struct Screen<'a> {
     skip: &'a [bool],
 }
 
-impl Screen<'_> {
-    /// Finds the parts that are not proven linear; `FUSED` uses fused multiply-add.
+impl<const FUSED: bool> pulp::NullaryFnOnce for Screen<'_, FUSED> {
+    type Output = Vec<usize>;
+
     #[inline(always)]
-    fn unproven<const FUSED: bool>(&self) -> Vec<usize> {
+    fn call(self) -> Vec<usize> {
         let mut parts = Vec::new();
         for (index, skipped) in self.skip.iter().enumerate() {
             if !skipped && !self.screening.proves_linear::<FUSED>(index, self.model, self.block, self.solutions) {
@@ -121,17 +126,6 @@ impl Screen<'_> {
             }
         }
         parts
-    }
-}
-
-/// The same, compiled for processors with a fused multiply-add.
-struct WithFma<'a>(Screen<'a>);
-
-impl pulp::NullaryFnOnce for WithFma<'_> {
-    type Output = Vec<usize>;
-    #[inline(always)]
-    fn call(self) -> Vec<usize> {
-        self.0.unproven::<true>()
     }
 }
 

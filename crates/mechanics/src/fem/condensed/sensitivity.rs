@@ -124,7 +124,7 @@ impl Condensed {
             self.solve_full_system(&equilibria.iter().collect::<Vec<_>>());
             let mut right = Vec::with_capacity(equilibria.len() * perturbed.len());
             for (lane, equilibrium) in equilibria.iter().enumerate() {
-                let values = self.rows.list().iter().map(|row| row.start + row.change_in(&self.block, lane)).collect();
+                let values = self.rows.list.iter().map(|row| row.start + row.change_in(&self.block, lane)).collect();
                 let broken = equilibrium
                     .broken
                     .iter()
@@ -135,8 +135,7 @@ impl Condensed {
                     observed_derivatives: Vec::new(),
                     broken: broken.collect(),
                 });
-                let displacements: Vec<f64> =
-                    (0..self.model.equations() as u32).map(|e| self.block.of(e)[lane]).collect();
+                let displacements = self.block.solution(lane);
                 for (stiffness_derivatives, pattern_derivatives) in
                     stiffness_derivatives.iter().zip(&pattern_derivatives)
                 {
@@ -156,11 +155,11 @@ impl Condensed {
                 if asking.stops() {
                     return Ok(None);
                 }
-                self.work.solve_block(right, &mut self.block);
+                self.work.solver.solve_block(right, None, &mut self.block);
                 for lane in 0..right.len() {
                     let response = &mut all[first + (chunk * WIDEST + lane) / perturbed.len()];
                     let of = |rows: &[Row]| rows.iter().map(|row| row.change_in(&self.block, lane)).collect();
-                    response.row_derivatives.push(of(self.rows.list()));
+                    response.row_derivatives.push(of(&self.rows.list));
                     response.observed_derivatives.push(of(&self.observed));
                 }
             }
@@ -192,14 +191,10 @@ impl Condensed {
     fn observed_flexibility(&mut self) -> Vec<Vec<f64>> {
         let mut all = Vec::with_capacity(self.observed.len());
         for some in self.observed.chunks(WIDEST) {
-            let unit = |row: &Row| {
-                let mut right = Vec::new();
-                row.append_force(&mut right, 1.0);
-                right
-            };
-            self.work.solve_block(&some.iter().map(unit).collect::<Vec<_>>(), &mut self.block);
+            let units: Vec<_> = some.iter().map(|row| row.terms.clone()).collect();
+            self.work.solver.solve_block(&units, None, &mut self.block);
             for lane in 0..some.len() {
-                all.push(self.rows.list().iter().map(|row| row.change_in(&self.block, lane)).collect());
+                all.push(self.rows.list.iter().map(|row| row.change_in(&self.block, lane)).collect());
             }
         }
         all
@@ -246,7 +241,7 @@ impl Differentiated<'_> {
                 part.for_each_stiffness_entry(|p, q, s| stiffness.push((p, q, s)));
             }
         }
-        tangent.factorise_for(&stiffness, rows.flexibility_rows());
+        tangent.factorise_for(&stiffness, &rows.flexibility);
         let mut found = Vec::with_capacity(others.len());
         for (k, parts) in others.iter_mut().enumerate() {
             let model = models[1 + k];
@@ -286,13 +281,13 @@ impl Differentiated<'_> {
 
     /// Gives the committed states of all parts.
     fn committed(&self) -> Vec<Vec<Committed>> {
-        self.parts.iter().map(|parts| parts.iter().map(Part::committed).collect()).collect()
+        self.parts.iter().map(|parts| parts.iter().map(|part| part.committed).collect()).collect()
     }
 
     /// Restores committed states of all parts.
     fn restore(&mut self, committed: &[Vec<Committed>]) {
         for (part, committed) in self.parts.iter_mut().flatten().zip(committed.iter().flatten()) {
-            part.restore(committed);
+            part.committed = *committed;
         }
     }
 }

@@ -129,14 +129,14 @@ impl<D: Precision> pulp::NullaryFnOnce for SubtractProduct<'_, D> {
             index[q] = count;
             count += 1;
             for run in runs.iter() {
-                rows.extend(self.flexibility[q][run.clone()].iter().map(|g| D::round(*g)));
+                rows.extend(self.flexibility[q][run.clone()].iter().map(|g| D::from_f64_impl(*g)));
             }
         }
         // Entries of one row four at a time: the row of the system is read and written once for four.
         for stiffness in self.stiffness.chunk_by(|one, other| one.0 == other.0) {
             let to = self.index_of[stiffness[0].0] * size;
             let to = &mut self.factors[to..to + size];
-            let from = |&(_, q, s): &StiffnessEntry| (&rows[index[q] as usize * size..][..size], D::round(s));
+            let from = |&(_, q, s): &StiffnessEntry| (&rows[index[q] as usize * size..][..size], D::from_f64_impl(s));
             for some in stiffness.chunks(4) {
                 if let [a, b, c, d] = some {
                     let [(a, fa), (b, fb), (c, fc), (d, fd)] = [a, b, c, d].map(from);

@@ -5,7 +5,7 @@ mod shape;
 mod turn;
 
 pub(super) use integrate::{Answer, Kept, held, is_linear, respond};
-pub(super) use shape::{Sample, centre, corner_values, mass, sample, weights};
+pub(super) use shape::{Sample, centre, mass, sample};
 pub(super) use turn::{Angle, turned};
 
 use super::law::Solid;

@@ -14,7 +14,7 @@ fn parent(point: usize) -> [f64; 2] {
 }
 
 /// Shape functions at a place of the parent square.
-pub(in crate::fem) fn weights([xi, eta]: [f64; 2]) -> [f64; 4] {
+fn weights([xi, eta]: [f64; 2]) -> [f64; 4] {
     CORNERS.map(|[a, b]| 0.25 * (1.0 + a * xi) * (1.0 + b * eta))
 }
 
@@ -40,7 +40,7 @@ fn determinant(j: &[[f64; 2]; 2]) -> f64 {
 }
 
 /// Gradients of the functions of one element at one place. The first four belong to the corners, the last two to the incompatible modes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(in crate::fem) struct Sample {
     /// Along x [1/m].
     pub dx: [f64; 6],
@@ -93,9 +93,4 @@ pub(in crate::fem) fn mass(corners: &[Vec2; 4]) -> [[f64; 4]; 4] {
         }
     }
     mass
-}
-
-/// What the values at the four points of integration, taken bilinearly, give at a place of the parent square.
-pub(in crate::fem) fn corner_values(place: [f64; 2]) -> [f64; 4] {
-    weights([place[0] / GAUSS, place[1] / GAUSS])
 }

@@ -57,10 +57,6 @@ impl Shear {
         }
     }
 
-    fn when_open(&self) -> bool {
-        matches!(self, Shear::Panel { when_open: true, .. })
-    }
-
     /// Whether strength depends on what presses.
     #[must_use]
     pub fn frictional(&self) -> bool {
@@ -91,19 +87,6 @@ pub struct Mortar {
 }
 
 impl Mortar {
-    /// A bed of a modulus [Pa], a Poisson's ratio and a thickness [m], without strength in tension and of a shear strength [Pa].
-    #[must_use]
-    pub fn bed(modulus: f64, ratio: f64, thickness: f64, shear_strength: f64) -> Mortar {
-        let normal = modulus / thickness;
-        Mortar {
-            normal,
-            tangential: normal / (2.0 * (1.0 + ratio)),
-            lift_off: LiftOff::Stress(0.0),
-            compressive_strength: None,
-            shear: Shear::Panel { strength: shear_strength, when_open: false },
-        }
-    }
-
     /// Tension [Pa] at which a pair breaks; none where it is broken.
     #[inline(always)]
     fn tensile_strength(&self, area: f64, old: &PairMemory) -> f64 {
@@ -167,11 +150,9 @@ impl Mortar {
 impl PairLaw for Mortar {
     fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
         let (normal, across, crush, open) = self.across(opening[0], area, old);
-        let (shear, along, slip, slides) = if open && !self.shear.when_open() {
-            (0.0, [0.0; 2], opening[1], false)
-        } else {
-            self.along(opening[1], (normal, across), old)
-        };
+        let carries = !open || matches!(self.shear, Shear::Panel { when_open: true, .. });
+        let (shear, along, slip, slides) =
+            if !carries { (0.0, [0.0; 2], opening[1], false) } else { self.along(opening[1], (normal, across), old) };
         let state = match (open, slides) {
             (true, _) => PairState::Open,
             (false, true) => PairState::Sliding,

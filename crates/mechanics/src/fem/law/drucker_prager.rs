@@ -5,7 +5,7 @@ use super::member::{Member, flowed, softened};
 use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::{Cone, Strength};
-use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
+use super::three::{Matrix, Three, dot, hooke, inverse};
 use super::{cone, polyhedron};
 
 /// Elastic, perfectly plastic on √J2 + α I1 ≤ k, with flow along √J2 + β I1; tension positive.
@@ -39,19 +39,14 @@ impl DruckerPrager {
     pub fn excess(&self, stress: &Four) -> f64 {
         let principal = Principal::of(stress).stress;
         let shear = self.beyond(&principal);
-        match self.tension_cutoff {
-            Some(cutoff) => shear.max(principal[0] - cutoff),
-            None => shear,
-        }
+        self.tension_cutoff.map_or(shear, |cutoff| shear.max(principal[0] - cutoff))
     }
 
     fn beyond(&self, principal: &Three) -> f64 {
         let (radius, _, sum) = parts(principal);
         radius + self.alpha * sum - self.strength
     }
-}
 
-impl DruckerPrager {
     /// Whether all `L` strains stay inside the cone by at least a billionth of its strength. The test fails at zero stress where
     /// the strength is zero, and everywhere where tension is cut off.
     #[inline(always)]
@@ -214,19 +209,8 @@ impl DruckerPrager {
         };
         let soft: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| soft[i][j] + flow * curvature(i, j)));
         let Some(stiff) = inverse(&soft) else { return nothing };
-        let normals = [along.map(|a| a + self.alpha), [1.0, 0.0, 0.0]];
-        let pushes = [times(&stiff, &along.map(|a| a + self.beta)), times(&stiff, &[1.0, 0.0, 0.0])];
-        let feels = normals.map(|normal| transposed_times(&stiff, &normal));
-        let [[a, b], [c, d]] = normals.map(|normal| pushes.map(|push| dot(&normal, &push)));
-        let determinant = a * d - b * c;
-        if !(determinant.abs() > 1e-14 * (a * d).abs()) {
-            return nothing;
-        }
-        let back = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
-        let taken = |p: usize, q: usize| -> f64 {
-            (0..2).map(|i| (0..2).map(|j| pushes[i][p] * back[i][j] * feels[j][q]).sum::<f64>()).sum()
-        };
-        std::array::from_fn(|p| std::array::from_fn(|q| stiff[p][q] - taken(p, q)))
+        let [normals, flows] = [self.alpha, self.beta].map(|slope| [along.map(|a| a + slope), [1.0, 0.0, 0.0]]);
+        polyhedron::less_two(&stiff, &normals, &flows, 1e-14)
     }
 
     /// The stress with its two greatest at the cut-off, on the cone: with σ₃ = t − x, √J2 = x/√3 and I1 = 3t − x.

@@ -1,8 +1,8 @@
 //! Mohr-Coulomb: friction and cohesion on the worst plane.
 
 use super::elastic::Elastic;
-use super::member::{Member, softened};
-use super::polyhedron::{Face, back, tension};
+use super::member::Member;
+use super::polyhedron::{Face, respond, tension};
 use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
@@ -29,10 +29,7 @@ impl MohrCoulomb {
         let principal = Principal::of(stress).stress;
         let (sin, cos) = self.friction_angle.sin_cos();
         let shear = principal[0] - principal[2] + (principal[0] + principal[2]) * sin - 2.0 * self.cohesion * cos;
-        match self.tension_cutoff {
-            Some(cutoff) => shear.max(principal[0] - cutoff),
-            None => shear,
-        }
+        self.tension_cutoff.map_or(shear, |cutoff| shear.max(principal[0] - cutoff))
     }
 
     /// The three faces that a stress with its principal values in order can meet: between the greatest and the least, and the
@@ -69,23 +66,10 @@ impl Member for MohrCoulomb {
 
 impl Law for MohrCoulomb {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
-        let trial = self.elastic.trial(strain, old);
-        let principal = Principal::of(&trial);
-        let shear = self.faces();
-        let returned = match self.tension_cutoff {
-            None => back(&self.elastic, &principal.stress, &shear),
-            Some(cutoff) => {
-                let [a, b, c] = shear;
-                let [d, e, f] = tension(cutoff);
-                back(&self.elastic, &principal.stress, &[a, b, c, d, e, f])
-            }
-        };
-        match returned {
-            None => self.elastic.holds(trial, old),
-            Some(returned) => {
-                let (stress, tangent) = principal.back(&self.elastic, &returned.stress, &returned.tangent);
-                softened(&self.elastic, strain, old, stress, tangent)
-            }
+        let [a, b, c] = self.faces();
+        match self.tension_cutoff.map(tension) {
+            None => respond(&self.elastic, strain, old, &[a, b, c]),
+            Some([d, e, f]) => respond(&self.elastic, strain, old, &[a, b, c, d, e, f]),
         }
     }
 }

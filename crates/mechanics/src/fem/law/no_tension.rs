@@ -1,9 +1,8 @@
 //! Masonry as a body without any strength in tension.
 
 use super::elastic::Elastic;
-use super::member::{Member, softened};
-use super::polyhedron::{back, tension};
-use super::principal::Principal;
+use super::member::Member;
+use super::polyhedron::{respond, tension};
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
 
@@ -30,15 +29,6 @@ impl Member for NoTension {
 
 impl Law for NoTension {
     fn respond(&self, strain: &Four, _old: &Memory) -> Response {
-        let fresh = Memory::default();
-        let trial = self.elastic.stress(strain);
-        let principal = Principal::of(&trial);
-        match back(&self.elastic, &principal.stress, &tension(0.0)) {
-            None => self.elastic.holds(trial, &fresh),
-            Some(returned) => {
-                let (stress, tangent) = principal.back(&self.elastic, &returned.stress, &returned.tangent);
-                softened(&self.elastic, strain, &fresh, stress, tangent)
-            }
-        }
+        respond(&self.elastic, strain, &Memory::default(), &tension(0.0))
     }
 }

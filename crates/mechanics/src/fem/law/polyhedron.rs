@@ -5,6 +5,9 @@
 //! face or edge takes, as in Clausen, Damkilde, Andersen (2006).
 
 use super::elastic::Elastic;
+use super::member::softened;
+use super::principal::Principal;
+use super::response::{Four, Memory, Response};
 use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
 
 /// A plane bound in principal stresses: `normal · stress ≤ bound`, flow along `flow`.
@@ -27,6 +30,15 @@ pub(super) fn tension(strength: f64) -> [Face; 3] {
         let normal: Three = std::array::from_fn(|j| f64::from(u8::from(i == j)));
         Face { normal, flow: normal, bound: strength }
     })
+}
+
+/// The answer of a law whose strength is a polyhedron.
+pub(super) fn respond(elastic: &Elastic, strain: &Four, old: &Memory, faces: &[Face]) -> Response {
+    let trial = elastic.trial(strain, old);
+    let principal = Principal::of(&trial);
+    let Some(returned) = back(elastic, &principal.stress, faces) else { return elastic.holds(trial, old) };
+    let (stress, tangent) = principal.back(elastic, &returned.stress, &returned.tangent);
+    softened(elastic, strain, old, stress, tangent)
 }
 
 /// Where the way back ends.
@@ -73,7 +85,8 @@ pub(super) fn back(elastic: &Elastic, trial: &Three, faces: &[Face]) -> Option<R
         for j in 0..i {
             let Some((amounts, stress)) = to_edge(&hooke, trial, &faces[j], &faces[i]) else { continue };
             let backward = amounts.iter().fold(0.0, |flaw: f64, amount| flaw.max(-amount * elastic.shear()));
-            if judge(stress, &|| on_edge(&hooke, &faces[j], &faces[i]), backward) {
+            let (normals, flows) = ([faces[j].normal, faces[i].normal], [faces[j].flow, faces[i].flow]);
+            if judge(stress, &|| less_two(&hooke, &normals, &flows, PARALLEL), backward) {
                 return nearest.map(|(_, returned)| returned);
             }
         }
@@ -97,33 +110,37 @@ fn on_face(hooke: &Matrix, face: &Face) -> Matrix {
     std::array::from_fn(|a| std::array::from_fn(|b| hooke[a][b] - push[a] * feel[b] / resistance))
 }
 
-/// How a flow along two faces answers their two excesses: its inverse resistance, none where the faces are parallel.
-fn edge(hooke: &Matrix, one: &Face, two: &Face) -> Option<([Three; 2], [[f64; 2]; 2])> {
-    let push = [times(hooke, &one.flow), times(hooke, &two.flow)];
-    let resistance = [one, two].map(|face| [dot(&face.normal, &push[0]), dot(&face.normal, &push[1])]);
-    let [[a, b], [c, d]] = resistance;
+/// How a flow along two directions answers two excesses: what it pushes, and its inverse resistance; none where they are parallel to
+/// within a share `least`.
+fn two(stiff: &Matrix, normals: &[Three; 2], flows: &[Three; 2], least: f64) -> Option<([Three; 2], [[f64; 2]; 2])> {
+    let push = flows.map(|flow| times(stiff, &flow));
+    let [[a, b], [c, d]] = normals.map(|normal| push.map(|push| dot(&normal, &push)));
     let determinant = a * d - b * c;
-    if !(determinant.abs() > 1e-12 * (a * d).abs()) {
+    if !(determinant.abs() > least * (a * d).abs()) {
         return None;
     }
     Some((push, [[d / determinant, -b / determinant], [-c / determinant, a / determinant]]))
 }
 
+/// The stiffness that a flow along two directions leaves: none where they are parallel to within a share `least`.
+pub(super) fn less_two(stiff: &Matrix, normals: &[Three; 2], flows: &[Three; 2], least: f64) -> Matrix {
+    let Some((push, inverse)) = two(stiff, normals, flows, least) else { return [[0.0; 3]; 3] };
+    let feel = normals.map(|normal| transposed_times(stiff, &normal));
+    let taken = |a: usize, b: usize| -> f64 {
+        (0..2).map(|i| (0..2).map(|j| push[i][a] * inverse[i][j] * feel[j][b]).sum::<f64>()).sum()
+    };
+    std::array::from_fn(|a| std::array::from_fn(|b| stiff[a][b] - taken(a, b)))
+}
+
+/// Share of their stiffness to within which two faces count as parallel.
+const PARALLEL: f64 = 1e-12;
+
 fn to_edge(hooke: &Matrix, trial: &Three, one: &Face, two: &Face) -> Option<([f64; 2], Three)> {
-    let (push, inverse) = edge(hooke, one, two)?;
+    let (push, inverse) = self::two(hooke, &[one.normal, two.normal], &[one.flow, two.flow], PARALLEL)?;
     let excess = [one.excess(trial), two.excess(trial)];
     let amounts = inverse.map(|row| row[0] * excess[0] + row[1] * excess[1]);
     let stress = std::array::from_fn(|c| trial[c] - amounts[0] * push[0][c] - amounts[1] * push[1][c]);
     Some((amounts, stress))
-}
-
-fn on_edge(hooke: &Matrix, one: &Face, two: &Face) -> Matrix {
-    let Some((push, inverse)) = edge(hooke, one, two) else { return [[0.0; 3]; 3] };
-    let feel = [transposed_times(hooke, &one.normal), transposed_times(hooke, &two.normal)];
-    let taken = |a: usize, b: usize| -> f64 {
-        (0..2).map(|i| (0..2).map(|j| push[i][a] * inverse[i][j] * feel[j][b]).sum::<f64>()).sum()
-    };
-    std::array::from_fn(|a| std::array::from_fn(|b| hooke[a][b] - taken(a, b)))
 }
 
 /// The admissible corner nearest to the trial in the energy of elastic strain.

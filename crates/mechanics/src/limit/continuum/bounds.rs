@@ -4,19 +4,16 @@ use super::conic::Ending;
 use super::flow::{Flow, flow};
 use super::lower::{Ends, Stresses, lower, push, share_carried};
 use super::mesh::Mesh;
-use super::model::Continuum;
-use super::report::{Pressure, motions, of_blocks, pressures};
+use super::report::{Pressure, of_blocks, pressures};
 use super::setting::Setting;
 use super::sideways::{Sideways, linear};
 use super::triangulate::{MeshError, triangulate};
 use super::upper::{Motion, jumps, share, strain_rates, upper};
-use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::ids::{BlockId, Table};
 use crate::limit::outcome::{Outcome, Status};
-use crate::limit::settings::{Friction, Settings};
+use crate::limit::settings::Friction;
 use crate::plane::Vec2;
 use crate::watch::CancelToken;
-use thiserror::Error;
 
 /// How close the bounds are wanted, and at what cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,17 +51,6 @@ pub enum BoundsStatus {
     Cancelled,
 }
 
-/// Why bounds cannot be asked for.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum ContinuumError {
-    /// The blocks.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// The regions.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-}
-
 /// One mesh and what was found on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Round {
@@ -74,6 +60,13 @@ pub struct Round {
     pub lower: Option<f64>,
     /// Upper bound, where its program was solved.
     pub upper: Option<f64>,
+}
+
+impl Round {
+    pub(super) fn of(mesh: &Mesh, lower: Option<&Stresses>, upper: Option<&Motion>) -> Round {
+        let (lower, upper) = (lower.map(|stresses| stresses.factor), upper.map(|motion| motion.factor));
+        Round { elements: mesh.triangles.len(), lower, upper }
+    }
 }
 
 /// What was found.
@@ -114,6 +107,7 @@ impl Bounds {
 
     /// Nothing found yet.
     pub(super) fn begun(setting: &Setting<'_>, mesh: Mesh) -> Bounds {
+        let interfaces = setting.interfaces.clone();
         Bounds {
             status: BoundsStatus::NotConverged,
             lower: None,
@@ -124,17 +118,17 @@ impl Bounds {
             share: None,
             carried: None,
             rounds: Vec::new(),
-            blocks: without_numbers(setting),
+            blocks: Outcome::without_numbers(Status::NotConverged, Friction::Associated, interfaces, 0),
             motions: Table::default(),
             pressures: Vec::new(),
         }
     }
 
-    fn take(&mut self, setting: &Setting<'_>, model: &BlockModel, mesh: Mesh, below: Stresses, above: Motion) {
+    fn take(&mut self, setting: &Setting<'_>, mesh: Mesh, below: Stresses, above: Motion) {
         self.gaps = gaps(setting, &mesh, &below, &above);
         self.status = BoundsStatus::Bounded;
-        self.blocks = of_blocks(setting, model, &below, &above);
-        self.motions = motions(setting, &above);
+        self.blocks = of_blocks(setting, &below, &above);
+        self.motions = setting.equilibrium.motions(&above.blocks);
         self.pressures = pressures(setting.soil, &mesh, &below);
         let before = std::mem::replace(&mut self.mesh, mesh);
         self.coarser = self.lower.as_ref().and(Some(before));
@@ -163,19 +157,11 @@ const POWER: f64 = 0.6;
 /// bounds.
 ///
 /// # Errors
-/// Particles, a block whose rounding leaves nothing of an edge, or regions that have no mesh.
-pub fn collapse_bounds(
-    model: &BlockModel,
-    loading: &Loading,
-    settings: &Settings,
-    soil: &Continuum,
-    wanted: &Wanted,
-    token: &CancelToken,
-) -> Result<Bounds, ContinuumError> {
-    let setting = Setting::new(model, loading, settings, soil)?;
-    let mesh = triangulate(soil, wanted.first.min(wanted.elements))?;
-    let bounds = Bounds::begun(&setting, mesh.clone());
-    Ok(refined(&setting, model, (bounds, mesh), wanted, token))
+/// Regions that have no mesh.
+pub fn collapse_bounds(setting: &Setting<'_>, wanted: &Wanted, token: &CancelToken) -> Result<Bounds, MeshError> {
+    let mesh = triangulate(setting.soil, wanted.first.min(wanted.elements))?;
+    let bounds = Bounds::begun(setting, mesh.clone());
+    Ok(refined(setting, (bounds, mesh), wanted, token))
 }
 
 /// Bounds that were found, closer by at most as many meshes as are wanted; as they are where they are close enough, where the mesh has as
@@ -184,30 +170,23 @@ pub fn collapse_bounds(
 /// # Errors
 /// Those of [`collapse_bounds`].
 pub fn closer_bounds(
-    (model, loading): (&BlockModel, &Loading),
-    settings: &Settings,
-    soil: &Continuum,
+    setting: &Setting<'_>,
     wanted: &Wanted,
     bounds: &Bounds,
     token: &CancelToken,
-) -> Result<Bounds, ContinuumError> {
+) -> Result<Bounds, MeshError> {
     if bounds.status == BoundsStatus::LowerAlone {
-        let setting = Setting::new(model, loading, settings, soil)?;
-        return match (bounds.lower.clone(), upper(&setting, &bounds.mesh, token)) {
+        return match (bounds.lower.clone(), upper(setting, &bounds.mesh, token)) {
             (_, Err(Ending::Cancelled)) => Ok(bounds.clone()),
             (Some(below), Ok(above)) => {
-                let round = Round {
-                    elements: bounds.mesh.triangles.len(),
-                    lower: Some(below.factor),
-                    upper: Some(above.factor),
-                };
-                let mut both = Bounds { rounds: vec![round], ..Bounds::begun(&setting, bounds.mesh.clone()) };
-                both.take(&setting, model, bounds.mesh.clone(), below, above);
+                let rounds = vec![Round::of(&bounds.mesh, Some(&below), Some(&above))];
+                let mut both = Bounds { rounds, ..Bounds::begun(setting, bounds.mesh.clone()) };
+                both.take(setting, bounds.mesh.clone(), below, above);
                 Ok(both)
             }
             // What is carried stays proven where no motion is found.
             _ => {
-                let found = collapse_bounds(model, loading, settings, soil, wanted, token)?;
+                let found = collapse_bounds(setting, wanted, token)?;
                 Ok(if found.status == BoundsStatus::Bounded { found } else { bounds.clone() })
             }
         };
@@ -217,9 +196,8 @@ pub fn closer_bounds(
     if met || bounds.status != BoundsStatus::Bounded || bounds.mesh.triangles.len() >= wanted.elements {
         return Ok(bounds);
     }
-    let setting = Setting::new(model, loading, settings, soil)?;
-    Ok(match finer(&bounds, soil, wanted) {
-        Some(mesh) => refined(&setting, model, (bounds, mesh), wanted, token),
+    Ok(match finer(setting, &bounds, wanted) {
+        Some(mesh) => refined(setting, (bounds, mesh), wanted, token),
         None => bounds,
     })
 }
@@ -227,12 +205,10 @@ pub fn closer_bounds(
 /// Both bounds on a mesh, and on finer ones until they are as close as wanted.
 fn refined(
     setting: &Setting<'_>,
-    model: &BlockModel,
     (mut bounds, mut mesh): (Bounds, Mesh),
     wanted: &Wanted,
     token: &CancelToken,
 ) -> Bounds {
-    let soil = setting.soil;
     let last = bounds.rounds.len().saturating_add(wanted.rounds);
     let mut most = None;
     loop {
@@ -244,11 +220,7 @@ fn refined(
             }
             return bounds;
         }
-        bounds.rounds.push(Round {
-            elements: mesh.triangles.len(),
-            lower: below.as_ref().ok().map(|s| s.factor),
-            upper: above.as_ref().ok().map(|m| m.factor),
-        });
+        bounds.rounds.push(Round::of(&mesh, below.as_ref().ok(), above.as_ref().ok()));
         let (below, above) = match (below, above) {
             (Ok(below), Ok(above)) => (below, above),
             (Err(Ending::Endless), _) => {
@@ -268,8 +240,8 @@ fn refined(
                 // A coarse mesh may hold no stresses that carry the weight where a finer one does, or no motion: refined where the stresses
                 // that carry most of the weight are worked hardest, or everywhere where these are not known.
                 let finer = match bounds.gaps.is_empty() {
-                    false => finer(&bounds, soil, &Wanted { elements: most, ..*wanted }),
-                    true => Some(bounds.mesh.refined(&vec![true; bounds.mesh.triangles.len()], soil).0),
+                    false => finer(setting, &bounds, &Wanted { elements: most, ..*wanted }),
+                    true => Some(bounds.mesh.refined(&vec![true; bounds.mesh.triangles.len()], setting.soil).0),
                 };
                 let Some(finer) = finer.filter(|finer| finer.triangles.len() <= OVER * most) else { return bounds };
                 mesh = finer;
@@ -277,13 +249,13 @@ fn refined(
             }
         };
         let met = below.factor > 0.0 && above.factor <= wanted.ratio * below.factor;
-        bounds.take(setting, model, mesh, below, above);
+        bounds.take(setting, mesh, below, above);
         let count = bounds.mesh.triangles.len();
         token.reach((count as f64 / wanted.elements as f64).min(0.99));
         if met || count >= wanted.elements || bounds.rounds.len() >= last {
             return bounds;
         }
-        let Some(finer) = finer(&bounds, soil, wanted) else { return bounds };
+        let Some(finer) = finer(setting, &bounds, wanted) else { return bounds };
         mesh = finer;
     }
 }
@@ -299,43 +271,16 @@ pub enum Which {
 
 /// One bound on a mesh that is given, of a body with other strengths or loads; none where its program was not solved. The boundary must
 /// touch the same things as that for which the mesh was made.
-///
-/// # Errors
-/// Particles, or a block whose rounding leaves nothing of an edge.
-pub fn bound_on(
-    which: Which,
-    (model, loading): (&BlockModel, &Loading),
-    settings: &Settings,
-    soil: &Continuum,
-    mesh: &Mesh,
-    token: &CancelToken,
-) -> Result<Option<f64>, ContinuumError> {
-    let setting = Setting::new(model, loading, settings, soil)?;
-    Ok(match which {
-        Which::Lower => lower(&setting, mesh, token).ok().map(|field| field.factor),
-        Which::Upper => upper(&setting, mesh, token).ok().map(|motion| motion.factor),
-    })
+pub fn bound_on(which: Which, setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Option<f64> {
+    match which {
+        Which::Lower => lower(setting, mesh, token).ok().map(|field| field.factor),
+        Which::Upper => upper(setting, mesh, token).ok().map(|motion| motion.factor),
+    }
 }
 
 /// Flow that dilates by an angle [rad], found by iteration on a mesh that is given; none where a program was not solved.
-///
-/// # Errors
-/// Particles, or a block whose rounding leaves nothing of an edge.
-pub fn flow_on(
-    dilatancy: f64,
-    (model, loading): (&BlockModel, &Loading),
-    settings: &Settings,
-    soil: &Continuum,
-    mesh: &Mesh,
-    token: &CancelToken,
-) -> Result<Option<Flow>, ContinuumError> {
-    let setting = Setting::new(model, loading, settings, soil)?;
-    Ok(flow(&setting, mesh, dilatancy, token).ok())
-}
-
-/// The joints, and nothing found.
-fn without_numbers(setting: &Setting<'_>) -> Outcome {
-    Outcome::without_numbers(Status::NotConverged, Friction::Associated, setting.interfaces.clone(), 0)
+pub fn flow_on(dilatancy: f64, setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Option<Flow> {
+    flow(setting, mesh, dilatancy, token).ok()
 }
 
 /// What is known where one program or both were not solved on a mesh.
@@ -406,7 +351,7 @@ fn gaps_beside(setting: &Setting<'_>, mesh: &Mesh, below: &Stresses, above: &Mot
 }
 
 /// The mesh refined where the gap is; none where nothing is left to refine.
-fn finer(bounds: &Bounds, soil: &Continuum, wanted: &Wanted) -> Option<Mesh> {
+fn finer(setting: &Setting<'_>, bounds: &Bounds, wanted: &Wanted) -> Option<Mesh> {
     let over = bounds.ratio().map_or(f64::INFINITY, |ratio| (ratio - 1.0) / (wanted.ratio - 1.0));
     let growth = (1.1 * over).powf(POWER).clamp(GROWTH[0], GROWTH[1]);
     let mut mesh = bounds.mesh.clone();
@@ -425,7 +370,7 @@ fn finer(bounds: &Bounds, soil: &Continuum, wanted: &Wanted) -> Option<Mesh> {
             marked[t] = true;
             sum += gaps[t];
         }
-        let (next, parents) = mesh.refined(&marked, soil);
+        let (next, parents) = mesh.refined(&marked, setting.soil);
         if next.triangles.len() == mesh.triangles.len() {
             break;
         }

@@ -3,11 +3,10 @@
 //! Stresses, contact forces and the load factor are the variables, equilibrium the equations. They are handed to the solver as its dual
 //! problem: the velocities are then what it seeks, and there are fewer of them than stresses.
 
-use crate::limit::interior_point::{Accuracy, minimise};
+use crate::limit::interior_point::{Accuracy, compressed, minimise};
 use crate::watch::CancelToken;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
-
 use std::ops::Range;
 
 #[cfg(test)]
@@ -267,15 +266,7 @@ impl Conic {
                 }
             }
         }
-        let (mut starts, mut indices, mut values) = (vec![0], Vec::new(), Vec::new());
-        for column in &by_equation {
-            for &(row, v) in column.iter().filter(|(_, v)| *v != 0.0) {
-                indices.push(row);
-                values.push(v);
-            }
-            starts.push(indices.len());
-        }
-        let b = order.iter().map(|&i| self.cost[i]).collect();
-        (CscMatrix::new(order.len(), self.right.len(), starts, indices, values), b)
+        by_equation.iter_mut().for_each(|column| column.retain(|(_, v)| *v != 0.0));
+        (compressed(order.len(), &by_equation), order.iter().map(|&i| self.cost[i]).collect())
     }
 }

@@ -4,33 +4,18 @@
 //! motions that the flow rule of its contact allows, the one that lowers its load most is the line that touches the moving surface from above.
 //! The work equation of the whole is then summed up anew, so that the bound is as strict as any other.
 
-use super::bounds::{Bounds, ContinuumError};
-use super::lower::Ends;
+use super::bounds::Bounds;
 use super::mesh::Mesh;
-use super::model::Continuum;
 use super::setting::Setting;
-use super::upper::{CONTROL, Motion, SOUND, nodes, work};
-use crate::blocks::{BlockModel, Loading};
+use super::upper::{Motion, SOUND, moving, work};
 use crate::ids::BlockId;
-use crate::limit::settings::Settings;
 use crate::plane::{Vec2, vec2};
 
 /// An upper bound on the factor of other loads on the same soil and the same blocks, of which the first `shared` stay and the rest are plates;
 /// none where the motion of these bounds raises the loads, or where no plate rides on it.
-///
-/// # Errors
-/// Particles, or a block whose rounding leaves nothing of an edge.
-pub fn bound_elsewhere(
-    bounds: &Bounds,
-    shared: usize,
-    model: &BlockModel,
-    loading: &Loading,
-    settings: &Settings,
-    soil: &Continuum,
-) -> Result<Option<f64>, ContinuumError> {
-    let Some(motion) = &bounds.upper else { return Ok(None) };
-    let setting = Setting::new(model, loading, settings, soil)?;
-    let (mesh, parents) = bounds.mesh.divided_at(soil);
+pub fn bound_elsewhere(bounds: &Bounds, shared: usize, setting: &Setting<'_>) -> Option<f64> {
+    let motion = bounds.upper.as_ref()?;
+    let (mesh, parents) = bounds.mesh.divided_at(setting.soil);
     let velocities = carried(&bounds.mesh, motion, &mesh, &parents);
     let eq = &setting.equilibrium;
     let mut blocks = vec![0.0; eq.rows];
@@ -42,16 +27,16 @@ pub fn bound_elsewhere(
     for (block, &(v, turn)) in bounds.motions.pairs().take(shared) {
         set(block, v, turn);
     }
-    for (block, own) in model.blocks.pairs().skip(shared) {
-        let Some(ride) = ride(&setting, &mesh, loading, block, &velocities) else { return Ok(None) };
+    for (block, own) in setting.model.blocks.pairs().skip(shared) {
+        let ride = ride(setting, &mesh, block, &velocities)?;
         let centre = own.outline.centroid();
         let arm = ride.at - centre;
         set(block, vec2(ride.velocity.x + ride.turn * arm.y, ride.velocity.y - ride.turn * arm.x), ride.turn);
     }
-    let (found, fastest) = work(&setting, &mesh, velocities, blocks, motion.panels.clone());
+    let (found, fastest) = work(setting, &mesh, velocities, blocks, motion.panels.clone());
     let factor = found.factor + motion.doubt / (found.power * fastest);
     let sound = found.power > 0.0 && found.flow_violation <= SOUND && factor.is_finite();
-    Ok(sound.then_some(factor))
+    sound.then_some(factor)
 }
 
 /// The velocities of a motion at the nodes of a mesh whose triangles are pieces of its own: they are quadratic in each.
@@ -84,20 +69,16 @@ struct Ride {
 type Under = (f64, f64);
 
 /// The motion of a plate that lowers its loads most; none where it has no loads, or where it stands on no edge of the mesh.
-fn ride(setting: &Setting<'_>, mesh: &Mesh, loading: &Loading, block: BlockId, velocities: &[Vec2]) -> Option<Ride> {
-    let loads = || loading.variable.iter().filter(|load| load.block == block);
+fn ride(setting: &Setting<'_>, mesh: &Mesh, block: BlockId, velocities: &[Vec2]) -> Option<Ride> {
+    let loads = || setting.loading.variable.iter().filter(|load| load.block == block);
     let force: f64 = loads().map(|load| load.force.y).sum();
     let middle = loads().map(|load| load.force.y * load.at.x).sum::<f64>() / force;
     let (mut points, mut level, mut friction) = (Vec::new(), 0.0, 0.0);
     for e in 0..mesh.edges.len() {
         let Some((Some(body), contact)) = setting.body(mesh, e) else { continue };
         if body == block {
-            let [a, b] = Ends::of(mesh, e).points;
-            (level, friction) = (a.y, contact.friction);
-            for (point, weights) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL) {
-                let of = nodes(mesh, e).into_iter().zip(weights);
-                points.push((point.x, of.fold(Vec2::ZERO, |sum, (n, w)| sum + velocities[n] * w)));
-            }
+            (level, friction) = (mesh.ends(e)[0].y, contact.friction);
+            points.extend(moving(mesh, e, velocities).map(|(point, v)| (point.x, v)));
         }
     }
     if points.is_empty() || !middle.is_finite() {

@@ -10,7 +10,7 @@ use super::conic::Ending;
 use super::lower::{Ends, Stresses, check, push, within};
 use super::mesh::Mesh;
 use super::model::{Contact, Soil};
-use super::setting::Setting;
+use super::setting::{Question, Setting};
 use super::strengths::Strengths;
 use crate::watch::CancelToken;
 
@@ -42,12 +42,12 @@ const LEAST: f64 = 1e-7;
 /// Follows the iteration on a mesh, for a dilatancy angle [rad].
 pub(super) fn flow(setting: &Setting<'_>, mesh: &Mesh, dilatancy: f64, token: &CancelToken) -> Result<Flow, Ending> {
     let whole = Strengths::of(setting, mesh);
-    let mut field = within(setting, mesh, &whole.reduced(dilatancy), token)?;
+    let mut field = within(setting, mesh, &whole.reduced(dilatancy), Question::Factor, token)?;
     let mut means = Means::of(setting, mesh, &field);
     let mut found = Flow { factor: field.factor, change: f64::INFINITY, excess: 0.0, rounds: 1, settled: false };
     let mut calm = 0;
     while found.rounds < ROUNDS && calm < 2 {
-        field = within(setting, mesh, &means.strengths(setting, &whole, dilatancy), token)?;
+        field = within(setting, mesh, &means.strengths(setting, &whole, dilatancy), Question::Factor, token)?;
         found.change = (field.factor / found.factor - 1.0).abs();
         (found.factor, found.rounds) = (field.factor, found.rounds + 1);
         calm = if found.change < SETTLED { calm + 1 } else { 0 };

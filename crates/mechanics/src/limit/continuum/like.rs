@@ -3,16 +3,13 @@
 //! A mesh that refinement has made knows where stresses need it fine: about its load, and about the hinges of its mechanism. For a load a
 //! little farther along the first moves with it and the second stay, so that one mesh serves where several would be refined one after the other.
 
-use super::bounds::{Bounds, BoundsStatus, ContinuumError, Round, Wanted, collapse_bounds};
+use super::bounds::{Bounds, BoundsStatus, Round, Wanted, collapse_bounds};
 use super::conic::Ending;
 use super::lower::lower;
 use super::mesh::Mesh;
-use super::model::Continuum;
 use super::setting::Setting;
 use super::triangulate::{MeshError, triangulate};
 use super::upper::upper;
-use crate::blocks::{BlockModel, Loading};
-use crate::limit::settings::Settings;
 use crate::plane::{Vec2, vec2};
 use crate::watch::CancelToken;
 
@@ -31,25 +28,21 @@ pub struct Like<'a> {
 /// # Errors
 /// Those of [`collapse_bounds`].
 pub fn lower_like(
-    (model, loading): (&BlockModel, &Loading),
-    settings: &Settings,
-    soil: &Continuum,
+    setting: &Setting<'_>,
     like: &[Like<'_>],
     wanted: &Wanted,
     token: &CancelToken,
-) -> Result<Bounds, ContinuumError> {
-    let setting = Setting::new(model, loading, settings, soil)?;
-    let mesh = graded(soil, like, wanted, COARSER)?;
-    let below = match lower(&setting, &mesh, token) {
+) -> Result<Bounds, MeshError> {
+    let mesh = graded(setting, like, wanted, COARSER)?;
+    let below = match lower(setting, &mesh, token) {
         Ok(below) => below,
         Err(Ending::Cancelled) => {
-            return Ok(Bounds { status: BoundsStatus::Cancelled, ..Bounds::begun(&setting, mesh) });
+            return Ok(Bounds { status: BoundsStatus::Cancelled, ..Bounds::begun(setting, mesh) });
         }
-        Err(_) => return collapse_bounds(model, loading, settings, soil, wanted, token),
+        Err(_) => return collapse_bounds(setting, wanted, token),
     };
-    let round = Round { elements: mesh.triangles.len(), lower: Some(below.factor), upper: None };
-    let bounds = Bounds::begun(&setting, mesh);
-    Ok(Bounds { status: BoundsStatus::LowerAlone, lower: Some(below), rounds: vec![round], ..bounds })
+    let rounds = vec![Round::of(&mesh, Some(&below), None)];
+    Ok(Bounds { status: BoundsStatus::LowerAlone, lower: Some(below), rounds, ..Bounds::begun(setting, mesh) })
 }
 
 /// An upper bound alone, on a mesh about a third as fine as others are; none where no motion is found on it.
@@ -57,16 +50,13 @@ pub fn lower_like(
 /// # Errors
 /// Those of [`collapse_bounds`].
 pub fn upper_like(
-    (model, loading): (&BlockModel, &Loading),
-    settings: &Settings,
-    soil: &Continuum,
+    setting: &Setting<'_>,
     like: &[Like<'_>],
     wanted: &Wanted,
     token: &CancelToken,
-) -> Result<Option<f64>, ContinuumError> {
-    let setting = Setting::new(model, loading, settings, soil)?;
-    let mesh = graded(soil, like, wanted, ROUGH)?;
-    Ok(upper(&setting, &mesh, token).ok().map(|motion| motion.factor))
+) -> Result<Option<f64>, MeshError> {
+    let mesh = graded(setting, like, wanted, ROUGH)?;
+    Ok(upper(setting, &mesh, token).ok().map(|motion| motion.factor))
 }
 
 /// Area of a triangle over that of others there from which on it is divided: for lower bounds, and for upper bounds.
@@ -74,8 +64,8 @@ const COARSER: f64 = 1.4;
 const ROUGH: f64 = 4.0;
 
 /// The first mesh, divided where others are finer.
-fn graded(soil: &Continuum, like: &[Like<'_>], wanted: &Wanted, coarser: f64) -> Result<Mesh, MeshError> {
-    let mut mesh = triangulate(soil, wanted.first.min(wanted.elements))?;
+fn graded(setting: &Setting<'_>, like: &[Like<'_>], wanted: &Wanted, coarser: f64) -> Result<Mesh, MeshError> {
+    let mut mesh = triangulate(setting.soil, wanted.first.min(wanted.elements))?;
     let sizes: Vec<(Sizes<'_>, f64)> = like.iter().map(|like| (Sizes::of(like.mesh), like.shift)).collect();
     loop {
         let coarse = |t: &usize| {
@@ -87,7 +77,7 @@ fn graded(soil: &Continuum, like: &[Like<'_>], wanted: &Wanted, coarser: f64) ->
         if !marked.contains(&true) {
             return Ok(mesh);
         }
-        let (finer, _) = mesh.refined(&marked, soil);
+        let (finer, _) = mesh.refined(&marked, setting.soil);
         if finer.triangles.len() > wanted.elements {
             return Ok(mesh);
         }

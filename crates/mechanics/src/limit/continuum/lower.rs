@@ -54,12 +54,12 @@ fn traction(stress: &[Affine; 3], n: Vec2) -> [Affine; 2] {
 
 /// Finds the best stress field on a mesh.
 pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Stresses, Ending> {
-    within(setting, mesh, &Strengths::of(setting, mesh), token)
+    within(setting, mesh, &Strengths::of(setting, mesh), Question::Factor, token)
 }
 
 /// The stress field on a mesh that carries the largest share of the permanent loads, up to all; its factor is that share.
 pub(super) fn share_carried(setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Result<Stresses, Ending> {
-    best(setting, mesh, &Strengths::of(setting, mesh), Question::Share, token)
+    within(setting, mesh, &Strengths::of(setting, mesh), Question::Share, token)
 }
 
 /// The program of a mesh.
@@ -78,7 +78,7 @@ pub(super) struct Asked {
 pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, question: Question) -> Asked {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, question);
-    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let [permanent, variable] = &base.loads;
     let unit = setting.force;
     let panels = setting.panels();
     let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
@@ -113,8 +113,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 program.add(row, g.x, &s[if axis == 0 { 0 } else { 2 }]);
                 program.add(row, g.y, &s[if axis == 0 { 2 } else { 1 }]);
             }
-            program.add(row, area / size * weights[0], &permanent);
-            program.add(row, area / size * weights[1], &variable);
+            program.add(row, area / size * weights[0], permanent);
+            program.add(row, area / size * weights[1], variable);
         }
     }
     for e in 0..mesh.edges.len() {
@@ -139,8 +139,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 for (axis, loads) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
                     let row = program.equation(0.0);
                     program.add(row, 1.0, &t[axis]);
-                    program.add(row, -loads[0], &permanent);
-                    program.add(row, -loads[1], &variable);
+                    program.add(row, -loads[0], permanent);
+                    program.add(row, -loads[1], variable);
                 }
             }
             continue;
@@ -169,15 +169,6 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
 
 /// The best stress field within strengths that vary from corner to corner.
 pub(super) fn within(
-    setting: &Setting<'_>,
-    mesh: &Mesh,
-    strengths: &Strengths,
-    token: &CancelToken,
-) -> Result<Stresses, Ending> {
-    best(setting, mesh, strengths, Question::Factor, token)
-}
-
-fn best(
     setting: &Setting<'_>,
     mesh: &Mesh,
     strengths: &Strengths,
@@ -292,12 +283,10 @@ pub(super) fn check(
         }
     }
     let eq = &setting.equilibrium;
-    let mut blocks: Vec<f64> = (0..eq.rows)
+    let loads = (0..eq.rows)
         .map(|i| share * eq.permanent[i] * eq.force + eq.variable[i] * eq.force / eq.factor_scale * variable)
         .collect();
-    for (column, f) in eq.columns.iter().zip(&field.forces) {
-        column.iter().for_each(|&(i, v)| blocks[i] += v * f);
-    }
+    let mut blocks = eq.balance(loads, &field.forces);
     for e in 0..mesh.edges.len() {
         let at = Ends::of(mesh, e);
         let of = |t: usize| at.corners(mesh, t).map(|k| push(field.stresses[t][k], at.normal));
@@ -328,7 +317,7 @@ pub(super) fn check(
     }
     let residual = blocks.iter().fold(residual, |m, r| m.max(r.abs()));
     let scaled: Vec<f64> = field.forces.iter().map(|f| f / eq.force).collect();
-    let joints = crate::limit::bounds::yield_violation(eq, &setting.joints, &setting.strengths, &scaled) * eq.force;
+    let joints = crate::limit::bounds::yield_violation(eq, &scaled) * eq.force;
     let all = (setting.loads[0] + variable.abs() * setting.loads[1]).max(f64::MIN_POSITIVE);
     (residual / all, beyond.max(joints) / all)
 }

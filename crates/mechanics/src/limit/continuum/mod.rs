@@ -26,8 +26,7 @@ mod upper;
 mod yielding;
 
 pub use bounds::{
-    Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, Which, bound_on, closer_bounds, collapse_bounds,
-    flow_on,
+    Bounds, BoundsStatus, FIRST, Round, Wanted, Which, bound_on, closer_bounds, collapse_bounds, flow_on,
 };
 pub use elsewhere::bound_elsewhere;
 pub use flow::Flow;
@@ -36,5 +35,6 @@ pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
 pub use model::{Bears, Confinement, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};
 pub use report::Pressure;
+pub use setting::Setting;
 pub use triangulate::MeshError;
 pub use upper::Motion;

@@ -5,9 +5,8 @@ use super::mesh::Mesh;
 use super::model::{Bears, Continuum};
 use super::setting::Setting;
 use super::upper::Motion;
-use crate::blocks::BlockModel;
-use crate::ids::{BlockId, Table};
-use crate::limit::collapse::{joint_forces, resultant};
+use crate::ids::BlockId;
+use crate::limit::collapse::{joint_forces, resultants};
 use crate::limit::mechanism::mechanism;
 use crate::limit::outcome::{Outcome, Status};
 use crate::limit::settings::Friction;
@@ -27,11 +26,10 @@ pub struct Pressure {
 }
 
 /// Forces, lines of thrust, hinges: of the stresses the forces, of the motion the mechanism.
-pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stresses, above: &Motion) -> Outcome {
+pub(super) fn of_blocks(setting: &Setting<'_>, below: &Stresses, above: &Motion) -> Outcome {
     let eq = &setting.equilibrium;
     let scaled: Vec<f64> = below.forces.iter().map(|f| f / eq.force).collect();
-    let forces = joint_forces(eq, &setting.joints, &scaled);
-    let resultants = setting.joints.iter().zip(&forces).map(|(j, f)| resultant(j, f)).collect();
+    let forces = joint_forces(eq, &scaled);
     Outcome {
         factor: Some(below.factor),
         lower_bound: Some(below.factor),
@@ -39,9 +37,9 @@ pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stres
         equilibrium_residual: below.equilibrium_residual,
         yield_violation: below.yield_violation,
         flow_violation: above.flow_violation,
+        resultants: resultants(eq, &forces),
         forces,
-        resultants,
-        mechanism: mechanism(model, eq, &setting.joints, &above.blocks),
+        mechanism: mechanism(setting.model, eq, &above.blocks),
         associated_factor: Some(below.factor),
         ..Outcome::without_numbers(
             Status::Solved,
@@ -50,11 +48,6 @@ pub(super) fn of_blocks(setting: &Setting<'_>, model: &BlockModel, below: &Stres
             below.iterations + above.iterations,
         )
     }
-}
-
-/// Translation [m] and rotation [rad] of each block, in the scale of the velocities of the soil.
-pub(super) fn motions(setting: &Setting<'_>, above: &Motion) -> Table<BlockId, (Vec2, f64)> {
-    setting.equilibrium.motions(&above.blocks)
 }
 
 /// Pressures on all blocks that touch the soil, sorted by block and then from left to right.

@@ -3,32 +3,33 @@
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
 use super::model::{Bears, Contact, Continuum, Panel, Soil};
-use crate::blocks::{BlockModel, Loading, ModelError};
-use crate::ids::{BlockId, Table};
+use super::triangulate::area;
+use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
+use crate::ids::BlockId;
 use crate::limit::equilibrium::Equilibrium;
-use crate::limit::joints::{Joint, Strength, joints};
 use crate::limit::settings::Settings;
-use crate::plane::Vec2;
+use crate::plane::{Vec2, vec2};
 
-/// Blocks, loads and units; the same for every mesh.
-pub(super) struct Setting<'a> {
-    pub soil: &'a Continuum,
-    pub joints: Vec<Joint>,
-    pub interfaces: Vec<crate::blocks::Interface>,
-    pub strengths: Vec<Strength>,
-    pub equilibrium: Equilibrium,
-    centroids: Table<BlockId, Vec2>,
+/// Blocks, soil, loads and units: what bounds are asked of, the same for every mesh.
+pub struct Setting<'a> {
+    pub(super) model: &'a BlockModel,
+    pub(super) loading: &'a Loading,
+    pub(super) soil: &'a Continuum,
+    pub(super) interfaces: Vec<Interface>,
+    pub(super) equilibrium: Equilibrium,
     /// Unit of force [N/m]; that of stress is this over 1 m.
-    pub force: f64,
+    pub(super) force: f64,
     /// The scaled factor is the factor divided by this.
-    pub factor_scale: f64,
+    pub(super) factor_scale: f64,
     /// Sum of the sizes of all permanent and of all variable loads [N/m].
-    pub loads: [f64; 2],
+    pub(super) loads: [f64; 2],
 }
 
 /// Where the factor and the forces of the joints stand among the variables of a program. The equations of the blocks are the first ones.
 pub(super) struct Base {
     pub factor: usize,
+    /// What permanent and variable loads are multiplied by, in the units of the program.
+    pub loads: [Affine; 2],
     pub forces: Vec<usize>,
 }
 
@@ -42,18 +43,17 @@ pub(super) enum Question {
 }
 
 impl<'a> Setting<'a> {
-    pub(super) fn new(
-        model: &BlockModel,
-        loading: &Loading,
+    /// Finds the joints of the blocks and sets up their equations.
+    ///
+    /// # Errors
+    /// Particles, or a block whose rounding leaves nothing of an edge.
+    pub fn new(
+        model: &'a BlockModel,
+        loading: &'a Loading,
         settings: &Settings,
         soil: &'a Continuum,
     ) -> Result<Setting<'a>, ModelError> {
-        let (interfaces, joints) = joints(model, settings)?;
-        let equilibrium = Equilibrium::new(model, loading, &joints);
-        let area = |outline: &[Vec2]| {
-            let next = outline.iter().cycle().skip(1);
-            0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
-        };
+        let (interfaces, equilibrium) = Equilibrium::new(model, loading, settings)?;
         let size = |of: &dyn Fn(&Soil) -> Vec2| -> f64 {
             soil.regions.iter().map(|r| area(&r.outline) * of(&r.soil).norm()).sum()
         };
@@ -77,29 +77,15 @@ impl<'a> Setting<'a> {
         let area: f64 = soil.regions.iter().map(|region| area(&region.outline)).sum();
         let force = force.max(strongest * area.abs().sqrt());
         Ok(Setting {
+            model,
+            loading,
             soil,
             interfaces,
-            strengths: joints.iter().map(|j| j.strength).collect(),
-            joints,
             equilibrium,
-            centroids: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
             force,
             factor_scale: if variable > 0.0 { force / variable } else { 1.0 },
             loads: [permanent, variable],
         })
-    }
-
-    /// What permanent and variable loads are multiplied by, in the units of the program, under a question.
-    pub(super) fn loads_of(&self, question: Question) -> [Share; 2] {
-        match question {
-            Question::Factor => [
-                Share { constant: 1.0 / self.force, factor: 0.0 },
-                Share { constant: 0.0, factor: self.factor_scale / self.force },
-            ],
-            Question::Share => {
-                [Share { constant: 0.0, factor: 1.0 / self.force }, Share { constant: 0.0, factor: 0.0 }]
-            }
-        }
     }
 
     /// The factor, the equations of the blocks, the forces of their joints within strength.
@@ -117,15 +103,22 @@ impl<'a> Setting<'a> {
             }
         };
         program.cost(factor, -1.0);
-        let [permanent, variable] = self.loads_of(question);
+        let times = |share: f64| Affine { terms: vec![(factor, share)], constant: 0.0 };
+        let loads = match question {
+            Question::Factor => {
+                let permanent = Affine { terms: Vec::new(), constant: 1.0 / self.force };
+                [permanent, times(self.factor_scale / self.force)]
+            }
+            Question::Share => [times(1.0 / self.force), Affine::default()],
+        };
         for i in 0..eq.rows {
-            program.add(i, eq.permanent[i] * eq.force, &permanent.of(factor));
-            program.add(i, eq.variable[i] * eq.force / eq.factor_scale, &variable.of(factor));
+            program.add(i, eq.permanent[i] * eq.force, &loads[0]);
+            program.add(i, eq.variable[i] * eq.force / eq.factor_scale, &loads[1]);
         }
         let mut forces = Vec::with_capacity(eq.columns.len());
-        for ((joint, strength), &c) in self.joints.iter().zip(&self.strengths).zip(&eq.first_column) {
+        for joint in &eq.joints {
             let first = forces.len();
-            let n = joint.points.len();
+            let (c, n, strength) = (joint.column, joint.points.len(), &joint.strength);
             let curvature = strength.curvature(n) * self.force;
             let (tension, cohesion) = (strength.tension / self.force, strength.cohesion / self.force);
             for _ in 0..n {
@@ -166,23 +159,19 @@ impl<'a> Setting<'a> {
                 }
             }
         }
-        Base { factor, forces }
+        Base { factor, loads, forces }
     }
 
     /// The equations of a block that a force (1, 0), (0, 1) at a point takes part in, with its coefficients.
     pub(super) fn rows_of(&self, block: BlockId, at: Vec2) -> [Vec<(usize, f64)>; 2] {
-        let arm = at - self.centroids[block];
-        let rows = self.equilibrium.row[block];
-        let of = |values: [f64; 3]| rows.iter().zip(values).filter_map(|(r, v)| r.map(|i| (i, v))).collect();
-        let length = self.equilibrium.length;
-        [of([1.0, 0.0, -arm.y / length]), of([0.0, 1.0, arm.x / length])]
+        [vec2(1.0, 0.0), vec2(0.0, 1.0)].map(|force| self.equilibrium.act(PointForce { block, at, force }).collect())
     }
 
     /// The velocity of a point of a block, of what multiplies its equations.
     pub(super) fn velocity(&self, block: Option<BlockId>, at: Vec2, velocities: &[f64]) -> Vec2 {
         let Some(block) = block else { return Vec2::ZERO };
         let [x, y] = self.rows_of(block, at).map(|rows| rows.iter().map(|&(i, v)| v * velocities[i]).sum::<f64>());
-        crate::plane::vec2(x, y)
+        vec2(x, y)
     }
 
     /// The soil of a triangle.
@@ -214,20 +203,5 @@ impl<'a> Setting<'a> {
             Some(Bears::Load { permanent, variable }) => [permanent, variable],
             _ => [Vec2::ZERO; 2],
         }
-    }
-}
-
-/// What a load is multiplied by: a constant and a multiple of the factor.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Share {
-    constant: f64,
-    factor: f64,
-}
-
-impl Share {
-    /// As a number that depends on the factor.
-    pub(super) fn of(self, factor: usize) -> Affine {
-        let terms = if self.factor == 0.0 { Vec::new() } else { vec![(factor, self.factor)] };
-        Affine { terms, constant: self.constant }
     }
 }

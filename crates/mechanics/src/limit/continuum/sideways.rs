@@ -8,6 +8,7 @@ use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
 use super::model::{Panel, Soil};
 use super::setting::Setting;
+use super::yielding::{corners, slopes};
 
 /// What holds a triangle, and how the soil answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,22 +99,13 @@ impl Soil {
         let power = |p: f64, r: f64| 0.5 * (p * e + r * g) - rate * pressed(p, r);
         // Concave in P and R, and straight between these places.
         let free = -2.0 * cohesive;
-        let mut places = vec![free];
-        for (i, a) in limits.iter().enumerate() {
-            if a.m != 0.0 {
-                places.push(a.k / a.m);
-            }
-            if a.m != -1.0 {
-                places.push((a.k + free) / (1.0 + a.m));
-            }
-            places.extend(limits[i + 1..].iter().filter(|b| b.m != a.m).map(|b| (a.k - b.k) / (a.m - b.m)));
-        }
+        let meets_free = limits.iter().filter(|l| l.m != -1.0).map(|l| (l.k + free) / (1.0 + l.m));
+        let places = [free].into_iter().chain(meets_free).chain(corners(&limits));
         let size = limits.iter().map(|l| l.k.abs()).fold(0.0, f64::max);
         let allowed = |p: &f64| limits.iter().all(|l| l.k - l.m * p >= -1e-12 * size);
         let best = |p: f64| power(p, radius(p)).max(power(p, (p - free).clamp(0.0, radius(p))));
-        let most = places.into_iter().filter(allowed).map(best).fold(f64::NEG_INFINITY, f64::max);
-        let flattest = limits.iter().map(|l| l.m).fold(f64::INFINITY, f64::min);
-        let steepest = limits.iter().map(|l| l.m).fold(f64::NEG_INFINITY, f64::max);
+        let most = places.filter(allowed).map(best).fold(f64::NEG_INFINITY, f64::max);
+        let [flattest, steepest] = slopes(&limits);
         // Without compressive strength P may fall without end.
         let falling = (flattest * g - e - rate * (1.0 + flattest) / ratio).max(-e - rate / ratio).max(0.0);
         // Without friction and cut-off it may grow without end.

@@ -99,8 +99,7 @@ fn lines(model: &Continuum) -> Result<(Vec<Vec2>, Vec<[usize; 2]>), MeshError> {
     };
     let mut raw: Vec<[usize; 2]> = Vec::new();
     for region in &model.regions {
-        let next = region.outline.iter().cycle().skip(1);
-        raw.extend(region.outline.iter().zip(next).map(|(a, b)| [number(*a), number(*b)]));
+        raw.extend(edges(&region.outline).map(|(a, b)| [number(a), number(b)]));
     }
     raw.extend(model.sides.iter().map(|s| s.ends.map(&mut number)));
     let mut segments: Vec<[usize; 2]> = Vec::new();
@@ -138,15 +137,18 @@ fn used(points: Vec<Vec2>, mut triangles: Vec<[usize; 3]>) -> (Vec<Vec2>, Vec<[u
 
 /// Whether a point lies inside: a ray to the right crosses the outline an odd number of times.
 fn holds(region: &Region, point: Vec2) -> bool {
-    let next = region.outline.iter().cycle().skip(1);
-    let crosses = |(a, b): &(&Vec2, &Vec2)| {
+    let crosses = |(a, b): &(Vec2, Vec2)| {
         (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
     };
-    region.outline.iter().zip(next).filter(crosses).count() % 2 == 1
+    edges(&region.outline).filter(crosses).count() % 2 == 1
 }
 
 /// Area of a polygon [m^2]; negative where it is clockwise.
-fn area(outline: &[Vec2]) -> f64 {
-    let next = outline.iter().cycle().skip(1);
-    0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
+pub(super) fn area(outline: &[Vec2]) -> f64 {
+    0.5 * edges(outline).map(|(a, b)| a.cross(b)).sum::<f64>()
+}
+
+/// From each corner to the next.
+fn edges(outline: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> {
+    outline.iter().copied().zip(outline.iter().copied().cycle().skip(1))
 }

@@ -68,13 +68,23 @@ fn pores_along(setting: &Setting<'_>, ends: [Vec2; 2]) -> [f64; 3] {
 }
 
 /// The nodes of an edge: its ends, and its middle.
-pub(super) fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
+fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
     let [a, b] = mesh.edges[edge].ends;
     [a, mesh.points.len() + edge, b]
 }
 
-/// Control points of an edge as sums of its nodes' values.
-pub(super) const CONTROL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-0.5, 2.0, -0.5], [0.0, 0.0, 1.0]];
+/// Control points of an edge: where they are, and as sums of its nodes' values.
+fn control(mesh: &Mesh, edge: usize) -> [(Vec2, [f64; 3]); 3] {
+    let [a, b] = mesh.ends(edge);
+    [(a, [1.0, 0.0, 0.0]), ((a + b) * 0.5, [-0.5, 2.0, -0.5]), (b, [0.0, 0.0, 1.0])]
+}
+
+/// Where they are, and their velocities.
+pub(super) fn moving(mesh: &Mesh, edge: usize, velocities: &[Vec2]) -> [(Vec2, Vec2); 3] {
+    let sum =
+        |weights| nodes(mesh, edge).into_iter().zip(weights).fold(Vec2::ZERO, |sum, (n, w)| sum + velocities[n] * w);
+    control(mesh, edge).map(|(point, weights)| (point, sum(weights)))
+}
 
 /// The program of a mesh.
 pub(super) struct Asked {
@@ -90,7 +100,7 @@ pub(super) struct Asked {
 pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> Asked {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, question);
-    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let [permanent, variable] = &base.loads;
     let unit = setting.force;
     // Two equations for each node, after what slacks have added: their numbers are kept.
     let rows: Vec<usize> = (0..2 * mesh.nodes()).map(|_| program.equation(0.0)).collect();
@@ -125,8 +135,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> A
                 .into_iter()
                 .enumerate()
             {
-                program.add(rows[2 * node + axis], third * p, &permanent);
-                program.add(rows[2 * node + axis], third * v, &variable);
+                program.add(rows[2 * node + axis], third * p, permanent);
+                program.add(rows[2 * node + axis], third * v, variable);
             }
         }
     }
@@ -138,15 +148,13 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> A
             for (node, weight) in nodes.into_iter().zip([1.0, 4.0, 1.0]) {
                 let length = at.length * weight / 6.0;
                 for (axis, [p, v]) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
-                    program.add(rows[2 * node + axis], length * p, &permanent);
-                    program.add(rows[2 * node + axis], length * v, &variable);
+                    program.add(rows[2 * node + axis], length * p, permanent);
+                    program.add(rows[2 * node + axis], length * v, variable);
                 }
             }
             continue;
         };
-        let [a, b] = at.points;
-        let pores = pores_along(setting, at.points);
-        for ((point, weights), pore) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL).zip(pores) {
+        for ((point, weights), pore) in control(mesh, e).into_iter().zip(pores_along(setting, at.points)) {
             let [pressure, shear] = contact.stress(&mut program, &permanent.times(pore), unit);
             // Traction on the soil.
             let (n, s) = (at.normal, at.normal.left());
@@ -223,14 +231,11 @@ pub(super) fn jumps(
 ) -> Vec<(Vec2, f64, f64)> {
     let Some((block, _)) = setting.body(mesh, edge) else { return Vec::new() };
     let at = Ends::of(mesh, edge);
-    let [a, b] = at.points;
-    let nodes = nodes(mesh, edge);
-    let of = |(point, weights): (Vec2, [f64; 3])| {
-        let soil = nodes.into_iter().zip(weights).fold(Vec2::ZERO, |sum, (n, w)| sum + velocities[n] * w);
+    let of = |(point, soil): (Vec2, Vec2)| {
         let jump = soil - setting.velocity(block, point, blocks);
         (point, jump.dot(at.normal), jump.dot(at.normal.left()))
     };
-    [a, (a + b) * 0.5, b].into_iter().zip(CONTROL).map(of).collect()
+    moving(mesh, edge, velocities).map(of).to_vec()
 }
 
 /// The work equation of a motion, from its velocities alone; and the velocity of its fastest point as it was given.
@@ -289,7 +294,7 @@ pub(super) fn work(
         }
     }
     // Of the blocks: what their joints dissipate less the work of their permanent loads.
-    let joints = crate::limit::bounds::resistance(eq, &setting.joints, &setting.strengths, &blocks);
+    let joints = crate::limit::bounds::resistance(eq, &blocks);
     violation = violation.max(joints.violation);
     variable += eq.variable.iter().zip(&blocks).map(|(p, u)| p * u).sum::<f64>() * eq.force / eq.factor_scale;
     let resisted = |(panel, [slide, tilt]): (&Panel, &[f64; 2])| panel.force * slide + panel.moment * tilt;

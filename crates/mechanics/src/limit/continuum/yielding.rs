@@ -44,17 +44,10 @@ impl Soil {
         let (e, g) = (xx + yy, (xx - yy).hypot(xy));
         let limits = self.limits();
         // With R at its largest, P e / 2 + min(k - m P) g / 2 is concave in P and straight between its corners.
-        let steepest = limits.iter().map(|l| l.m).fold(f64::NEG_INFINITY, f64::max);
-        let flattest = limits.iter().map(|l| l.m).fold(f64::INFINITY, f64::min);
+        let [flattest, steepest] = slopes(&limits);
         let radius = |p: f64| limits.iter().map(|l| l.k - l.m * p).fold(f64::INFINITY, f64::min);
         let at = |p: f64| 0.5 * (p * e + radius(p).max(0.0) * g);
-        let mut corners: Vec<f64> = Vec::new();
-        for (i, a) in limits.iter().enumerate() {
-            if a.m != 0.0 {
-                corners.push(a.k / a.m);
-            }
-            corners.extend(limits[i + 1..].iter().filter(|b| b.m != a.m).map(|b| (a.k - b.k) / (a.m - b.m)));
-        }
+        let mut corners = corners(&limits);
         // Corners within strength, but for round-off of the tip itself.
         let size = limits.iter().map(|l| l.k.abs()).fold(0.0, f64::max);
         corners.retain(|&p| radius(p) >= -1e-12 * size);
@@ -123,6 +116,23 @@ impl Soil {
         };
         [total(1.0), total(-1.0), Affine { terms: vec![(y, 0.5)], constant: 0.0 }]
     }
+}
+
+/// The least and the greatest slope of limits.
+pub(super) fn slopes(limits: &[Limit]) -> [f64; 2] {
+    limits.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], l| [low.min(l.m), high.max(l.m)])
+}
+
+/// Mean stresses `P` at which limits leave no radius, and at which two of them meet.
+pub(super) fn corners(limits: &[Limit]) -> Vec<f64> {
+    let mut corners = Vec::new();
+    for (i, a) in limits.iter().enumerate() {
+        if a.m != 0.0 {
+            corners.push(a.k / a.m);
+        }
+        corners.extend(limits[i + 1..].iter().filter(|b| b.m != a.m).map(|b| (a.k - b.k) / (a.m - b.m)));
+    }
+    corners
 }
 
 impl Contact {

@@ -5,6 +5,7 @@
 //! Forces depend on where blocks are and on no other state, and they are linear in pieces.
 
 use super::shape::{Part, Shape};
+use crate::plane::vec2;
 
 /// Whether a joint slides, and to which side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,7 +109,7 @@ impl Element {
             Normal::One([least, _]) if elastic[0] < least => Part::Corner(0),
             Normal::One([_, most]) if elastic[0] > most => Part::Corner(1),
             Normal::One(_) => Part::Inside,
-            Normal::Two { shape, unit } => shapes[shape].nearest([elastic[0] / unit, elastic[1] / unit]),
+            Normal::Two { shape, unit } => shapes[shape].nearest(vec2(elastic[0] / unit, elastic[1] / unit)),
         };
         let sticks = Piece { normal, sliding: Sliding::Sticks };
         let limit = self.limit(self.compressions(shapes, normal, elastic));
@@ -127,8 +128,8 @@ impl Element {
                 _ => [elastic[0], 0.0],
             },
             Normal::Two { shape, unit } => {
-                let [a, b] = shapes[shape].drawn_back(normal, [elastic[0] / unit, elastic[1] / unit]);
-                [a * unit, b * unit]
+                let carried = shapes[shape].drawn_back(normal, vec2(elastic[0] / unit, elastic[1] / unit));
+                [carried.x * unit, carried.y * unit]
             }
         }
     }
@@ -185,9 +186,9 @@ impl Element {
         };
         match self.normal {
             Normal::Two { shape, unit } => {
-                let scaled = |v: [f64; 3]| [v[0] / unit, v[1] / unit];
+                let scaled = |v: [f64; 3]| vec2(v[0] / unit, v[1] / unit);
                 if let Some(change) = shapes[shape].next(piece.normal, scaled(elastic), scaled(rate), most) {
-                    let onward = [change.onward[0], change.onward[1], 0.0];
+                    let onward = [change.onward.x, change.onward.y, 0.0];
                     meet(change.after, Piece { normal: change.to, ..piece }, onward, &mut most);
                 }
             }

@@ -16,8 +16,7 @@ mod system;
 mod way;
 
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength};
-use super::program::{Ending, Solution};
+use super::program::Solution;
 use crate::watch::CancelToken;
 use element::Piece;
 use rates::Tangent;
@@ -49,8 +48,8 @@ pub(super) enum Grown {
 }
 
 /// Puts the permanent loads on; none where blocks move without end under them, or where the way to rest has no end.
-pub(super) fn stood(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<Stood> {
-    let system = System::new(equilibrium, joints, strengths);
+pub(super) fn stood(equilibrium: &Equilibrium) -> Option<Stood> {
+    let system = System::new(equilibrium);
     let weight = system.ordered(&equilibrium.permanent);
     let displacements = elastic(&system, &weight);
     let unit = largest(&displacements);
@@ -103,7 +102,7 @@ impl Stood {
     fn solution(&self, equilibrium: &Equilibrium, way: &Way) -> Solution {
         debug_assert_eq!(way.velocities.len(), equilibrium.rows, "one velocity for each equation");
         Solution {
-            ending: Ending::Solved,
+            solved: true,
             forces: self.system.columns(&way.state.pieces, &way.state.elastic),
             factor: way.state.factor,
             velocities: self.system.velocities(&way.velocities),

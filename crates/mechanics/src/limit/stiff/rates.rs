@@ -118,12 +118,7 @@ impl<'a> Tangent<'a> {
         }
         let element = &self.system.elements[k];
         let (before, after) = (element.slope(&self.system.shapes, from), element.slope(&self.system.shapes, pieces[k]));
-        let mut more = [[0.0; 3]; 3];
-        for i in 0..3 {
-            for j in 0..3 {
-                more[i][j] = after[i][j] - before[i][j];
-            }
-        }
+        let more: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| after[i][j] - before[i][j]));
         // The largest entry's row and column span the rest.
         let (mut row, mut column) = (0, 0);
         for i in 0..3 {

@@ -2,6 +2,9 @@
 //!
 //! Beyond its edges elastic compressions are drawn back square to the edge: then the joint opens or crushes as an associated flow rule has it.
 //! The nearest point is linear in pieces: within the polygon, beside an edge, about a corner.
+//! Compressions stand as points of a plane.
+
+use crate::plane::{Vec2, vec2};
 
 /// Edges of each parabola of crushing. The share of compression at corner `k` is `(k / CHORDS)^2`, which makes all of them miss the parabola by
 /// the same `1 / (2 CHORDS^2)` of the eccentricity, to the safe side: 1e-5.
@@ -25,15 +28,15 @@ pub(super) struct Change {
     pub after: f64,
     pub to: Part,
     /// Grows by the compressions on the way to the change and beyond.
-    pub onward: [f64; 2],
+    pub onward: Vec2,
 }
 
 /// A convex polygon, counter-clockwise. An open one begins and ends with a ray.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
-    corners: Vec<[f64; 2]>,
+    corners: Vec<Vec2>,
     /// Direction of each edge, which ends in the corner of the same number. An open polygon has one edge more than corners.
-    along: Vec<[f64; 2]>,
+    along: Vec<Vec2>,
     closed: bool,
     /// Crushing parabolas: the shift by tension, and the least share of compression. None otherwise.
     parabolas: Option<[f64; 2]>,
@@ -44,15 +47,15 @@ impl Shape {
     pub(super) fn of_tension(tension: f64, least: f64) -> Shape {
         let cut = (2.0 * tension - least).max(0.0);
         let corners = match cut > NOTHING {
-            true => vec![[-tension, cut - tension], [cut - tension, -tension]],
-            false => vec![[-tension; 2]],
+            true => vec![vec2(-tension, cut - tension), vec2(cut - tension, -tension)],
+            false => vec![vec2(-tension, -tension)],
         };
-        let mut along = vec![[0.0, -1.0]];
+        let mut along = vec![vec2(0.0, -1.0)];
         if corners.len() == 2 {
             let half = std::f64::consts::FRAC_1_SQRT_2;
-            along.push([half, -half]);
+            along.push(vec2(half, -half));
         }
-        along.push([1.0, 0.0]);
+        along.push(vec2(1.0, 0.0));
         Shape { corners, along, closed: false, parabolas: None }
     }
 
@@ -61,12 +64,12 @@ impl Shape {
         let from = (2.0 * tension - least).max(0.0);
         let from = if from > NOTHING { from } else { 0.0 };
         let share = |k: usize| from + (1.0 - from) * (k as f64 / CHORDS as f64).powi(2);
-        let lower = |x: f64| [x - 0.5 * x * x - tension, 0.5 * x * x - tension];
-        let mut corners: Vec<[f64; 2]> = (0..=CHORDS).map(|k| lower(share(k))).collect();
+        let lower = |x: f64| vec2(x - 0.5 * x * x - tension, 0.5 * x * x - tension);
+        let mut corners: Vec<Vec2> = (0..=CHORDS).map(|k| lower(share(k))).collect();
         let last = if from > 0.0 { 0 } else { 1 };
-        corners.extend((last..CHORDS).rev().map(|k| lower(share(k))).map(|[a, b]| [b, a]));
+        corners.extend((last..CHORDS).rev().map(|k| lower(share(k))).map(|at| vec2(at.y, at.x)));
         let count = corners.len();
-        let along = (0..count).map(|k| unit(minus(corners[k], corners[(k + count - 1) % count]))).collect();
+        let along = (0..count).map(|k| unit(corners[k] - corners[(k + count - 1) % count])).collect();
         Shape { corners, along, closed: true, parabolas: Some([tension, from]) }
     }
 
@@ -84,27 +87,31 @@ impl Shape {
     }
 
     /// A corner on the line of an edge.
-    fn on(&self, edge: usize) -> [f64; 2] {
-        self.corners[self.ends(edge).unwrap_or(edge - 1)]
+    fn on(&self, edge: usize) -> Vec2 {
+        self.corners[edge.min(self.corners.len() - 1)]
     }
 
     /// How far within an edge [`at`] lies.
-    fn within(&self, edge: usize, at: [f64; 2]) -> f64 {
-        dot(inward(self.along[edge]), minus(at, self.on(edge)))
+    fn within(&self, edge: usize, at: Vec2) -> f64 {
+        // The polygon lies to the left.
+        self.along[edge].left().dot(at - self.on(edge))
     }
 
     /// The part nearest to any compressions.
-    pub(super) fn nearest(&self, at: [f64; 2]) -> Part {
+    pub(super) fn nearest(&self, at: Vec2) -> Part {
         if (0..self.along.len()).all(|edge| self.within(edge, at) >= 0.0) {
             return Part::Inside;
         }
         let beside = |edge: &usize| {
             let along = self.along[*edge];
-            let before = self.begins(*edge).is_none_or(|c| dot(along, minus(at, self.corners[c])) >= 0.0);
-            let behind = self.ends(*edge).is_none_or(|c| dot(along, minus(at, self.corners[c])) <= 0.0);
+            let before = self.begins(*edge).is_none_or(|c| along.dot(at - self.corners[c]) >= 0.0);
+            let behind = self.ends(*edge).is_none_or(|c| along.dot(at - self.corners[c]) <= 0.0);
             self.within(*edge, at) < 0.0 && before && behind
         };
-        let distance = |corner: &usize| dot(minus(at, self.corners[*corner]), minus(at, self.corners[*corner]));
+        let distance = |corner: &usize| {
+            let apart = at - self.corners[*corner];
+            apart.dot(apart)
+        };
         let corner = (0..self.corners.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
         match (0..self.along.len()).filter(beside).max_by(|a, b| self.within(*a, at).total_cmp(&self.within(*b, at))) {
             Some(edge) if corner.is_none_or(|c| self.within(edge, at).powi(2) <= distance(&c)) => {
@@ -115,13 +122,12 @@ impl Shape {
     }
 
     /// The nearest compressions, where the part is known.
-    pub(super) fn drawn_back(&self, part: Part, at: [f64; 2]) -> [f64; 2] {
+    pub(super) fn drawn_back(&self, part: Part, at: Vec2) -> Vec2 {
         match part {
             Part::Inside => at,
             Part::Edge(edge) => {
                 let (along, on) = (self.along[edge as usize], self.on(edge as usize));
-                let far = dot(along, minus(at, on));
-                [on[0] + far * along[0], on[1] + far * along[1]]
+                on + along * along.dot(at - on)
             }
             Part::Corner(corner) => self.corners[corner as usize],
         }
@@ -132,7 +138,7 @@ impl Shape {
         match part {
             Part::Inside => [[1.0, 0.0], [0.0, 1.0]],
             Part::Edge(edge) => {
-                let [a, b] = self.along[edge as usize];
+                let Vec2 { x: a, y: b } = self.along[edge as usize];
                 [[a * a, a * b], [a * b, b * b]]
             }
             Part::Corner(_) => [[0.0; 2]; 2],
@@ -140,10 +146,10 @@ impl Shape {
     }
 
     /// The next change of the nearest part within `most` of the way from compressions that change by `rate`.
-    pub(super) fn next(&self, part: Part, at: [f64; 2], rate: [f64; 2], most: f64) -> Option<Change> {
+    pub(super) fn next(&self, part: Part, at: Vec2, rate: Vec2, most: f64) -> Option<Change> {
         let mut next: Option<Change> = None;
-        let mut meet = |value: f64, onward: [f64; 2], to: Part| {
-            let speed = dot(onward, rate);
+        let mut meet = |value: f64, onward: Vec2, to: Part| {
+            let speed = onward.dot(rate);
             if speed > 0.0 {
                 let after = (-value / speed).max(0.0);
                 if after < most && next.is_none_or(|n| after < n.after) {
@@ -153,76 +159,58 @@ impl Shape {
         };
         match part {
             Part::Inside => {
-                if !self.holds([at[0] + most * rate[0], at[1] + most * rate[1]]) {
+                if !self.holds(at + rate * most) {
                     for edge in 0..self.along.len() {
-                        meet(-self.within(edge, at), negative(inward(self.along[edge])), Part::Edge(edge as u16));
+                        meet(-self.within(edge, at), -self.along[edge].left(), Part::Edge(edge as u16));
                     }
                 }
             }
             Part::Edge(edge) => {
                 let edge = edge as usize;
                 let along = self.along[edge];
-                meet(self.within(edge, at), inward(along), Part::Inside);
+                meet(self.within(edge, at), along.left(), Part::Inside);
                 if let Some(corner) = self.ends(edge) {
-                    meet(dot(along, minus(at, self.corners[corner])), along, Part::Corner(corner as u16));
+                    meet(along.dot(at - self.corners[corner]), along, Part::Corner(corner as u16));
                 }
                 if let Some(corner) = self.begins(edge) {
-                    let back = negative(along);
-                    meet(dot(back, minus(at, self.corners[corner])), back, Part::Corner(corner as u16));
+                    meet((-along).dot(at - self.corners[corner]), -along, Part::Corner(corner as u16));
                 }
             }
             Part::Corner(corner) => {
                 let corner = corner as usize;
-                let apart = minus(at, self.corners[corner]);
+                let apart = at - self.corners[corner];
                 let after = (corner + 1) % self.along.len();
-                meet(dot(self.along[after], apart), self.along[after], Part::Edge(after as u16));
-                let back = negative(self.along[corner]);
-                meet(dot(back, apart), back, Part::Edge(corner as u16));
+                meet(self.along[after].dot(apart), self.along[after], Part::Edge(after as u16));
+                let back = -self.along[corner];
+                meet(back.dot(apart), back, Part::Edge(corner as u16));
             }
         }
         next
     }
 
     /// Whether compressions surely lie within. A way that ends there crosses no edge.
-    fn holds(&self, at: [f64; 2]) -> bool {
-        if !(at[0].is_finite() && at[1].is_finite()) {
+    fn holds(&self, at: Vec2) -> bool {
+        if !at.is_finite() {
             return false;
         }
         let Some([tension, from]) = self.parabolas else {
             return (0..self.along.len()).all(|edge| self.within(edge, at) >= 0.0);
         };
-        let shifted = [at[0] + tension, at[1] + tension];
-        let share = shifted[0] + shifted[1];
+        let shifted = at + vec2(tension, tension);
+        let share = shifted.x + shifted.y;
         if share <= from || share >= 1.0 {
             return false;
         }
         let chord = (CHORDS as f64 * ((share - from) / (1.0 - from)).sqrt()) as usize;
-        let edge = |k: usize| {
-            self.within(
-                k.clamp(1, CHORDS),
-                [shifted[0].max(shifted[1]) - tension, shifted[0].min(shifted[1]) - tension],
-            )
-        };
+        let wider = vec2(shifted.x.max(shifted.y) - tension, shifted.x.min(shifted.y) - tension);
+        let edge = |k: usize| self.within(k.clamp(1, CHORDS), wider);
         edge(chord + 1) >= 0.0 && edge(chord) >= 0.0
     }
 }
 
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-fn negative(a: [f64; 2]) -> [f64; 2] {
-    [-a[0], -a[1]]
-}
-fn unit(a: [f64; 2]) -> [f64; 2] {
-    let size = dot(a, a).sqrt();
-    [a[0] / size, a[1] / size]
-}
-/// Square to an edge, to the side where the polygon lies.
-fn inward(along: [f64; 2]) -> [f64; 2] {
-    [-along[1], along[0]]
+fn unit(a: Vec2) -> Vec2 {
+    let size = a.norm();
+    vec2(a.x / size, a.y / size)
 }
 
 #[cfg(test)]
@@ -240,8 +228,8 @@ mod tests {
     }
 
     /// Points about all of the polygons.
-    fn points() -> impl Iterator<Item = [f64; 2]> {
-        (0..40).flat_map(|i| (0..40).map(move |j| [-0.55 + 0.0413 * f64::from(i), -0.55 + 0.0417 * f64::from(j)]))
+    fn points() -> impl Iterator<Item = Vec2> {
+        (0..40).flat_map(|i| (0..40).map(move |j| vec2(-0.55 + 0.0413 * f64::from(i), -0.55 + 0.0417 * f64::from(j))))
     }
 
     #[test]
@@ -249,14 +237,14 @@ mod tests {
         for shape in shapes() {
             for at in points() {
                 let back = shape.drawn_back(shape.nearest(at), at);
-                let apart = minus(at, back);
+                let apart = at - back;
                 for edge in 0..shape.along.len() {
                     assert!(shape.within(edge, back) > -1e-12, "{at:?} {back:?}");
                 }
                 // The nearest of a convex set: every corner and ray lies behind it.
-                assert!(shape.corners.iter().all(|c| dot(apart, minus(*c, back)) < 1e-12), "{at:?} {back:?}");
+                assert!(shape.corners.iter().all(|c| apart.dot(*c - back) < 1e-12), "{at:?} {back:?}");
                 if !shape.closed {
-                    assert!(dot(apart, [1.0, 0.0]) < 1e-12 && dot(apart, [0.0, 1.0]) < 1e-12);
+                    assert!(apart.x < 1e-12 && apart.y < 1e-12);
                 }
                 assert!(!shape.holds(at) || shape.nearest(at) == Part::Inside);
                 assert!(shape.holds(at) || shape.nearest(at) != Part::Inside);
@@ -268,19 +256,19 @@ mod tests {
     fn a_straight_way_goes_from_part_to_part_and_ends_in_the_nearest_of_its_end() {
         for shape in shapes() {
             for (k, (from, to)) in points().zip(points().skip(777)).enumerate().filter(|(k, _)| k % 7 == 0) {
-                let rate = minus(to, from);
+                let rate = to - from;
                 let (mut at, mut part, mut left) = (from, shape.nearest(from), 1.0);
                 let mut count = 0;
                 while let Some(change) = shape.next(part, at, rate, left) {
-                    assert!(dot(change.onward, rate) > 0.0);
-                    at = [at[0] + change.after * rate[0], at[1] + change.after * rate[1]];
+                    assert!(change.onward.dot(rate) > 0.0);
+                    at += rate * change.after;
                     let (before, behind) = (shape.drawn_back(part, at), shape.drawn_back(change.to, at));
-                    assert!(dot(minus(before, behind), minus(before, behind)) < 1e-20, "no jump {k} {at:?}");
+                    assert!((before - behind).norm() < 1e-10, "no jump {k} {at:?}");
                     (part, left, count) = (change.to, left - change.after, count + 1);
                     assert!(count < 2000);
                 }
                 let (found, nearest) = (shape.drawn_back(part, to), shape.drawn_back(shape.nearest(to), to));
-                assert!(dot(minus(found, nearest), minus(found, nearest)) < 1e-20, "{from:?} {to:?} {part:?}");
+                assert!((found - nearest).norm() < 1e-10, "{from:?} {to:?} {part:?}");
             }
         }
     }
@@ -293,7 +281,7 @@ mod tests {
             let reached = |share: f64| {
                 // On the parabola and a share of its distance from the middle.
                 let least = 0.5 * x * x + share * (0.5 * x - 0.5 * x * x);
-                [x - least, least]
+                vec2(x - least, least)
             };
             assert!(!shape.holds(reached(-1e-9)) && shape.holds(reached(2e-5 / (1.0 - x))), "{x}");
         }

@@ -4,8 +4,8 @@ use super::element::{Element, Normal, Piece};
 use super::shape::Shape;
 use crate::ids::Id;
 use crate::limit::equilibrium::Equilibrium;
-use crate::limit::joints::{Joint, Strength};
-use crate::numbering::{HELD, last_joined, numbered};
+use crate::limit::joints::Joint;
+use crate::numbering::{HELD, numbered};
 
 /// Shear stiffness of a joint over its normal stiffness. From 0.01 to 1 loads of fourteen bridges of two and three rings (`verification/profiles`) change by
 /// 1 % at most.
@@ -43,8 +43,9 @@ fn drawn(seed: usize) -> f64 {
 }
 
 impl System {
-    /// Sets elements up for these joints; strengths stand in place of their own.
-    pub(super) fn new(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> System {
+    /// Sets elements up for joints and answers to movement.
+    pub(super) fn new(equilibrium: &Equilibrium) -> System {
+        let joints = &equilibrium.joints;
         let held: Vec<[bool; 3]> = equilibrium.row.iter().map(|row| row.map(|r| r.is_none())).collect();
         let mut block_of = vec![0; equilibrium.rows];
         for (id, row) in equilibrium.row.pairs() {
@@ -57,8 +58,8 @@ impl System {
             (first != last).then_some([first, last])
         });
         let pairs: Vec<[usize; 2]> = joined.chain(answered).collect();
-        let (equation, size) = numbered(&held, &pairs);
-        let last = last_joined(&equation, size, &pairs);
+        let (equation, last) = numbered(&held, &pairs);
+        let size = last.len();
         let mut place = vec![0; equilibrium.rows];
         for (row, equation) in equilibrium.row.iter().zip(&equation) {
             for (row, equation) in row.iter().zip(equation) {
@@ -71,8 +72,8 @@ impl System {
         }
         let mut this =
             System { elements: Vec::new(), shapes: Vec::new(), size, last, place, forces: equilibrium.columns.len() };
-        for ((k, joint), strength) in joints.iter().enumerate().zip(strengths) {
-            let element = this.joint(equilibrium, k, joint, strength);
+        for (k, joint) in joints.iter().enumerate() {
+            let element = this.joint(equilibrium, k, joint);
             this.elements.push(element);
         }
         for (k, r) in equilibrium.restraints.iter().enumerate() {
@@ -83,8 +84,8 @@ impl System {
         this
     }
 
-    fn joint(&mut self, equilibrium: &Equilibrium, k: usize, joint: &Joint, strength: &Strength) -> Element {
-        let column = equilibrium.first_column[k];
+    fn joint(&mut self, equilibrium: &Equilibrium, k: usize, joint: &Joint) -> Element {
+        let Joint { column, strength, .. } = *joint;
         let count = joint.points.len();
         // The moment of shear about a block's centroid is its depth towards the joint, in units of length.
         let shear = &equilibrium.columns[column + count];
@@ -131,19 +132,10 @@ impl System {
 
     /// An element of so many forces from this column on; with three at most two of which are compressions.
     fn element(&self, equilibrium: &Equilibrium, column: usize, forces: usize, stiffness: [f64; 3]) -> Element {
-        let mut equations: Vec<u32> = Vec::with_capacity(6);
-        let mut parts = [[0.0; 6]; 3];
-        for k in 0..forces {
-            // Shear stands in the third place, also beside one compression.
-            let place = if forces > 1 && k + 1 == forces { 2 } else { k };
-            for &(row, value) in &equilibrium.columns[column + k] {
-                let equation = self.place[row] as u32;
-                let at = equations.iter().position(|e| *e == equation).unwrap_or_else(|| {
-                    equations.push(equation);
-                    equations.len() - 1
-                });
-                parts[place][at] += value;
-            }
+        let (mut equations, mut parts) = (Vec::with_capacity(6), [[0.0; 6]; 3]);
+        for (at, (row, own)) in equilibrium.parts(column..column + forces).into_iter().enumerate() {
+            equations.push(self.place[row] as u32);
+            (0..forces).for_each(|k| parts[place(k, forces)][at] = own[k]);
         }
         let stiffness = [stiffness[0], if forces == 3 { stiffness[1] } else { 0.0 }, stiffness[2]];
         Element {
@@ -184,8 +176,7 @@ impl System {
         for ((element, piece), elastic) in self.elements.iter().zip(pieces).zip(elastic) {
             let carried = element.carried(&self.shapes, *piece, *elastic);
             for k in 0..element.forces {
-                let place = if element.forces > 1 && k + 1 == element.forces { 2 } else { k };
-                forces[element.column + k] = carried[place];
+                forces[element.column + k] = carried[place(k, element.forces)];
             }
         }
         forces
@@ -212,6 +203,11 @@ impl System {
         );
         left
     }
+}
+
+/// Where one of so many forces stands: shear in the third place, also beside one compression.
+fn place(k: usize, forces: usize) -> usize {
+    if forces > 1 && k + 1 == forces { 2 } else { k }
 }
 
 fn unlike(seed: usize) -> f64 {

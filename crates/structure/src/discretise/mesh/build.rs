@@ -295,9 +295,7 @@ impl<'a> Build<'a> {
     /// Support `i`: its masonry, its joints, and the fill on and behind it.
     fn support(&mut self, i: usize, arches: &[Arch<'_>], stations: &[Stations]) {
         let [left, right] = [i.checked_sub(1), (i < arches.len()).then_some(i)];
-        let rows_to = |span: Option<usize>, end: usize| -> usize {
-            span.and_then(|k| stations[k].layers[end].last().copied()).unwrap_or(0)
-        };
+        let rows_to = |span: Option<usize>, end: usize| span.map_or(0, |k| rows_at(&stations[k], end));
         let rows = rows_to(left, 1).max(rows_to(right, 0));
         // Fill's nodes up both extrados, from the springing.
         let climb = |span: Option<usize>, end: End, backs: &[Vec<NodeId>]| -> Option<Vec<NodeId>> {
@@ -355,7 +353,7 @@ impl<'a> Build<'a> {
         if let Some(span) = right {
             // From where rows end on this side of the span to where they end on the other.
             let nodes = &self.backs[span];
-            let end = nodes.len() - 1 - rows_to_right(&stations[span]);
+            let end = nodes.len() - 1 - rows_at(&stations[span], 1);
             let ridge = nodes[rows..=end].to_vec();
             self.join_feet(ridge);
         }
@@ -588,9 +586,9 @@ fn folded(meshed: &Meshed) -> MeshError {
     }
 }
 
-/// Stations of rows at the right end of a span.
-fn rows_to_right(stations: &Stations) -> usize {
-    stations.layers[1].last().copied().unwrap_or(0)
+/// Stations of rows at the left (`end` 0) or the right end of a span.
+fn rows_at(stations: &Stations, end: usize) -> usize {
+    stations.layers[end].last().copied().unwrap_or(0)
 }
 
 /// Elements between rows and columns, counter-clockwise, row by row.

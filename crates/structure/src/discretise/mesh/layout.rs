@@ -175,7 +175,7 @@ pub(super) fn layout(
     let outer = [arches[0].intrados(0.0).y, arches[arches.len() - 1].intrados(1.0).y];
     let abutments = bridge.abutments.iter().zip(outer).map(|(abutment, springing)| abutment.height - springing);
     let height = piers.chain(abutments).fold(f64::NEG_INFINITY, f64::max) + surface;
-    let distance = options.side_distance.unwrap_or(2.0 * height) * options.farther;
+    let distance = options.side_distance.unwrap_or(2.0 * height);
     let extent = bridge.service.abutment_fill.extent.unwrap_or(f64::INFINITY);
     // Feet of the columns: the lowest, where rows end, and the highest, at the crown.
     let mut feet = [f64::INFINITY, f64::NEG_INFINITY];

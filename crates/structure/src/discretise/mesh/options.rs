@@ -14,8 +14,6 @@ pub struct MeshOptions {
     /// Distance from the back of an abutment to the side boundary [m]; none: twice the height from the lowest foundation to
     /// the surface.
     pub side_distance: Option<f64>,
-    /// What the distance to the boundary is multiplied by.
-    pub farther: f64,
     /// How mortar joints are integrated.
     pub joints: Quadrature,
     /// A mesh that is expected to have more nodes is refused before it is made.
@@ -32,7 +30,6 @@ impl MeshOptions {
             size: plan.size.unwrap_or(if thinnest.is_finite() { 0.5 * thinnest } else { 0.25 }),
             ring_nodes: plan.ring_nodes.max(2),
             side_distance: plan.side_distance,
-            farther: 1.0,
             most_nodes: MOST_NODES,
             joints: match bridge.service.mortar.springs {
                 Springs::Equal => Quadrature::EqualSprings,
@@ -40,17 +37,5 @@ impl MeshOptions {
                 Springs::Interface => Quadrature::Gauss,
             },
         }
-    }
-
-    /// The same with the side boundary twice as far away: answers that hang on the boundary change.
-    pub fn with_doubled_boundary(mut self) -> MeshOptions {
-        self.farther *= 2.0;
-        self
-    }
-
-    /// The same with elements of half the size: answers that hang on the mesh change. Nodes across the ring stay.
-    pub fn with_halved_size(mut self) -> MeshOptions {
-        self.size *= 0.5;
-        self
     }
 }

@@ -53,20 +53,7 @@ impl Role {
             Role::AbutmentFill(End::Right) => "abutment fill right".into(),
         }
     }
-}
 
-/// What a zone is made of, as the file describes it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Substance<'a> {
-    /// Masonry of rings, piers and abutments.
-    Masonry(&'a Masonry),
-    /// Solid backing.
-    Backing(&'a Backing),
-    /// Fill.
-    Soil(&'a Soil),
-}
-
-impl Role {
     /// What it is made of in a bridge.
     pub fn substance(self, bridge: &Bridge) -> Substance<'_> {
         let service = &bridge.service;
@@ -79,6 +66,17 @@ impl Role {
             Role::AbutmentFill(_) => Substance::Soil(&service.abutment_fill.soil),
         }
     }
+}
+
+/// What a zone is made of, as the file describes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Substance<'a> {
+    /// Masonry of rings, piers and abutments.
+    Masonry(&'a Masonry),
+    /// Solid backing.
+    Backing(&'a Backing),
+    /// Fill.
+    Soil(&'a Soil),
 }
 
 /// What an interface lies between. Spans, rings and joints count from 0, joints from the left springing.

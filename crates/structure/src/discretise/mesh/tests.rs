@@ -163,9 +163,10 @@ fn the_same_file_gives_the_same_mesh() {
 #[test]
 fn a_doubled_boundary_changes_nothing_else() {
     let near = mesh(&railway()).unwrap();
-    let far = mesh_with(&railway(), near.options.with_doubled_boundary()).unwrap();
     let edge = |m: &Meshed| m.mesh.nodes[m.sets.right[0]].x;
     let back = 6.0 * 4.0 + 1.5 * 3.0 + 0.54 * 0.8 + 1.5;
+    let doubled = Some(2.0 * (edge(&near) - back));
+    let far = mesh_with(&railway(), MeshOptions { side_distance: doubled, ..near.options }).unwrap();
     assert!((edge(&far) - back - 2.0 * (edge(&near) - back)).abs() < 1e-9);
     for (a, b) in far.sets.spans.iter().zip(&near.sets.spans) {
         assert_eq!(a.voussoirs, b.voussoirs);
@@ -175,7 +176,7 @@ fn a_doubled_boundary_changes_nothing_else() {
 #[test]
 fn half_the_size_gives_about_four_times_the_fill() {
     let coarse = mesh(&railway()).unwrap();
-    let fine = mesh_with(&railway(), coarse.options.with_halved_size()).unwrap();
+    let fine = mesh_with(&railway(), MeshOptions { size: 0.5 * coarse.options.size, ..coarse.options }).unwrap();
     let fill = |m: &Meshed| {
         let zone = m.roles.pairs().find(|(_, role)| **role == Role::Fill).unwrap().0;
         m.mesh.quads.iter().filter(|q| q.zone == zone).count() as f64

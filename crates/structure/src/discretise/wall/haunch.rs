@@ -69,11 +69,6 @@ pub(crate) fn stones(left: &Chain, right: &Chain, layout: &Layout) -> Result<Vec
     Ok(pieces)
 }
 
-/// Stones that fill the space between the haunches on both sides of a pier.
-pub(crate) fn between(left: &[Vec2], right: &[Vec2], layout: &Layout) -> Result<Vec<Piece>, WallError> {
-    stones(&Chain::backs(left), &Chain::backs(right), layout)
-}
-
 /// More beds where voussoirs are much higher than courses.
 fn thinned(beds: Vec<Bed>, layout: &Layout) -> Vec<Bed> {
     let mut all = vec![beds[0]];

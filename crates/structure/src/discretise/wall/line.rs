@@ -1,6 +1,6 @@
 //! The line on which the coursed part of a wall stands: seats from end to end, with stones in place of steep haunches.
 
-use super::haunch::{Chain, between, stones};
+use super::haunch::{Chain, stones};
 use super::{Layout, Piece, Seat, WallError};
 use mechanics::plane::{Vec2, vec2};
 
@@ -145,7 +145,7 @@ fn valley(valley: &Valley, layout: &Layout, ground: &mut Ground) -> Result<(), W
         }
         (Some(a), Some(b)) => {
             level(a, b);
-            ground.stones.extend(between(left, right, layout)?);
+            ground.stones.extend(stones(&Chain::backs(left), &Chain::backs(right), layout)?);
         }
     }
     Ok(())

@@ -10,6 +10,7 @@ pub(super) mod haunch;
 mod line;
 pub mod loads;
 
+use super::outline::polygon;
 use bridge::{Bridge, CoursesFrom, SpandrelWall};
 use mechanics::plane::{Core, Polygon, PolygonError, Vec2};
 use thiserror::Error;
@@ -227,21 +228,14 @@ pub fn thickness(outline: &Polygon) -> f64 {
     outline.edges().map(across).fold(f64::INFINITY, f64::min)
 }
 
-/// The outline of these corners without those that coincide or lie on a straight edge.
+/// The outline of these corners, as [`polygon`] makes it.
 fn outline(mut corners: Vec<Vec2>) -> Result<Polygon, WallError> {
     corners.dedup_by(|a, b| (*a - *b).norm() < 1e-9);
     while corners.len() > 1 && (corners[0] - corners[corners.len() - 1]).norm() < 1e-9 {
         corners.pop();
     }
-    let n = corners.len();
-    let straight = |i: usize| {
-        let (before, at, after) = (corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]);
-        let (u, v) = ((at - before).unit(), (after - at).unit());
-        u.cross(v).abs() < 1e-9 && u.dot(v) > 0.0
-    };
-    let kept: Vec<Vec2> = (0..n).filter(|&i| !straight(i)).map(|i| corners[i]).collect();
-    let middle = corners.iter().fold(Vec2::ZERO, |sum, &p| sum + p) * (1.0 / n.max(1) as f64);
-    Polygon::new(kept).map_err(|source| WallError::Outline { x: middle.x, y: middle.y, source })
+    let middle = corners.iter().fold(Vec2::ZERO, |sum, &p| sum + p) * (1.0 / corners.len().max(1) as f64);
+    polygon(corners).map_err(|source| WallError::Outline { x: middle.x, y: middle.y, source })
 }
 
 #[cfg(test)]

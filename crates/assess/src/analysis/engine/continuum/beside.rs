@@ -1,6 +1,7 @@
 //! What stands beside the bounds of the load: soil that dilates, the range over shares of the strength, flow with less dilation by
 //! iteration, and what spandrel walls hold.
 
+use super::setting;
 use crate::analysis::AnalysisError;
 use mechanics::limit::Settings;
 use mechanics::limit::continuum::{Bounds, Panel, Which, bound_on, flow_on};
@@ -51,7 +52,7 @@ impl Beside<'_> {
     fn bound(&self, which: Which, strength: Strength, part: usize) -> Result<Option<f64>, AnalysisError> {
         let other = self.earth.loaded(self.d, strength, self.strips)?;
         let (token, mesh) = (self.token.part(8 + part, 16), &self.bounds.mesh);
-        let found = bound_on(which, (&other.model, &other.loading), &self.settings, &other.continuum, mesh, &token)?;
+        let found = bound_on(which, &setting(&other, &self.settings)?, mesh, &token);
         Ok(found.map(|factor| self.d.load(factor)))
     }
 
@@ -59,9 +60,8 @@ impl Beside<'_> {
     fn in_plane_strain(&self, strength: Strength) -> Result<Option<f64>, AnalysisError> {
         let mut other = self.earth.loaded(self.d, strength, self.strips)?;
         other.continuum.confinement = None;
-        let (continuum, mesh) = (&other.continuum, &self.bounds.mesh);
-        let found =
-            bound_on(Which::Lower, (&other.model, &other.loading), &self.settings, continuum, mesh, self.token)?;
+        let setting = setting(&other, &self.settings)?;
+        let found = bound_on(Which::Lower, &setting, &self.bounds.mesh, self.token);
         Ok(found.map(|factor| self.d.load(factor)))
     }
 
@@ -73,8 +73,7 @@ impl Beside<'_> {
         }
         let other = self.earth.loaded(self.d, whole, self.strips)?;
         let mesh = self.bounds.coarser.as_ref().unwrap_or(&self.bounds.mesh);
-        let (continuum, token) = (&other.continuum, self.token.part(3, 4));
-        let found = flow_on(dilatancy, (&other.model, &other.loading), &self.settings, continuum, mesh, &token)?;
+        let found = flow_on(dilatancy, &setting(&other, &self.settings)?, mesh, &self.token.part(3, 4));
         Ok(found.filter(|flow| flow.settled).map(|flow| self.d.load(flow.factor)))
     }
 

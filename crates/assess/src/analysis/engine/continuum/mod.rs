@@ -9,9 +9,10 @@ use crate::analysis::geometry::point;
 use crate::analysis::{AnalysisError, notes, parallel, picture, template};
 use beside::Beside;
 use bridge::{Bridge, ContinuumPlan, Method};
-use mechanics::blocks::Held;
+use mechanics::blocks::{Held, ModelError};
 use mechanics::limit::continuum::{
-    Bounds, BoundsStatus, Like, Wanted, bound_elsewhere, closer_bounds, collapse_bounds, lower_like, upper_like,
+    Bounds, BoundsStatus, Like, Setting, Wanted, bound_elsewhere, closer_bounds, collapse_bounds, lower_like,
+    upper_like,
 };
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Vec2, vec2};
@@ -66,8 +67,8 @@ pub fn bounds_alone(bridge: &Bridge, token: &CancelToken) -> Result<(Bounds, f64
     let d = discretise(bridge)?;
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
     let loaded = earth.loaded(&d, Strength::of(&earth.plan), &loads(bridge))?;
-    let (model, settings, wanted) = (&loaded.model, associated(bridge), wanted(&earth.plan));
-    Ok((collapse_bounds(model, &loaded.loading, &settings, &loaded.continuum, &wanted, token)?, d.reference_load))
+    let setting = setting(&loaded, &associated(bridge))?;
+    Ok((collapse_bounds(&setting, &wanted(&earth.plan), token)?, d.reference_load))
 }
 
 /// A bridge whose loads move: its blocks and its soil, which stay.
@@ -105,8 +106,7 @@ impl<'a> Moving<'a> {
     pub fn bracket(&self, strips: &[Strip], ratio: f64, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let wanted = Wanted { ratio, ..self.wanted() };
-        let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(Bracket::of(collapse_bounds(model, loading, &self.settings, continuum, &wanted, token)?))
+        Ok(Bracket::of(collapse_bounds(&setting(&loaded, &self.settings)?, &wanted, token)?))
     }
 
     /// A lower bound alone, on one mesh as fine as those of others, each so far to the left of the strips [m].
@@ -120,9 +120,8 @@ impl<'a> Moving<'a> {
         token: &CancelToken,
     ) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
-        let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        let found = lower_like((model, loading), &self.settings, continuum, &like(others), &self.wanted(), token)?;
-        Ok(Bracket::of(found))
+        let setting = setting(&loaded, &self.settings)?;
+        Ok(Bracket::of(lower_like(&setting, &like(others), &self.wanted(), token)?))
     }
 
     /// An upper bound alone, on a mesh a third as fine.
@@ -136,8 +135,7 @@ impl<'a> Moving<'a> {
         token: &CancelToken,
     ) -> Result<Option<f64>, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(None) };
-        let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(upper_like((model, loading), &self.settings, continuum, &like(others), &self.wanted(), token)?)
+        Ok(upper_like(&setting(&loaded, &self.settings)?, &like(others), &self.wanted(), token)?)
     }
 
     /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
@@ -147,8 +145,7 @@ impl<'a> Moving<'a> {
     pub fn closer(&self, strips: &[Strip], bracket: &Bracket, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
         let wanted = Wanted { rounds: 1, ..self.wanted() };
-        let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(Bracket::of(closer_bounds((model, loading), &self.settings, continuum, &wanted, bounds, token)?))
+        Ok(Bracket::of(closer_bounds(&setting(&loaded, &self.settings)?, &wanted, bounds, token)?))
     }
 
     /// An upper bound of strips from the motion of others.
@@ -157,8 +154,7 @@ impl<'a> Moving<'a> {
     /// Those of [`bracket`](Self::bracket).
     pub fn upper_from(&self, strips: &[Strip], other: &Bracket) -> Result<Option<f64>, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&other.bounds, self.loaded(strips)?) else { return Ok(None) };
-        let LoadedEarth { model, loading, continuum, .. } = &loaded;
-        Ok(bound_elsewhere(bounds, self.d.model.blocks.len(), model, loading, &self.settings, continuum)?)
+        Ok(bound_elsewhere(bounds, self.d.model.blocks.len(), &setting(&loaded, &self.settings)?))
     }
 
     /// The soil with strips on it; none where they stand beside it.
@@ -206,6 +202,11 @@ impl Bracket {
     }
 }
 
+/// What bounds are asked of.
+fn setting<'l>(loaded: &'l LoadedEarth, settings: &Settings) -> Result<Setting<'l>, ModelError> {
+    Setting::new(&loaded.model, &loaded.loading, settings, &loaded.continuum)
+}
+
 /// Blocks beside a continuum slide as they dilate: so much is a convex program.
 fn associated(bridge: &Bridge) -> Settings {
     Settings { friction: Friction::Associated, ..settings(bridge) }
@@ -226,8 +227,7 @@ pub(in crate::analysis) fn whole(
     let (settings, wanted) = (associated(bridge), wanted(plan));
     let strips = loads(bridge);
     let loaded = earth.loaded(d, Strength::of(plan), &strips)?;
-    let bounds =
-        collapse_bounds(&loaded.model, &loaded.loading, &settings, &loaded.continuum, &wanted, &token.part(0, 2))?;
+    let bounds = collapse_bounds(&setting(&loaded, &settings)?, &wanted, &token.part(0, 2))?;
     let report = ContinuumReport { left_out: loaded.left_out, ..described(d, plan, &bounds) };
     let report = match others && bounds.status == BoundsStatus::Bounded {
         true => Beside { d, earth, settings, strips: &strips, bounds: &bounds, token }.reported(report)?,

@@ -27,7 +27,6 @@ fn bump() -> Passage {
         moments: Vec::new(),
         influence: None,
         assumptions: Vec::new(),
-        warnings: Vec::new(),
     };
     passage::report(&bridge, &setup, solution)
 }

@@ -1,12 +1,13 @@
 //! The passage by the condensed path.
 
-use super::{AtRest, Named, Output, Solution, functional, pictures};
+use super::{AtRest, Scope, Solution, functional, of_self_weight, pictures};
 use crate::analysis::AnalysisError;
+use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
 use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Reached, Run, Snapshot, Visited};
 use mechanics::ids::Id;
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Influence, Part, PassageStatus, StepLog};
 use std::sync::Arc;
 
@@ -107,7 +108,7 @@ impl Way {
         mut self,
         rest: &AtRest<'_>,
         solution: &mut Solution,
-        wanted: Output,
+        wanted: Scope,
         watch: &mut dyn Watch,
     ) -> Result<(), AnalysisError> {
         if solution.self_weight.is_empty() {
@@ -115,7 +116,7 @@ impl Way {
         }
         solution.condensed_degrees_of_freedom = Some(self.condensed.counts().retained_rows);
         solution.taking_part = self.condensed.retained_parts();
-        if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
+        if wanted == Scope::Sensors || solution.status == PassageStatus::Cancelled {
             return Ok(());
         }
         self.moments(rest, solution, watch).map_err(failed)?;
@@ -137,7 +138,7 @@ impl Way {
         let Some(&(last, _)) = wanted.last() else { return Ok(()) };
         condensed.restore(&self.at_rest);
         for k in 0..=last {
-            let mut watch = Again { watch: &mut *watch, what: "pictures", k, last };
+            let mut watch = again(watch, "pictures", k, last);
             let under = with_weight(setup.loads.reactions(setup.positions[k]));
             match condensed.solve_position(&under, &mut watch)?.reached {
                 Reached::Balanced => {}
@@ -174,7 +175,7 @@ impl Way {
         condensed.restore(&self.at_rest);
         for k in 0..=count {
             let x = first + INFLUENCE_STEP * k as f64;
-            let mut watch = Again { watch: &mut *watch, what: "influence lines", k, last: count };
+            let mut watch = again(watch, "influence lines", k, count);
             match condensed.solve_position(&with_weight(loads.reactions(x)), &mut watch)?.reached {
                 Reached::Balanced => {}
                 Reached::NotConverged => return Ok(()),
@@ -216,7 +217,7 @@ pub(super) fn stand(
         amplitudes[0] = share(step);
         amplitudes
     };
-    let stood = condensed.solve_positions(steps, &under, &mut Named { watch, stage: "self-weight" })?;
+    let stood = condensed.solve_positions(steps, &under, &mut of_self_weight(watch))?;
     for (step, visited) in stood.visited.iter().enumerate() {
         log.push(StepLog {
             stage: Part::SelfWeight,
@@ -263,16 +264,10 @@ fn of_visited(visited: &Visited) -> StepLog {
 }
 
 /// An onlooker who is told how far a repetition is.
-struct Again<'a> {
-    watch: &'a mut dyn Watch,
-    what: &'static str,
-    k: usize,
-    last: usize,
-}
-
-impl Watch for Again<'_> {
-    fn look(&mut self, _: &Progress) -> Wish {
-        let share = self.k as f64 / (self.last + 1) as f64;
-        self.watch.look(&Progress { stage: self.what.to_owned(), fraction: Some(share), steps: self.k as u64 })
-    }
+fn again(watch: &mut dyn Watch, what: &str, k: usize, last: usize) -> impl Watch {
+    let told = move |_: &Progress| {
+        let fraction = Some(k as f64 / (last + 1) as f64);
+        Progress { stage: what.to_owned(), fraction, steps: k as u64 }
+    };
+    Retold { watch, number: None, told }
 }

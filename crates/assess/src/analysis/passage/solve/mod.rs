@@ -11,21 +11,21 @@ use super::Setup;
 use super::model::{assumptions, model};
 use super::sensors::Reading;
 use crate::analysis::AnalysisError;
+use crate::analysis::parallel::Retold;
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use mechanics::fem::condensed::Functional;
 use mechanics::fem::{Kinematics, Model, Outcome, State, Status, Step};
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Progress, Watch};
 use outcome::note::Note;
 use outcome::passage::{Influence, Moment, Part, PassageStatus, StepLog};
-use outcome::warning::Warning;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// What solving gives. Records end at the last position that was solved.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Solution {
     /// How it ended.
     pub status: PassageStatus,
@@ -49,48 +49,39 @@ pub struct Solution {
     pub influence: Option<Influence>,
     /// What the solver assumed, in words.
     pub assumptions: Vec<Note>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
 }
 
-/// Self-weight first, then position after position, then what is to be shown of it.
+/// Self-weight first, then position after position, then what is to be shown of it. `expected` are the parts of the model that took part with
+/// other moduli, or none.
 ///
 /// # Errors
 /// Values that the model needs and the file lacks, no model or no inverse of its stiffness, or a part whose law has no answer.
-pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
-    let mut passing = Passing::new(bridge, Cow::Borrowed(setup), watch)?;
-    passing.advance(usize::MAX, watch)?;
-    passing.finish(watch)
-}
-
-/// Self-weight and positions alone: the values of the sensors, without pictures and influence lines. `expected` are the parts of the
-/// model that took part with other moduli, or none.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn records(
+pub fn solve(
     bridge: &Bridge,
     setup: &Setup,
+    wanted: Scope,
     expected: &[usize],
     watch: &mut dyn Watch,
 ) -> Result<Solution, AnalysisError> {
-    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), Output::Records, expected, watch)?;
+    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), wanted, expected, watch)?;
     passing.advance(usize::MAX, watch)?;
     passing.finish(watch)
 }
 
-/// What is wanted of a passage.
+/// How much of a passage is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Output {
-    Records,
+pub enum Scope {
+    /// Sensors, joints at their peaks, influence lines.
     Everything,
+    /// Sensors alone.
+    Sensors,
 }
 
 /// A passage that goes on when it is told to. However it is moved on, it finds the same numbers.
 pub struct Passing<'s> {
     rest: AtRest<'s>,
     way: Way,
-    wanted: Output,
+    wanted: Scope,
     /// Positions that were reached.
     done: usize,
     /// What was found so far.
@@ -110,13 +101,13 @@ impl<'s> Passing<'s> {
     /// # Errors
     /// Those of [`solve`].
     pub fn new(bridge: &Bridge, setup: Cow<'s, Setup>, watch: &mut dyn Watch) -> Result<Passing<'s>, AnalysisError> {
-        Passing::with(bridge, setup, Output::Everything, &[], watch)
+        Passing::with(bridge, setup, Scope::Everything, &[], watch)
     }
 
     fn with(
         bridge: &Bridge,
         setup: Cow<'s, Setup>,
-        wanted: Output,
+        wanted: Scope,
         expected: &[usize],
         watch: &mut dyn Watch,
     ) -> Result<Passing<'s>, AnalysisError> {
@@ -126,17 +117,10 @@ impl<'s> Passing<'s> {
         let weight = self_weight(bridge, &setup, &model);
         let mut solution = Solution {
             status: PassageStatus::Completed,
-            reason: None,
-            self_weight: Vec::new(),
             values: vec![Vec::new(); setup.sensors.len()],
             degrees_of_freedom: model.equations(),
-            condensed_degrees_of_freedom: None,
-            taking_part: Vec::new(),
-            log: Vec::new(),
-            moments: Vec::new(),
-            influence: None,
             assumptions: assumptions(bridge, &setup.meshed),
-            warnings: Vec::new(),
+            ..Solution::default()
         };
         let condenses = condenses(&setup);
         let rest = AtRest { setup, model: Arc::new(model), weight };
@@ -145,7 +129,7 @@ impl<'s> Passing<'s> {
             false => Way::Plain(Box::new(plain::Way::new(&rest, &mut solution, watch)?)),
         };
         let mut passing = Passing { rest, way, wanted, done: 0, solution };
-        if wanted == Output::Everything && passing.solution.status == PassageStatus::Completed {
+        if wanted == Scope::Everything && passing.solution.status == PassageStatus::Completed {
             let moment = passing.moment()?;
             passing.solution.moments.push(moment);
         }
@@ -355,14 +339,8 @@ fn end(solution: &mut Solution, outcome: &Outcome, place: &str) {
     solution.reason = why.map(|why| format!("{place}, at {:.0} % of the step: {why}", 100.0 * outcome.reached));
 }
 
-/// An onlooker who is told which stage is at work.
-struct Named<'a> {
-    watch: &'a mut dyn Watch,
-    stage: &'static str,
-}
-
-impl Watch for Named<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        self.watch.look(&Progress { stage: format!("{}: {}", self.stage, progress.stage), ..progress.clone() })
-    }
+/// An onlooker who is told that the self-weight is brought on.
+fn of_self_weight(watch: &mut dyn Watch) -> impl Watch {
+    let told = |progress: &Progress| Progress { stage: format!("self-weight: {}", progress.stage), ..progress.clone() };
+    Retold { watch, number: None, told }
 }

@@ -1,14 +1,15 @@
 //! The passage by the whole system: every unknown at every position, at rest or in motion.
 
-use super::{AtRest, Named, Output, Solution, end, nearest, of_step, pictures, read, with_train};
+use super::{AtRest, Scope, Solution, end, nearest, of_self_weight, of_step, pictures, read, with_train};
 use crate::analysis::AnalysisError;
+use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
 use mechanics::fem::{
     Damping, Integration, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient,
 };
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Part, PassageStatus, StepLog};
 use std::collections::BTreeMap;
 
@@ -46,8 +47,7 @@ impl Way {
             ..settings
         };
         let target = Target { forces: rest.weight.clone(), imposed: Vec::new() };
-        let mut named = Named { watch, stage: "self-weight" };
-        let outcome = advance(model, &mut state, &mut work, &target, &of_weight, &mut named);
+        let outcome = advance(model, &mut state, &mut work, &target, &of_weight, &mut of_self_weight(watch));
         solution.log.extend(outcome.steps.iter().map(super::of_weight));
         if let Some(last) = solution.log.last_mut() {
             last.open_joints = open_interfaces(model, state.bonds.iter());
@@ -81,7 +81,11 @@ impl Way {
         let (setup, model) = (&*rest.setup, &*rest.model);
         let Way { state, work, settings, motion, .. } = self;
         let (position, time, count) = (setup.positions[k], setup.times[k], setup.positions.len());
-        let mut placed = Placed { watch, k, count };
+        let told = |_: &Progress| {
+            let stage = format!("position {} of {count}", k + 1);
+            Progress { stage, fraction: Some(k as f64 / count as f64), steps: k as u64 }
+        };
+        let mut placed = Retold { watch, number: None, told };
         let forces = with_train(rest, position);
         let outcome: Outcome = match motion {
             None => {
@@ -141,27 +145,13 @@ impl Way {
     }
 
     /// Makes the pictures.
-    pub(super) fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Output) {
-        if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
+    pub(super) fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Scope) {
+        if wanted == Scope::Sensors || solution.status == PassageStatus::Cancelled {
             return;
         }
         let places = pictures(&rest.setup, solution);
         let moments = places.iter().filter_map(|(k, name)| Some(rest.moment(self.kept.get(k)?, name, Some(*k))));
         solution.moments.extend(moments);
-    }
-}
-
-/// An onlooker who is told which position is at work.
-struct Placed<'a> {
-    watch: &'a mut dyn Watch,
-    k: usize,
-    count: usize,
-}
-
-impl Watch for Placed<'_> {
-    fn look(&mut self, _: &Progress) -> Wish {
-        let stage = format!("position {} of {}", self.k + 1, self.count);
-        self.watch.look(&Progress { stage, fraction: Some(self.k as f64 / self.count as f64), steps: self.k as u64 })
     }
 }
 

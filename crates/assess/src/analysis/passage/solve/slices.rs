@@ -16,7 +16,7 @@ use outcome::passage::PassageStatus;
 use std::sync::Arc;
 
 /// Values of the sensors at a few positions.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Slices {
     /// How it ended.
     pub status: PassageStatus,
@@ -69,15 +69,8 @@ pub fn slices(
     if !wanted.neighbours.is_empty() {
         condensed = condensed.with_equilibria();
     }
-    let mut found = Slices {
-        status: PassageStatus::Completed,
-        reason: None,
-        self_weight: Vec::new(),
-        values: vec![Vec::new(); observed.len()],
-        derivatives: Vec::new(),
-        iterations: 0,
-        taking_part: Vec::new(),
-    };
+    let mut found =
+        Slices { status: PassageStatus::Completed, values: vec![Vec::new(); observed.len()], ..Slices::default() };
     if !condensed.retain_parts(wanted.expected, watch) {
         return Ok(cancelled(found));
     }

@@ -1,39 +1,25 @@
-//! Reactions, and stresses at nodes and at any place.
+//! Stresses at nodes and at any place, from those at the points of integration.
 
-use super::assemble::assemble;
-use super::element::{corner_values, weights};
-use super::law::Four;
-use super::model::Model;
-use super::state::State;
-use super::workspace::Workspace;
-use crate::ids::{Id, NodeId, QuadId, ZoneId};
-use crate::plane::{Vec2, vec2};
+use mechanics::fem::law::Four;
+use mechanics::fem::{Model, State};
+use mechanics::ids::{Id, NodeId, QuadId, ZoneId};
+use mechanics::plane::{Vec2, vec2};
 use std::collections::BTreeMap;
 
-/// Stress at the nodes of each zone: elements of one zone are averaged, those of different zones are not.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Recovered {
-    /// Stress [Pa] by zone and node.
-    pub stress: BTreeMap<(ZoneId, NodeId), Four>,
-}
+/// Corners of the parent square.
+const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// Forces [N/m] that the supports exert, by component; zero at free components, and not numbers where an element has no answer.
-pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64> {
-    work.take(state);
-    if assemble(model, work, state).is_err() {
-        return vec![f64::NAN; state.forces.len()];
-    }
-    let dofs = model.dofs();
-    let of = |component: usize| match dofs.held(component) {
-        true => work.internal[component] - state.forces[component],
-        false => 0.0,
-    };
-    (0..dofs.count()).map(of).collect()
+/// Where two-point Gauss quadrature looks.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+
+/// Shape functions at a place of the parent square.
+fn weights([xi, eta]: [f64; 2]) -> [f64; 4] {
+    CORNERS.map(|[a, b]| 0.25 * (1.0 + a * xi) * (1.0 + b * eta))
 }
 
 /// Stress of an element at a place of its parent square, bilinear through its points of integration.
 fn stress_in(state: &State, quad: QuadId, place: [f64; 2]) -> Four {
-    let shares = corner_values(place);
+    let shares = weights(place.map(|x| x / GAUSS));
     let points = &state.points[4 * quad.index()..4 * quad.index() + 4];
     let mut stress = [0.0; 4];
     for (share, point) in shares.iter().zip(points) {
@@ -44,9 +30,9 @@ fn stress_in(state: &State, quad: QuadId, place: [f64; 2]) -> Four {
     stress
 }
 
-/// Extrapolates stresses to the corners of the elements and averages them at the nodes of each zone.
-pub fn recover(model: &Model, state: &State) -> Recovered {
-    const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+/// Stress [Pa] at the nodes of each zone, extrapolated to the corners of the elements: those of one zone are averaged, those of
+/// different zones are not.
+pub(crate) fn recover(model: &Model, state: &State) -> BTreeMap<(ZoneId, NodeId), Four> {
     let mut sums: BTreeMap<(ZoneId, NodeId), (Four, f64)> = BTreeMap::new();
     for (id, quad) in model.mesh.quads.pairs() {
         for (node, place) in quad.nodes.iter().zip(CORNERS) {
@@ -57,11 +43,11 @@ pub fn recover(model: &Model, state: &State) -> Recovered {
         }
     }
     let mean = |(key, (sum, count)): ((ZoneId, NodeId), (Four, f64))| (key, sum.map(|value| value / count));
-    Recovered { stress: sums.into_iter().map(mean).collect() }
+    sums.into_iter().map(mean).collect()
 }
 
 /// Stress [Pa] at a place of a quadrilateral before anything moved; `None` where the place lies outside it.
-pub fn stress_at(model: &Model, state: &State, quad: QuadId, place: Vec2) -> Option<Four> {
+pub(crate) fn stress_at(model: &Model, state: &State, quad: QuadId, place: Vec2) -> Option<Four> {
     parent(&model.corners(quad), place).map(|inside| stress_in(state, quad, inside))
 }
 

@@ -1,4 +1,0 @@
-//! Points of a drawing.
-
-/// A point [m].
-pub type Point = [f64; 2];
