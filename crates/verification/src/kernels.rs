@@ -8,7 +8,7 @@ use bridge::Bridge;
 use mechanics::contact::ContactLength;
 use mechanics::watch::Unwatched;
 use mechanics::{dem, limit, path};
-use structure::discretise::discretise;
+use structure::discretise::{Discretised, discretise};
 
 /// What one run of a kernel found.
 pub struct Found {
@@ -22,6 +22,14 @@ pub struct Found {
     pub falls: Option<f64>,
     /// The solver's tolerance.
     pub tolerance: f64,
+}
+
+impl Found {
+    /// With the factors on the load by which blocks were shown to stand and to fall.
+    fn of(d: &Discretised, iterations: u64, factors: [Option<f64>; 2], tolerance: f64) -> Found {
+        let [stands, falls] = factors.map(|factor| factor.map(|f| f * d.reference_load));
+        Found { blocks: d.model.blocks.len(), iterations, stands, falls, tolerance }
+    }
 }
 
 /// A bridge to collapse by discrete elements under adaptive damping, from the file to the last step.
@@ -49,13 +57,7 @@ fn by_discrete_elements(bridge: &Bridge, settings: dem::Settings) -> Result<Foun
     let increment = load_step(bridge) / d.reference_load;
     let program = dem::Program { increment, limit: 100.0 * increment, resolution: None, watched: d.watched };
     let found = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;
-    Ok(Found {
-        blocks: d.model.blocks.len(),
-        iterations: found.iterations_total,
-        stands: found.last_stable_factor.map(|f| f * d.reference_load),
-        falls: found.collapse_factor.map(|f| f * d.reference_load),
-        tolerance: settings.tolerance,
-    })
+    Ok(Found::of(&d, found.iterations_total, [found.last_stable_factor, found.collapse_factor], settings.tolerance))
 }
 
 /// A bridge along its equilibrium path, joints with distributed contact, to past its largest load.
@@ -68,13 +70,8 @@ pub fn equilibrium_path(bridge: &Bridge) -> Result<Found, AnalysisError> {
     let increment = load_step(bridge) / d.reference_load;
     let program = path::Program { increment, limit: 100.0 * increment, watched: d.watched };
     let found = path::collapse(&d.model, &d.loading, (&settings, &program), None, &mut Unwatched)?;
-    Ok(Found {
-        blocks: d.model.blocks.len(),
-        iterations: u64::from(found.iterations),
-        stands: found.last_stable_factor.map(|f| f * d.reference_load),
-        falls: found.collapse_factor.map(|f| f * d.reference_load),
-        tolerance: settings.tolerance,
-    })
+    let factors = [found.last_stable_factor, found.collapse_factor];
+    Ok(Found::of(&d, u64::from(found.iterations), factors, settings.tolerance))
 }
 
 /// A bridge by limit analysis, the full ring: blocks, program, both bounds, mechanism.
@@ -85,13 +82,7 @@ pub fn limit_analysis(bridge: &Bridge) -> Result<Found, AnalysisError> {
     let d = discretise(bridge)?;
     let settings = limit::Settings { contact_points: limit::ContactPoints::FullRing, ..rigid::settings(bridge) };
     let found = limit::collapse_load(&d.model, &d.loading, &settings)?;
-    Ok(Found {
-        blocks: d.model.blocks.len(),
-        iterations: u64::from(found.iterations),
-        stands: found.lower_bound.map(|f| f * d.reference_load),
-        falls: found.upper_bound.map(|f| f * d.reference_load),
-        tolerance: 1e-6,
-    })
+    Ok(Found::of(&d, u64::from(found.iterations), [found.lower_bound, found.upper_bound], 1e-6))
 }
 
 /// The first load step of a bridge's plan, or 100 kN on its width [N/m].

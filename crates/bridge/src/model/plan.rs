@@ -126,7 +126,7 @@ choice! {
     pub enum Friction {
         /// sliding dilates by the friction angle: exact bounds
         Associated = "associated",
-        /// sliding does not dilate: iterative correction
+        /// sliding does not dilate: blocks followed from rest between stiff joints
         NonAssociated = "non-associated",
         /// non-associated where sliding takes part in the mechanism or lowers the load
         Automatic = "automatic",

@@ -16,23 +16,20 @@ use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::watched;
 use assess::analysis::AnalysisError;
-use assess::analysis::engine::{dem as by_dem, rigid};
 use bridge::Bridge;
 use extrados::examples;
-use mechanics::contact::ContactLength;
-use mechanics::watch::Unwatched;
-use mechanics::{dem, limit, path};
 use repeated::{Repeated, repeated};
-use structure::discretise::{Discretised, discretise};
+use verification::kernels;
+use verification::kernels::Found;
 
 /// Measures.
 pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let quiet = desk.screen.quiet || desk.screen.json;
     match arguments.name {
         BenchName::Disks => disks::run(quiet, arguments),
-        BenchName::Arch => bridgemill(arguments, arch),
-        BenchName::Limit => bridgemill(arguments, limit),
-        BenchName::Path => bridgemill(arguments, path),
+        BenchName::Arch => bridgemill(arguments, kernels::discrete_elements),
+        BenchName::Limit => bridgemill(arguments, kernels::limit_analysis),
+        BenchName::Path => bridgemill(arguments, kernels::equilibrium_path),
         BenchName::Bounds => bounds::run(arguments),
         BenchName::Crossing => crossing::run(arguments),
         BenchName::Factor => factor::run(arguments),
@@ -67,8 +64,8 @@ fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
                  damping, {blocks} blocks, one core\n"
             )),
         BenchName::Path => {
-            let by_blocks = repeated(arguments, || relaxed(&bridge))?;
-            let rigid = repeated(arguments, || limit(&bridge))?;
+            let by_blocks = repeated(arguments, || kernels::discrete_elements_with_distributed_contact(&bridge))?;
+            let rigid = repeated(arguments, || kernels::limit_analysis(&bridge))?;
             let load = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.1} kN/m", load / 1e3));
             report
                 .with("name", "path")
@@ -96,66 +93,6 @@ fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
             ))
         }
     })
-}
-
-/// What one run of a method found.
-struct Found {
-    blocks: usize,
-    iterations: u64,
-    /// Largest load shown to stand, smallest shown to fall [N/m].
-    stands: Option<f64>,
-    falls: Option<f64>,
-    tolerance: f64,
-}
-
-impl Found {
-    /// With the factors on the load by which blocks were shown to stand and to fall.
-    fn of(d: &Discretised, iterations: u64, factors: [Option<f64>; 2], tolerance: f64) -> Found {
-        let [stands, falls] = factors.map(|factor| factor.map(|f| f * d.reference_load));
-        Found { blocks: d.model.blocks.len(), iterations, stands, falls, tolerance }
-    }
-}
-
-/// Case 1 to collapse by discrete elements, from the bridge to the last step; pictures are not part of it.
-fn arch(bridge: &Bridge) -> Result<Found, AnalysisError> {
-    by_blocks(bridge, by_dem::settings(bridge))
-}
-
-/// The same on joints with distributed contact.
-fn relaxed(bridge: &Bridge) -> Result<Found, AnalysisError> {
-    by_blocks(bridge, dem::Settings { contact_length: ContactLength::Distributed, ..by_dem::settings(bridge) })
-}
-
-fn by_blocks(bridge: &Bridge, settings: dem::Settings) -> Result<Found, AnalysisError> {
-    let d = discretise(bridge)?;
-    let settings = dem::Settings { damping: dem::Damping::Adaptive, ..settings };
-    let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
-    let program = dem::Program { increment: step, limit: 100.0 * step, resolution: None, watched: d.watched };
-    let found = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;
-    Ok(Found::of(&d, found.iterations_total, [found.last_stable_factor, found.collapse_factor], settings.tolerance))
-}
-
-/// Case 1 on joints with distributed contact, from the bridge to past its largest load.
-fn path(bridge: &Bridge) -> Result<Found, AnalysisError> {
-    let d = discretise(bridge)?;
-    let settings = path::Settings::new(ContactLength::Distributed);
-    let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
-    let program = path::Program { increment: step, limit: 100.0 * step, watched: d.watched };
-    let found = path::collapse(&d.model, &d.loading, (&settings, &program), None, &mut Unwatched)?;
-    Ok(Found::of(
-        &d,
-        u64::from(found.iterations),
-        [found.last_stable_factor, found.collapse_factor],
-        settings.tolerance,
-    ))
-}
-
-/// The full ring of case 1 by limit analysis: blocks, program, both bounds, mechanism.
-fn limit(bridge: &Bridge) -> Result<Found, AnalysisError> {
-    let d = discretise(bridge)?;
-    let settings = limit::Settings { contact_points: limit::ContactPoints::FullRing, ..rigid::settings(bridge) };
-    let found = limit::collapse_load(&d.model, &d.loading, &settings)?;
-    Ok(Found::of(&d, u64::from(found.iterations), [found.lower_bound, found.upper_bound], 1e-6))
 }
 
 /// A file of an example.
