@@ -161,8 +161,10 @@ class _Crew:
         least = 1e-3 * max(costs) or 1.0
         self.costs = [max(one, least) for one in costs]
         self.waiting = deque(sorted(range(len(tasks)), key=lambda number: -self.costs[number]))
-        # Tasks of a block that broke go one by one.
+        # Tasks of a block that broke go one by one; one that was then lost with its workers goes with nothing beside it: Dask blames every task that
+        # a lost worker had been given.
         self.alone: set[int] = set()
+        self.apart: set[int] = set()
         self.left = sum(self.costs)
         self.flying: dict[Any, list[int]] = {}
         self.rows: dict[int, dict[str, Any]] = {}
@@ -180,7 +182,7 @@ class _Crew:
             if time.monotonic() > self.counted + _LOOK:
                 self._count_workers()
             # What is sent to a scheduler that is lost is never heard of again.
-            while self.waiting and len(self.flying) < _AHEAD * max(self.workers, 1) and self.client.status == "running":
+            while self.waiting and self._may_send() and self.client.status == "running":
                 block = self._block()
                 # Retried where a worker breaks over it, and not where it was lost: then Dask itself tries again.
                 future = self.client.submit(_several, [self.tasks[one] for one in block], *self.how, pure=False, retries=2)
@@ -199,6 +201,13 @@ class _Crew:
                 future.release()
         self._give_up()
         return [self.rows[number] for number in range(len(self.tasks))]
+
+    def _may_send(self) -> bool:
+        """Whether another block may be sent beside those that are on their way."""
+        if not self.flying:
+            return True
+        parted = self.waiting[0] in self.apart or any(block[0] in self.apart for block in self.flying.values())
+        return not parted and len(self.flying) < _AHEAD * max(self.workers, 1)
 
     def _block(self) -> list[int]:
         """The next tasks: as many as take about a second, and no more than a fair share of what is left."""
@@ -230,6 +239,11 @@ class _Crew:
                 self._again(block)
                 # Each by itself, and last: whichever it is harms nothing else.
                 self.alone.update(block)
+                self.waiting.extend(block)
+            elif type(error).__name__ == "KilledWorker" and block[0] not in self.apart:
+                self._again(block)
+                self.alone.update(block)
+                self.apart.update(block)
                 self.waiting.extend(block)
             else:
                 self.rows[block[0]] = _row(self.tasks[block[0]][0], "", "failed", f"{type(error).__name__}: {error}", False)
