@@ -16,7 +16,8 @@ pub(super) struct Standing {
 /// The state that leads: of those that are least to round-off, the one that counts most.
 pub(super) fn leading(all: &[Standing]) -> usize {
     let least = all.iter().map(|one| one.size).fold(f64::INFINITY, f64::min);
-    let near = |size: f64| size <= least || (size - least).abs() <= 1e-9 * least.abs();
+    // What is not known, or does not stand, has nothing near it.
+    let near = |size: f64| size <= least || least.is_finite() && size - least <= 1e-9 * least.abs();
     (0..all.len()).rev().find(|k| near(all[*k].size)).unwrap_or(0)
 }
 
@@ -62,4 +63,27 @@ pub(super) fn hurts(all: &[Standing], lead: usize, size: fn(&WithHelp) -> Size) 
     let hurts = is_more(bare.size, all[lead].size) && !counted.is_empty();
     let [without, with] = [bare, &all[lead]].map(|one| size(&one.numbers));
     hurts.then(|| note::State::Counted { helps: counted.clone(), without, with }.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use outcome::collapse::Status;
+
+    fn standing(helps: &[Help], size: f64) -> Standing {
+        let numbers = WithHelp { helps: helps.to_vec(), status: Status::Collapsed, ..WithHelp::default() };
+        Standing { size, numbers }
+    }
+
+    #[test]
+    fn a_bridge_that_falls_without_its_help_is_not_led_by_it() {
+        let bare = |size: f64| [standing(&[], size), standing(&[Help::Cohesion], 50.0)];
+        assert_eq!(leading(&bare(f64::NEG_INFINITY)), 0);
+        assert_eq!(leading(&bare(0.0)), 0);
+        assert_eq!(leading(&bare(50.0 * (1.0 + 1e-10))), 1);
+        assert_eq!(leading(&bare(60.0)), 1);
+        let endless = [standing(&[], f64::INFINITY), standing(&[Help::Cohesion], f64::INFINITY)];
+        assert_eq!(leading(&endless), 1);
+        assert_eq!(not_counted(&bare(f64::NEG_INFINITY), 0).left_out, [Help::Cohesion]);
+    }
 }
