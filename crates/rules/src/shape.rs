@@ -1,5 +1,5 @@
 //! What files of vehicles and rules may say, key by key: the reader, the schema and the list in `docs/input/vehicles.md` are
-//! made from it. Each table is written once, as the struct that is read of it with the card of every key ([`table!`]).
+//! made from it. Each table is written once, as the struct that is read of it with the card of every key (`table!`).
 
 /// A kind of value.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,7 @@
 //! factors of a rule.
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
-//! strengths their factors, `cases` lists places, `standing` what stands there, `search` tells what [`moving`] finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
+//! strengths their factors, `cases` lists places, `standing` what stands there, `search` tells what `moving` finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
 //! discrete elements.
 
 mod across;
