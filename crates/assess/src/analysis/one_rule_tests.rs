@@ -161,6 +161,7 @@ fn stones_that_slip_at_the_first_touch_carry_what_they_come_to_rest_under() {
     for place in [2.5323, 3.1654, 3.7985] {
         let found = sweep(&bridge, Places::At(place), false, &mut Unwatched).unwrap();
         let (swept, alone) = (found.points[0].load_factor.unwrap(), alone(&bridge, place));
-        assert!((swept / alone - 1.0).abs() < 0.02, "{place}: {swept} {alone}");
+        // Where joints slide, paths of other steps end within a hundredth of one another (`path_forks`).
+        assert!((swept / alone - 1.0).abs() < 0.01, "{place}: {swept} {alone}");
     }
 }

@@ -88,10 +88,11 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     let line = Line { vehicle: 0, positions: &list, alike: false };
     let finest = if yields { 0.0 } else { step };
     let Some(rigid) = search(&scene, (&[line], 1), finest, watch).pop() else { return Err(AnalysisError::NoLoad) };
-    // Places beside the worst one without an answer stand for themselves, the worst one only where it is new.
-    let mut rows = rigid.places;
-    let is_new = |row: &Place, k: usize| k < list.len() || list.iter().all(|place| *place != row.at.position);
-    rows = rows.into_iter().enumerate().filter(|(k, row)| is_new(row, *k)).map(|(_, row)| row).collect();
+    // Places between the positions count where they are new.
+    let positions = rigid.places.len() - rigid.between;
+    let is_new = |row: &Place| list.iter().all(|place| *place != row.at.position);
+    let rows = rigid.places.into_iter().enumerate().filter(|(k, row)| *k < positions || is_new(row));
+    let mut rows: Vec<Place> = rows.map(|(_, row)| row).collect();
     let points: Vec<SweepPoint> = rows.iter().map(|row| loads.point(row)).collect();
     let (not_counted, whole) = (Default::default(), rigid.whole);
     let mut found =

@@ -116,6 +116,7 @@ fn loads_of_a_file_carry_what_a_vehicle_without_factors_carries() {
         let loads = crate::analysis::sweep(&one, places, true, &mut Unwatched).unwrap();
         let [by_file, by_rule] =
             [loads.worst().and_then(|point| point.load_factor), vehicle.adequacy].map(Option::unwrap);
+        // Worst places are sought to a hundredth of a step, from other positions: near a minimum that is a change of second order.
         assert!((by_file / by_rule - 1.0).abs() < 1e-4, "{by_file} {by_rule}");
     }
 }
