@@ -91,7 +91,8 @@ pub(crate) fn no_more(question: Question, bridge: &Bridge) -> [f64; 2] {
     let share = match question {
         Question::Load | Question::Dragged => 1e-6,
         Question::Sweep | Question::Vehicles => 1e-4,
-        // Thickness and movement are narrowed to a thousandth.
+        // Thickness and movement are narrowed to a thousandth, thickness by discrete elements to a two-hundredth.
+        Question::Thickness if bridge.plan.method == Method::Dem => 5e-3,
         Question::Thickness | Question::Movement => 2e-3,
     };
     [share, step]

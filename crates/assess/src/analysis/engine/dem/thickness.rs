@@ -25,7 +25,8 @@ impl Watch for Trial<'_> {
     }
 }
 
-/// Brackets the thickness at which the rings just stand.
+/// Brackets the thickness at which the rings just stand. Rings whose forces go to and fro without end are not shown to stand, and the bracket
+/// is narrowed above them.
 pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let bridge = rings.bridge;
     require_stiffness(bridge)?;
@@ -37,7 +38,8 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
         Ok((d, outcome))
     };
     let [least, most] = rings.range();
-    let (mut fell, mut stood) = (None, None);
+    // What falls, and what does not stand: it falls, or its forces go to and fro without end.
+    let (mut fell, mut unproven, mut stood) = (None, None, None);
     let mut last_fall = None;
     let mut ended = Status::Completed;
     // Geometric steps out from the given thickness, then halving.
@@ -52,8 +54,13 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
         let (d, outcome) = run(factor, watch)?;
         match outcome.status {
             dem::Status::StableToLastLoad => stood = Some((factor, d, outcome)),
-            dem::Status::UnstableUnderSelfWeight | dem::Status::Collapsed => {
-                fell = Some(factor);
+            dem::Status::UnstableUnderSelfWeight | dem::Status::Collapsed | dem::Status::Stalled => {
+                unproven = Some(factor);
+                if outcome.status == dem::Status::Stalled {
+                    ended = Status::Stalled;
+                } else {
+                    (ended, fell) = (Status::Completed, unproven);
+                }
                 last_fall = Some((d, outcome));
             }
             _ => {
@@ -61,19 +68,21 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
                 break;
             }
         }
-        factor = match (fell, &stood) {
-            (Some(fell), Some((stood, ..))) if stood / fell <= 1.0 + BRACKET => break,
-            (Some(fell), Some((stood, ..))) => (fell * stood).sqrt(),
+        factor = match (unproven, &stood) {
+            (Some(thin), Some((stood, ..))) if stood / thin <= 1.0 + BRACKET => break,
+            (Some(thin), Some((stood, ..))) => (thin * stood).sqrt(),
             (None, Some((stood, ..))) if *stood <= least => {
                 ended = Status::StableToLastLoad;
                 break;
             }
             (None, Some((stood, ..))) => (0.7 * stood).max(least),
-            (Some(fell), None) if fell >= most => {
-                ended = Status::UnstableUnderSelfWeight;
+            (Some(thin), None) if thin >= most => {
+                if ended == Status::Completed {
+                    ended = Status::UnstableUnderSelfWeight;
+                }
                 break;
             }
-            (Some(fell), None) => (fell / 0.7).min(most),
+            (Some(thin), None) => (thin / 0.7).min(most),
             (None, None) => break,
         };
     }
@@ -84,7 +93,7 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
     };
     let mut c = report(bridge, &d, &outcome, "least thickness", &|factor| factor);
     c.status = ended;
-    c.sought = Sought::Thickness(fell.zip(stood.as_ref()).map(|(fell, (stood, ..))| rings.report([fell, *stood])));
+    c.sought = Sought::Thickness(fell.or(unproven).zip(stood.as_ref()).map(|(fell, (stood, ..))| rings.report([fell, *stood])));
     if let Some((_, d, outcome)) = &stood {
         let standing = report(bridge, d, outcome, "least thickness", &|factor| factor);
         c.picture.thrust_lines = standing.picture.thrust_lines;
