@@ -102,8 +102,11 @@ pub(crate) fn no_more(question: Question, bridge: &Bridge) -> [f64; 2] {
 pub(crate) fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
     let [share, step] = no_more(question, bridge);
     match bridge.plan.method {
-        // Crushing is followed along chords within 2e-5 of its parabola.
-        Method::Limit => [share.max(if question == Question::Sweep { 1e-3 } else { 2e-5 }), step],
+        // Crushing is followed along chords within 2e-5 of its parabola. The worst place is sought to a hundredth of a step, from other places
+        // where the steps are others.
+        Method::Limit => {
+            [share.max(if matches!(question, Question::Sweep | Question::Vehicles) { 1e-3 } else { 2e-5 }), step]
+        }
         Method::Path | Method::Dem | Method::Fe => [share.max(1e-3), step],
     }
 }
