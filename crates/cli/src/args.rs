@@ -1,6 +1,5 @@
 //! What may be said on the command line.
 
-use crate::failure::Failure;
 use crate::quantities;
 use crate::shards::Sharing;
 use bridge::choice::Choice as Words;
@@ -9,7 +8,7 @@ use bridge::update::{Search, Start, Variant};
 use bridge::{Analysis, ContactLength, ContactPoints, Friction, JointContact, Method};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use extrados::StageName;
+use extrados::{Refusal, StageName};
 use outcome::validation::Predictor;
 use std::path::PathBuf;
 use verification::footing::Ground;
@@ -586,7 +585,7 @@ pub(crate) fn word_for<T: PartialEq>(words: &[Word<T>], value: T) -> &'static st
 
 impl Choice {
     /// What was said in place of a file's plan, for a bridge of this width [m].
-    pub(crate) fn of(&self, width: f64) -> Result<extrados::Choice, Failure> {
+    pub(crate) fn of(&self, width: f64) -> Result<extrados::Choice, Refusal> {
         let resolution = self.resolution.as_ref().map(|text| quantities::line_load("--resolution", text, width));
         let own = &self.overrides;
         Ok(extrados::Choice {

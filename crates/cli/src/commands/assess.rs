@@ -7,7 +7,6 @@ use super::source::Source;
 use crate::args::{Assess as Arguments, STAGES, word_for};
 use crate::clock::Clock;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::program;
 use crate::report::Report;
@@ -17,18 +16,18 @@ use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::{Silent, watched};
-use extrados::{AssessOptions, Assessed, Disk, Files, Means, WholeDisk};
+use extrados::{AssessOptions, Assessed, Disk, Files, Means, Refusal, WholeDisk};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     desk.screen.details = arguments.details;
     if arguments.file.is_dir() {
         return fleet::run(desk, arguments);
     }
     if arguments.sharing.shard.is_some() {
         let message = format!("{} is one bridge, and no work that can be cut into shards", arguments.file.display());
-        return Err(Failure::input("F146", message, "leave --shard away, or name a folder of bridge files"));
+        return Err(Refusal::new("F146", message, "leave --shard away, or name a folder of bridge files"));
     }
     let source = Source::open_from(desk, &arguments.file, pictures(arguments))?;
     if source.bridge().is_none() {
@@ -96,7 +95,7 @@ fn assessed(
     program: &str,
     arguments: &Arguments,
     quiet: bool,
-) -> Result<Option<Assessed>, Failure> {
+) -> Result<Option<Assessed>, Refusal> {
     let shelf = FolderShelf::new(folder, Resume::WherePossible);
     let options = AssessOptions {
         skip: arguments.skip.clone(),

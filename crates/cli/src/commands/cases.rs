@@ -3,19 +3,18 @@
 use super::source::Source;
 use crate::args::Cases as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::results::{self, Written};
 use crate::status::Status;
 use crate::watcher::watched;
-use extrados::Cases;
+use extrados::{Cases, Refusal};
 use findings::visible::cell;
 use std::fmt::Write;
 use std::path::Path;
 
 /// Reads the file, makes every case, writes them side by side.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
     let choice = arguments.choice.of(bridge.width)?;

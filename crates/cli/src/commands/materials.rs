@@ -1,15 +1,15 @@
 //! `extrados materials`: what is usual of masonry, joints, fill and backing, and where that is from.
 
 use crate::args::Materials;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
+use extrados::Refusal;
 use extrados::materials;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Lists the library, one material, or those of one table.
-pub(super) fn run(arguments: &Materials) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Materials) -> Result<Report, Refusal> {
     let asked = arguments.name.as_deref().map(|name| name.trim_matches(['[', ']']));
     let mut listed = materials();
     listed.retain(|one| {
@@ -17,7 +17,7 @@ pub(super) fn run(arguments: &Materials) -> Result<Report, Failure> {
     });
     if let Some(name) = asked.filter(|_| listed.is_empty()) {
         let message = format!("the library has no material \"{name}\", and no material of such a table");
-        return Err(Failure::input("F126", message, "extrados materials lists them all"));
+        return Err(Refusal::new("F126", message, "extrados materials lists them all"));
     }
     let mut page = String::new();
     for one in &listed {

@@ -4,7 +4,6 @@ use super::answer::refused;
 use super::obey;
 use crate::args::{Arguments, Command, Merge};
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::program;
 use crate::report::Report;
 use crate::shards::{Merged, Portion, Sharing};
@@ -16,7 +15,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Checks that the shards are all there and belong together, then lets their command find every piece finished.
-pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Report, Refusal> {
     let shards = match gathered(&arguments.dirs) {
         Ok(shards) => shards,
         Err(refusals) => return Ok(refused(desk, Report::new(Status::UnusableInput), refusals)),

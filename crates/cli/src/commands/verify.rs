@@ -3,11 +3,12 @@
 
 use crate::args::Verify;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher;
+use extrados::Refusal;
 use extrados::files::head;
 use findings::words::counted;
 use rayon::prelude::*;
@@ -26,7 +27,7 @@ const KINDS: [(Kind, &str, &str); 5] = [
 ];
 
 /// Runs the cases below a folder.
-pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Refusal> {
     if let Some(path) = &arguments.manual {
         free(path)?;
     }
@@ -46,7 +47,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
     let complete = judged.iter().all(Option::is_some);
     let judged: Vec<Judged> = judged.into_iter().flatten().collect();
     let tables = verification::tables()
-        .map_err(|wrong| Failure::input("F112", wrong, "this program was built with a library that cannot be used"))?;
+        .map_err(|wrong| Refusal::new("F112", wrong, "this program was built with a library that cannot be used"))?;
     let well = judged.iter().all(|one| one.verdict.is_well()) && tables.iter().all(TableRow::agrees);
     let status = match (complete, well) {
         (false, _) => Status::Cancelled,
@@ -55,7 +56,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
     };
     if let Some(path) = arguments.manual.as_ref().filter(|_| complete) {
         let written = folder::write_whole(path, verification::manual(&judged).as_bytes());
-        written.map_err(|error| Failure::not_written(path, &error))?;
+        written.map_err(|error| failure::not_written(path, &error))?;
     }
     Ok(Report::new(status)
         .with("kinds", counts(&judged))
@@ -69,31 +70,31 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
 const MANUAL: &str = "# Verification manual";
 
 /// The manual replaces an earlier manual and no other file.
-fn free(path: &Path) -> Result<(), Failure> {
+fn free(path: &Path) -> Result<(), Refusal> {
     match head(path, MANUAL.len() as u64) {
         Ok(bytes) if !bytes.starts_with(MANUAL.as_bytes()) => {
             let message = format!("{} exists and is no verification manual", path.display());
-            Err(Failure::input("F119", message, "name another file with --manual FILE"))
+            Err(Refusal::new("F119", message, "name another file with --manual FILE"))
         }
         _ => Ok(()),
     }
 }
 
-fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
+fn read(folder: &Path) -> Result<Vec<Case>, Refusal> {
     if !folder.exists() {
         let message = format!("there is no folder {} here", folder.display());
         let help =
             "the cases stand in verification/ of the source: run the command in a clone of it, or name the folder";
-        return Err(Failure::input("F111", message, help));
+        return Err(Refusal::new("F111", message, help));
     }
-    let found = verification::discover(folder).map_err(|error| Failure::unreadable(folder, &error))?;
+    let found = verification::discover(folder).map_err(|error| Refusal::unreadable(folder, &error))?;
     if found.is_empty() {
         let message = format!("{} holds no folder with a case.toml", folder.display());
-        return Err(Failure::input("F111", message, "name the folder of the verification cases"));
+        return Err(Refusal::new("F111", message, "name the folder of the verification cases"));
     }
     let read = found.iter().map(|folder| Case::read(folder));
     read.collect::<Result<_, _>>().map_err(|error| {
-        Failure::input(
+        Refusal::new(
             "F112",
             error.to_string(),
             "repair the case, or name another folder; verification/README.md tells what a case holds",

@@ -3,10 +3,10 @@
 use super::repeated::least_and_middle;
 use crate::args::{Bench, GROUNDS, word_for};
 use crate::clock::Clock;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
+use extrados::Refusal;
 use mechanics::fem;
 use verification::footing::{FootingError, Ground, footing, prandtl, settings};
 
@@ -17,10 +17,10 @@ const COLUMNS: u32 = 142;
 const TOLERANCE: f64 = 1e-6;
 
 /// Repeats the push and gives the least and the middle time.
-pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Refusal> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
     let ground = arguments.material.unwrap_or(Ground::VonMises);
-    let refused = |error: FootingError| Failure::input("F108", error.to_string(), "ask for less");
+    let refused = |error: FootingError| Refusal::new("F108", error.to_string(), "ask for less");
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
         let clock = Clock::start();
