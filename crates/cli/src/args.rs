@@ -290,7 +290,7 @@ pub(crate) struct Assess {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Leave a stage out
-    #[arg(long, value_name = "STAGE", value_parser = one_of(STAGES.to_vec()))]
+    #[arg(long, value_name = "STAGE", value_parser = word::<StageName>())]
     pub skip: Vec<StageName>,
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
@@ -542,17 +542,6 @@ pub(crate) enum BenchName {
 /// A word on the command line, what it means there, and what it stands for.
 pub(crate) type Word<T> = (&'static str, &'static str, T);
 
-/// Stages of an assessment.
-pub(crate) const STAGES: &[Word<StageName>] = &[
-    ("update", "Moduli from records; the file's own values count", StageName::Update),
-    ("service", "The train that crosses", StageName::Service),
-    ("collapse", "The loads of the file at collapse", StageName::Collapse),
-    ("vehicles", "The vehicles of [sweep]", StageName::Vehicles),
-    ("cases", "The named cases of the file", StageName::Cases),
-    ("support-movement", "The support that moves", StageName::SupportMovement),
-    ("sensitivity", "What would change the verdict", StageName::Sensitivity),
-];
-
 /// Ground under the footing of `bench footing`.
 pub(crate) const GROUNDS: &[Word<Ground>] = &[
     ("von-mises", "Clay", Ground::VonMises),
@@ -561,7 +550,7 @@ pub(crate) const GROUNDS: &[Word<Ground>] = &[
     ("mohr-coulomb", "Frictional, the pyramid in place of the cone, with associated flow", Ground::MohrCoulomb),
 ];
 
-/// Words of a key of bridge files, with what the reference says of them.
+/// Words of a key of bridge files or of stages, with what is said of them.
 fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
     one_of(T::WORDS.iter().zip(T::VALUES).map(|(choice, value)| (choice.word, choice.doc, *value)).collect())
 }

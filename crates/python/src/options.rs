@@ -49,10 +49,7 @@ impl<'py> Options<'py> {
     pub(crate) fn word<T: Words>(&self, name: &str) -> PyResult<Option<T>> {
         let Some(value) = self.take(name)? else { return Ok(None) };
         let word = value.extract::<String>().ok().and_then(|word| T::named(&word));
-        word.map(Some).ok_or_else(|| {
-            let known: Vec<String> = T::WORDS.iter().map(|one| format!("\"{}\"", one.word)).collect();
-            self.wrong(name, &value, &format!("write {}", known.join(", ")))
-        })
+        word.map(Some).ok_or_else(|| self.wrong(name, &value, &format!("write {}", known::<T>())))
     }
 
     /// A quantity above zero in one of these dimensions, with its unit.
@@ -145,22 +142,10 @@ impl<'py> Options<'py> {
 
     /// Stages that an assessment leaves out.
     pub(crate) fn stages(&self, name: &str) -> PyResult<Vec<StageName>> {
-        const ALL: [(&str, StageName); 7] = [
-            ("update", StageName::Update),
-            ("service", StageName::Service),
-            ("collapse", StageName::Collapse),
-            ("vehicles", StageName::Vehicles),
-            ("cases", StageName::Cases),
-            ("support-movement", StageName::SupportMovement),
-            ("sensitivity", StageName::Sensitivity),
-        ];
-        let known = || ALL.map(|(word, _)| format!("\"{word}\"")).join(", ");
         let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
         let words = value.extract::<Vec<String>>().unwrap_or_else(|_| vec![String::new()]);
-        let stages = words.iter().map(|word| ALL.iter().find(|(own, _)| own == word).map(|(_, stage)| *stage));
-        stages
-            .collect::<Option<Vec<StageName>>>()
-            .ok_or_else(|| self.wrong(name, &value, &format!("write a list of {}", known())))
+        let stages: Option<Vec<StageName>> = words.iter().map(|word| StageName::named(word)).collect();
+        stages.ok_or_else(|| self.wrong(name, &value, &format!("write a list of {}", known::<StageName>())))
     }
 
     /// Refuses what is left.
@@ -172,6 +157,11 @@ impl<'py> Options<'py> {
         let message = format!("there is no argument {}", left.join(", "));
         Err(errors::argument(self.given.py(), message, "the documentation of the call lists its arguments"))
     }
+}
+
+/// Every word of a key, in quotes.
+fn known<T: Words>() -> String {
+    T::WORDS.iter().map(|one| format!("\"{}\"", one.word)).collect::<Vec<_>>().join(", ")
 }
 
 /// Files that are given as bytes beside those of the disk.

@@ -4,7 +4,7 @@ mod fleet;
 mod pdf;
 
 use super::source::Source;
-use crate::args::{Assess as Arguments, STAGES, word_for};
+use crate::args::Assess as Arguments;
 use crate::clock::Clock;
 use crate::desk::Desk;
 use crate::folder::{self, Folder};
@@ -112,7 +112,7 @@ fn assessed(
 
 /// The command that makes this bridge's report by itself.
 fn command(arguments: &Arguments, file: &str) -> String {
-    let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {}", word_for(STAGES, *stage))).collect();
+    let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {stage}")).collect();
     let outside = if arguments.allow_outside { " --allow-outside" } else { "" };
     format!("extrados assess {file}{skipped}{outside}")
 }
