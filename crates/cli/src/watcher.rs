@@ -68,22 +68,8 @@ impl Watch for Silent {
     }
 }
 
-/// Predictions call analyses by themselves.
-impl mechanics::watch::Watch for Silent {
-    fn look(&mut self, _: &Progress) -> Wish {
-        wish()
-    }
-}
-
 fn wish() -> Wish {
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
-}
-
-/// Measures of speed call analyses by themselves.
-impl mechanics::watch::Watch for Spectator {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        draw(&self.0, progress)
-    }
 }
 
 fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {

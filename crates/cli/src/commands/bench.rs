@@ -16,8 +16,7 @@ use crate::status::Status;
 use crate::watcher::watched;
 use assess::analysis::AnalysisError;
 use bridge::Bridge;
-use extrados::Refusal;
-use extrados::examples;
+use extrados::{Looking, Refusal, examples};
 use repeated::{Repeated, repeated};
 use verification::kernels;
 use verification::kernels::Found;
@@ -33,9 +32,9 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Refusal> {
         BenchName::Bounds => bounds::run(arguments),
         BenchName::Crossing => crossing::run(arguments),
         BenchName::Factor => factor::run(arguments),
-        BenchName::Footing => watched(quiet, |onlooker| footing::run(onlooker, arguments)),
+        BenchName::Footing => watched(quiet, |onlooker| footing::run(&mut Looking(onlooker), arguments)),
         BenchName::Passage => passage::run(quiet, arguments),
-        BenchName::Update => watched(quiet, |onlooker| update::run(onlooker, arguments)),
+        BenchName::Update => watched(quiet, |onlooker| update::run(&mut Looking(onlooker), arguments)),
     }
 }
 

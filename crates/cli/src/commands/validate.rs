@@ -13,7 +13,7 @@ use crate::status::Status;
 use crate::summary;
 use crate::watcher::{self, Silent};
 use extrados::shard::Shard;
-use extrados::{Means, Refusal};
+use extrados::{Looking, Means, Refusal};
 use outcome::published;
 use outcome::validation::{Predictor, Validation};
 use rayon::prelude::*;
@@ -86,7 +86,7 @@ fn answered(means: &Means<'_>, corpus: &Corpus, job: &Job, key: &str) -> io::Res
     if watcher::asked_to_stop() {
         return Ok(None);
     }
-    let answer = predict(corpus, job, &mut Silent);
+    let answer = predict(corpus, job, &mut Looking(&mut Silent));
     // One that was stopped on its way is no answer.
     if watcher::asked_to_stop() {
         return Ok(None);

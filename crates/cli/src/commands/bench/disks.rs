@@ -7,8 +7,8 @@ use crate::clock::Clock;
 use crate::folder::{Folder, Purpose};
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop, watched};
-use extrados::Refusal;
+use crate::watcher::{asked_to_stop, watched};
+use extrados::{Looking, Refusal};
 use findings::words::counted;
 use mechanics::dem::{State, Workspace, begin, step};
 use mechanics::kept::digest;
@@ -34,9 +34,10 @@ struct Stepped {
 pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
     let count = arguments.count.unwrap_or(DISCS).max(LEAST) as usize;
     if let Some(steps) = arguments.steps {
-        return watched(quiet, |onlooker| from_the_packing(onlooker, arguments, count, u64::from(steps)));
+        return watched(quiet, |onlooker| from_the_packing(&mut Looking(onlooker), arguments, count, u64::from(steps)));
     }
     let built = watched(quiet, |onlooker| {
+        let onlooker = &mut Looking(onlooker);
         disks(count, onlooker).map(|disks| disks.settled(onlooker).map(|state| (disks, state)))
     });
     let (disks, (mut state, mut work)) = match built {
@@ -116,7 +117,7 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
 }
 
 /// So many steps from the expanded packing on, while friction and gravity bring it to rest.
-fn from_the_packing(onlooker: &mut Spectator, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Refusal> {
+fn from_the_packing(onlooker: &mut dyn Watch, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Refusal> {
     const LOOK: u64 = 20;
     const KEEP_EVERY: f64 = 30.0;
     let disks = match disks(count, onlooker) {

@@ -5,11 +5,11 @@ use crate::args::Bench;
 use crate::clock::Clock;
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop, watched};
+use crate::watcher::{asked_to_stop, watched};
 use assess::analysis::passage::{Scope, Setup, Solution, setup, solve};
 use bridge::Bridge;
 use bridge::passage::PassagePath;
-use extrados::Refusal;
+use extrados::{Looking, Refusal};
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::PassageStatus;
 
@@ -135,7 +135,7 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Refu
 
 /// An onlooker that notes when the positions begin.
 struct Timed<'a> {
-    spectator: &'a mut Spectator,
+    spectator: Looking<'a>,
     clock: Clock,
     until_positions: Option<f64>,
 }
@@ -143,7 +143,7 @@ struct Timed<'a> {
 /// A passage, and what a clock says when its positions begin [s].
 fn timed(quiet: bool, clock: Clock, bridge: &Bridge, setup: &Setup) -> Result<(Solution, f64), Refusal> {
     watched(quiet, |spectator| {
-        let mut onlooker = Timed { spectator, clock, until_positions: None };
+        let mut onlooker = Timed { spectator: Looking(spectator), clock, until_positions: None };
         let found = solve(bridge, setup, Scope::Sensors, &[], &mut onlooker)?;
         Ok((found, onlooker.until_positions.unwrap_or_default()))
     })

@@ -6,7 +6,7 @@ use crate::args::Bench;
 use crate::clock::Clock;
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop};
+use crate::watcher::asked_to_stop;
 use assess::analysis::passage::{WantedSlices, setup, slices};
 use extrados::Refusal;
 use mechanics::watch::{Progress, Unwatched, Watch};
@@ -16,7 +16,7 @@ use outcome::passage::PassageStatus;
 const SLICES: usize = 6;
 
 /// Evaluates models whose fill and mortar differ a little from one another, and gives the time of one.
-pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Refusal> {
+pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report, Refusal> {
     let bridge = of_example("railway-arch", "passage.toml")?;
     let base = setup(&bridge)?;
     let count = base.positions.len();
