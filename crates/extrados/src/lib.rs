@@ -66,7 +66,7 @@ pub use crate::blocks::{Blocks, collapse_of_blocks};
 pub use crate::built::{as_built, library, of_drawing};
 pub use crate::calibrate_fill::{CalibrateFillOptions, calibrate_fill};
 pub use crate::cases::{CaseAnswer, Cases, cases};
-pub use crate::choice::Choice;
+pub use crate::choice::{Choice, damping};
 pub use crate::collapse::{CollapseOptions, collapse, not_known, planned};
 pub use crate::compare::{Answered, Compared, Difference, compare};
 pub use crate::files::{Disk, Files, Memory, WholeDisk};

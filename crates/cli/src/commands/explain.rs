@@ -1,6 +1,5 @@
 //! `extrados explain`: what a code or a status means.
 
-use crate::args::Explain;
 use crate::failure;
 use crate::report::Report;
 use crate::status::{self, Status};
@@ -22,8 +21,8 @@ impl Entry {
 }
 
 /// Prints one card, or the list of all.
-pub(super) fn run(arguments: &Explain) -> Result<Report, Refusal> {
-    match &arguments.code {
+pub(super) fn run(code: Option<&str>) -> Result<Report, Refusal> {
+    match code {
         Some(code) => one(code),
         None => Ok(list()),
     }

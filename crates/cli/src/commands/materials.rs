@@ -1,6 +1,5 @@
 //! `extrados materials`: what is usual of masonry, joints, fill and backing, and where that is from.
 
-use crate::args::Materials;
 use crate::report::Report;
 use crate::status::Status;
 use extrados::Refusal;
@@ -9,8 +8,8 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Lists the library, one material, or those of one table.
-pub(super) fn run(arguments: &Materials) -> Result<Report, Refusal> {
-    let asked = arguments.name.as_deref().map(|name| name.trim_matches(['[', ']']));
+pub(super) fn run(name: Option<&str>) -> Result<Report, Refusal> {
+    let asked = name.map(|name| name.trim_matches(['[', ']']));
     let mut listed = materials();
     listed.retain(|one| {
         asked.is_none_or(|name| one.code.eq_ignore_ascii_case(name) || one.tables.iter().any(|table| table == name))

@@ -95,7 +95,7 @@ const BROKEN: u8 = 101;
 
 fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
     match command {
-        Command::New(arguments) => new::run(arguments),
+        Command::New { dir, from } => new::run(dir, from),
         Command::Check(arguments) => check::run(desk, arguments),
         Command::Collapse(arguments) => collapse::run(desk, arguments),
         Command::Cases(arguments) => cases::run(desk, arguments),
@@ -106,10 +106,10 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
         Command::Assess(arguments) => assess::run(desk, arguments),
         Command::Update(arguments) => update::run(desk, arguments),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments),
-        Command::Merge(arguments) => merge::run(desk, arguments),
-        Command::Explain(arguments) => explain::run(arguments),
-        Command::Vehicles(arguments) => vehicles::run(arguments),
-        Command::Materials(arguments) => materials::run(arguments),
+        Command::Merge { dirs, out } => merge::run(desk, dirs, out),
+        Command::Explain { code } => explain::run(code.as_deref()),
+        Command::Vehicles { name } => vehicles::run(name.as_deref()),
+        Command::Materials { name } => materials::run(name.as_deref()),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments),
         Command::Validate(arguments) => validate::run(desk, arguments),

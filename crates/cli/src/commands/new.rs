@@ -1,6 +1,5 @@
 //! `extrados new`: a working example to edit.
 
-use crate::args::New;
 use crate::failure;
 use crate::folder;
 use crate::report::Report;
@@ -13,19 +12,19 @@ use std::io;
 use std::path::Path;
 
 /// Writes the example's files into a new or empty folder.
-pub(super) fn run(arguments: &New) -> Result<Report, Refusal> {
-    let example = examples::named(&arguments.from).ok_or_else(|| unknown(&arguments.from))?;
-    write(example, &arguments.dir)?;
+pub(super) fn run(dir: &Path, from: &str) -> Result<Report, Refusal> {
+    let example = examples::named(from).ok_or_else(|| unknown(from))?;
+    write(example, dir)?;
     let names: Vec<&str> = example.files.iter().map(|file| file.name).collect();
-    let first = arguments.dir.join(example.main);
-    let mut summary = format!("{}: {}\n", arguments.dir.display(), example.about);
+    let first = dir.join(example.main);
+    let mut summary = format!("{}: {}\n", dir.display(), example.about);
     for file in example.files {
         let _ = writeln!(summary, "  {:<16} {}", file.name, file.about());
     }
     let _ = writeln!(summary, "next: extrados {} {}", example.command(), first.display());
     Ok(Report::new(Status::Completed)
         .with("example", example.name)
-        .with("folder", arguments.dir.display().to_string())
+        .with("folder", dir.display().to_string())
         .with("files", names)
         .saying(summary))
 }

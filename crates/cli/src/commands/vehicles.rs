@@ -1,6 +1,5 @@
 //! `extrados vehicles`: the vehicles and rules that a bridge file can name in [sweep] and [assess].
 
-use crate::args::Vehicles;
 use crate::report::Report;
 use crate::status::Status;
 use assess::vehicles::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
@@ -13,9 +12,8 @@ use std::fmt::Write;
 const GRAVITY: f64 = 9.81;
 
 /// Lists the library, or what bears one name.
-pub(super) fn run(arguments: &Vehicles) -> Result<Report, Refusal> {
+pub(super) fn run(asked: Option<&str>) -> Result<Report, Refusal> {
     let library = library(GRAVITY).map_err(|unknown| Refusal::new("F126", unknown.to_string(), "report this"))?;
-    let asked = arguments.name.as_deref();
     let is = |code: &str| asked.is_none_or(|name| code.eq_ignore_ascii_case(name));
     // A name of a load model stands for all of its vehicles, as in a bridge file.
     let vehicles: Vec<(&LoadModel, &Vehicle)> =
