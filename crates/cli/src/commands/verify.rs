@@ -17,15 +17,6 @@ use std::fmt::Write;
 use std::path::Path;
 use verification::{Case, Class, Judged, Kind, TableRow, Verdict};
 
-/// Kinds of evidence; their counts are never added up.
-const KINDS: [(Kind, &str, &str); 5] = [
-    (Kind::Exact, "exact", "against closed forms"),
-    (Kind::Analytical, "analytical", "against approximate theory"),
-    (Kind::Benchmark, "benchmark", "against other programs and published numerical results"),
-    (Kind::Experiment, "experiment", "against tests"),
-    (Kind::Regression, "regression", "against this program's own past"),
-];
-
 /// Runs the cases below a folder.
 pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Refusal> {
     if let Some(path) = &arguments.manual {
@@ -104,8 +95,8 @@ fn read(folder: &Path) -> Result<Vec<Case>, Refusal> {
 
 fn counts(judged: &[Judged]) -> Map<String, Value> {
     let mut kinds = Map::new();
-    for (kind, word, _) in KINDS {
-        let of_kind = || judged.iter().filter(|one| one.case.kind == kind);
+    for kind in Kind::ALL {
+        let of_kind = || judged.iter().filter(|one| one.case.kind == *kind);
         let count = |test: fn(&Verdict) -> bool| of_kind().filter(|one| test(&one.verdict)).count();
         if of_kind().next().is_some() {
             let row = json!({
@@ -113,7 +104,7 @@ fn counts(judged: &[Judged]) -> Map<String, Value> {
                 "open": count(|verdict| matches!(verdict, Verdict::Open(_))),
                 "fails": count(|verdict| !verdict.is_well()),
             });
-            kinds.insert(word.to_owned(), row);
+            kinds.insert(kind.word().to_owned(), row);
         }
     }
     kinds
@@ -131,7 +122,7 @@ fn case(judged: &Judged) -> Value {
     let mut value = json!({
         "name": judged.case.name,
         "title": judged.case.title,
-        "kind": KINDS.iter().find(|(kind, ..)| *kind == judged.case.kind).map(|(_, word, _)| *word),
+        "kind": judged.case.kind.word(),
         "verdict": judged.verdict.word(),
         "seconds": judged.seconds,
         "findings": findings.collect::<Vec<Value>>(),
@@ -186,13 +177,13 @@ fn tables_in_words(tables: &[TableRow]) -> String {
 
 fn summary(judged: &[Judged], tables: &[TableRow], left: &[Case], status: Status) -> String {
     let mut page = String::new();
-    for (kind, _, words) in KINDS {
-        let of_kind: Vec<Judged> = judged.iter().filter(|one| one.case.kind == kind).cloned().collect();
+    for kind in Kind::ALL {
+        let of_kind: Vec<Judged> = judged.iter().filter(|one| one.case.kind == *kind).cloned().collect();
         if of_kind.is_empty() {
             continue;
         }
         let holds = of_kind.iter().filter(|one| one.verdict == Verdict::Holds).count();
-        let _ = writeln!(page, "{words}: {holds} of {} hold", of_kind.len());
+        let _ = writeln!(page, "against {}: {holds} of {} hold", kind.words(), of_kind.len());
         for line in verification::table(&of_kind).lines() {
             let _ = writeln!(page, "  {line}");
         }
