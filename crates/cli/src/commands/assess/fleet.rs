@@ -16,7 +16,6 @@ use crate::status::Status;
 use crate::summary;
 use crate::watcher;
 use ::report::FleetRow;
-use bridge::Severity;
 use extrados::shard::Shard;
 use extrados::{Disk, Means, Refusal};
 use findings::visible::{is_hidden, one_line};
@@ -219,12 +218,8 @@ fn judged(
 ) -> Result<Option<FleetRow>, Refusal> {
     let source = Source::read(path, pictures(arguments))?;
     if source.bridge().is_none() {
-        let errors = source.project.findings().iter().filter(|finding| finding.severity == Severity::Error);
-        let words = errors.map(|finding| {
-            let place = bridge::text::position(source.project.text(), finding.range.start);
-            format!("line {}: {} ({})", place.line, finding.message, finding.code)
-        });
-        return Ok(Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; "))));
+        let words: Vec<String> = source.project.errors().take(5).collect();
+        return Ok(Some(blank(Status::UnusableInput, words.join("; "))));
     }
     let folder = source.folder(&fleet.file(stem), "assess")?;
     let Some(done) = assessed(&source, &folder, program, arguments, true)? else { return Ok(None) };
