@@ -6,7 +6,7 @@ use bridge::quantity::{self, Dimension};
 use extrados::bridge::Damping;
 use extrados::{Choice, StageName};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyDict;
 
 /// Arguments by name, each taken once; what nobody takes is refused.
 pub(crate) struct Options<'py> {
@@ -101,19 +101,9 @@ impl<'py> Options<'py> {
 
     fn damping(&self) -> PyResult<Option<Damping>> {
         let Some(value) = self.take("damping")? else { return Ok(None) };
-        let text = value.extract::<String>().unwrap_or_default();
-        let (kind, share) = text.split_once(':').map_or((text.as_str(), None), |(kind, share)| (kind, Some(share)));
-        let share = match share.map(str::parse::<f64>) {
-            None => Some(0.8),
-            Some(Ok(share)) if share > 0.0 && share <= 1.0 => Some(share),
-            Some(_) => None,
-        };
-        match (kind, share) {
-            ("local", Some(share)) => Ok(Some(Damping::Local(share))),
-            ("viscous", Some(share)) => Ok(Some(Damping::Viscous(share))),
-            ("adaptive", Some(_)) if !text.contains(':') => Ok(Some(Damping::Adaptive)),
-            _ => Err(self.wrong("damping", &value, "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"")),
-        }
+        let read = extrados::damping(&value.extract::<String>().unwrap_or_default());
+        let wanted = "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"";
+        read.map(Some).map_err(|_| self.wrong("damping", &value, wanted))
     }
 
     /// What takes the place of the file's plan, for a bridge of this width [m].
@@ -169,9 +159,4 @@ pub(crate) fn files(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(std::pat
     let Some(given) = given else { return Ok(Vec::new()) };
     let all = given.iter().map(|(path, bytes)| Ok((path.extract()?, bytes.extract::<Vec<u8>>()?)));
     all.collect()
-}
-
-/// A list of texts, as Python has it.
-pub(crate) fn list<'py>(py: Python<'py>, all: &[[String; 4]]) -> PyResult<Bound<'py, PyList>> {
-    PyList::new(py, all.iter().map(|[a, b, c, d]| (a, b, c, d)))
 }

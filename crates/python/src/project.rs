@@ -58,7 +58,8 @@ impl Clock for Watch {
 /// A bridge file that was read. It does not change.
 #[pyclass(frozen, module = "extrados")]
 pub struct Project {
-    file: Arc<File>,
+    /// The file itself.
+    pub(crate) file: Arc<File>,
     beside: Beside,
 }
 
@@ -117,14 +118,8 @@ impl Project {
         let found =
             run::guarded(py, || self.file.document_without_ranges().map(|document| bridge::vary::known(&document)))?;
         let all = found.map_err(|refusal| errors::refused(py, &[refusal]))?;
-        let rows: Vec<[String; 4]> = all
-            .into_iter()
-            .map(|one| {
-                let origin = if one.by_default { "default" } else { "file" };
-                [one.path, one.value, one.doc.to_owned(), origin.to_owned()]
-            })
-            .collect();
-        options::list(py, &rows)
+        let origin = |by_default: bool| if by_default { "default" } else { "file" };
+        PyList::new(py, all.into_iter().map(|one| (one.path, one.value, one.doc, origin(one.by_default))))
     }
 
     /// The same file with other values: `joint.friction_angle=30deg`.
@@ -333,7 +328,7 @@ impl Project {
     fn collapse_numbers<'py>(&self, py: Python<'py>, options: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
         let answer = self.collapse(py, options, None, None)?;
         let all = PyDict::new(py);
-        if let Found::Collapse(found) = answer.found() {
+        if let Found::Collapse(found) = &answer.found {
             for (name, number) in published::collapse_numbers(found) {
                 all.set_item(name, number)?;
             }
@@ -364,11 +359,6 @@ impl Project {
         let read = run::run(py, None, move |_| File::read(&path, &own))?.given(py)?;
         let file = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
         Ok(Project { file: Arc::new(file), beside })
-    }
-
-    /// The file itself.
-    pub fn file(&self) -> &Arc<File> {
-        &self.file
     }
 
     /// The bridge, or everything that is wrong with its file.
@@ -420,7 +410,7 @@ fn worked(
 ) -> PyResult<Answer> {
     let begun = Instant::now();
     let Finished { result, shared } = run::run(py, progress, work)?;
-    let answer = |found| Answer::new(found, files, begun.elapsed().as_secs_f64());
+    let answer = |found| Answer { found, projects: files, seconds: begun.elapsed().as_secs_f64() };
     match result {
         Ok(Ok(Some(found))) => Ok(answer(found)),
         Ok(Ok(None)) => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),

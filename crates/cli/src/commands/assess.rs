@@ -74,13 +74,7 @@ pub(super) fn answer(done: &Assessed, source: &Source) -> Report {
     let mut report = source.report(Status::of(done.assessment.verdict.status.word()));
     report.finished = done.assessment.verdict.finished;
     report.fields = done.object();
-    let stages: Vec<serde_json::Value> = done
-        .appendix
-        .stages
-        .iter()
-        .map(|stage| serde_json::json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key }))
-        .collect();
-    report.with("stages", stages).with("input_hash", done.appendix.input.as_str())
+    report.with("stages", done.stages()).with("input_hash", done.appendix.input.as_str())
 }
 
 /// Where pictures of a report may come from: the folder of the bridge file and those below, or wherever the file says.

@@ -59,16 +59,11 @@ fn write(
     folder: &Folder,
 ) -> Result<Report, Refusal> {
     report.status = Status::worst_of(found.answers.iter().map(|answer| answer.status));
-    let [before, after] = &found.answers;
     let named = [&arguments.before, &arguments.after].map(|file| file.display().to_string());
     report.fields.insert("before_file".into(), json!(named[0]));
     report.fields.insert("after_file".into(), json!(named[1]));
     report.fields.extend(found.object());
-    let mut drawings = Vec::new();
-    for (name, answer) in [("before", before), ("after", after)] {
-        let own = figures::drawings(&answer.picture).into_iter();
-        drawings.extend(own.map(|(figure, svg)| (format!("{name}/{figure}"), svg)));
-    }
+    let drawings = found.drawings().collect();
     let files = results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
     report.summary = summary(found, &named, folder.path());
     results::publish(desk, report, folder, Written { drawings, files })

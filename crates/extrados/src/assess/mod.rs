@@ -14,7 +14,8 @@ use findings::visible::one_line;
 use outcome::assessment::Assessment;
 use outcome::published;
 use outcome::warning::{self, Warning};
-use report::{Appendix, Figure, Material, Photograph, StageState};
+use report::{Appendix, Figure, Material, Photograph, StageLine, StageState};
+use serde_json::{Value, json};
 use stages::{Halt, Stages};
 
 bridge::choice! {
@@ -128,6 +129,12 @@ impl Assessed {
     /// The answer for scripts.
     pub fn object(&self) -> published::Object {
         self.assessment.object()
+    }
+
+    /// The stages in their order: name, state, key.
+    pub fn stages(&self) -> Value {
+        let one = |stage: &StageLine| json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key });
+        self.appendix.stages.iter().map(one).collect()
     }
 
     /// The checks as a table (CSV).
