@@ -6,7 +6,6 @@ use crate::kept::{Kept, State};
 use crate::object;
 use crate::options::{self, Options};
 use crate::run::{self, Finished};
-use extrados::means::Clock;
 use extrados::results::published;
 use extrados::{
     AssessOptions, CollapseOptions, Disk, Files, Means, Project as File, Refusal, RespondOptions, SweepOptions, Swept,
@@ -43,15 +42,6 @@ impl Files for Beside {
 
     fn real(&self, path: &Path) -> io::Result<PathBuf> {
         if self.0.contains_key(path) { Ok(path.to_owned()) } else { Disk.real(path) }
-    }
-}
-
-/// A clock that starts when it is made.
-struct Watch(Instant);
-
-impl Clock for Watch {
-    fn seconds(&self) -> f64 {
-        self.0.elapsed().as_secs_f64()
     }
 }
 
@@ -394,7 +384,8 @@ impl Project {
     ) -> PyResult<Answer> {
         let (file, shelf) = (Arc::clone(&self.file), Arc::clone(&kept));
         worked(py, progress, Some(kept), vec![Arc::clone(&file)], move |watch| {
-            let clock = Watch(Instant::now());
+            let begun = Instant::now();
+            let clock = || begun.elapsed().as_secs_f64();
             work(&file, &Means { shelf: &*shelf, clock: &clock, program: &program }, watch)
         })
     }

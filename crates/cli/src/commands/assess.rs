@@ -96,7 +96,8 @@ fn assessed(
         command: command(arguments, source.project.name()),
         day: today(),
     };
-    let means = Means { shelf: &shelf, clock: &Clock::start(), program };
+    let clock = Clock::start();
+    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program };
     let project = &source.project;
     Ok(match quiet {
         true => extrados::assess(project, &options, &means, &mut Silent)?,

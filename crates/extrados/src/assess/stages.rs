@@ -107,9 +107,9 @@ impl Stages<'_> {
         if self.watch.look(&Progress { stage: part, fraction: None, steps: 0 }) == Wish::Stop {
             return Err(Halt::Stopped);
         }
-        let begun = self.means.clock.seconds();
+        let begun = (self.means.clock)();
         let ran = run(&mut self.watch);
-        let seconds = self.means.clock.seconds() - begun;
+        let seconds = (self.means.clock)() - begun;
         match ran {
             // What was cut short is no fact.
             _ if self.watch.stopped => Err(Halt::Stopped),
@@ -300,8 +300,7 @@ fn doubts(project: &Project) -> Vec<Doubt> {
 fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ran<UpdateFacts> {
     let known = means.shelf.evaluations(&task.identity()).map_err(|refusal| refusal.message)?;
     let mut watch = Seeking { watch, shelf: means.shelf };
-    let clock = || means.clock.seconds();
-    let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: &clock };
+    let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: means.clock };
     let found = analysis::update::update(task, known, lent).map_err(told)?;
     if found.status == UpdateStatus::Cancelled {
         return Ok(None);

@@ -69,8 +69,8 @@ impl Work<'_> {
         if crowd.stopped() {
             return None;
         }
-        let begun = self.means.clock.seconds();
-        let seconds = || self.means.clock.seconds() - begun;
+        let begun = (self.means.clock)();
+        let seconds = || (self.means.clock)() - begun;
         let outcome = match (self.analysis.run)(&job.bridge, &mut member) {
             Ok(outcome) => outcome,
             Err(error) => {
