@@ -24,6 +24,7 @@ pub trait Choice: Copy + 'static {
 }
 
 /// Values with their words: an enumeration whose line of documentation is the reference's too.
+#[macro_export]
 macro_rules! choice {
     ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[doc = $doc:literal])+ $value:ident = $word:literal,)+ }) => {
         $(#[$meta])*

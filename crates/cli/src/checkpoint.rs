@@ -1,9 +1,10 @@
 //! The checkpoint of a run, in its folder of results. It is written to a file beside it, synchronised and renamed, so that it is
 //! whole or absent.
 
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::{self, Folder};
 use assess::checkpoint::{self, CheckpointError};
+use extrados::Refusal;
 use extrados::files::read_at_most;
 use std::fmt::{self, Debug, Display};
 use std::fs::{self, File};
@@ -37,13 +38,13 @@ impl Checkpoint {
     }
 
     /// Keeps a state, whole or not at all.
-    pub(crate) fn keep(&self, state: &[u8]) -> Result<(), Failure> {
+    pub(crate) fn keep(&self, state: &[u8]) -> Result<(), Refusal> {
         write(&self.path, &checkpoint::bytes(self.fingerprint, state))
-            .map_err(|error| Failure::not_written(&self.path, &error))
+            .map_err(|error| failure::not_written(&self.path, &error))
     }
 
     /// The state that was kept, where there is one.
-    pub(crate) fn take_up(&self) -> Result<Option<Vec<u8>>, Failure> {
+    pub(crate) fn take_up(&self) -> Result<Option<Vec<u8>>, Refusal> {
         let aside = self.set_aside(self.fingerprint);
         match read(&self.path, self.fingerprint) {
             Err(Unusable::Unread(error)) if error.kind() == io::ErrorKind::NotFound => {
@@ -54,7 +55,7 @@ impl Checkpoint {
             }
             Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) => {
                 let message = format!("{} belongs to another bridge or another plan", self.path.display());
-                Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
+                Err(Refusal::new("F106", message, "repeat the command that was interrupted, or run without --resume"))
             }
             found => found.map(Some).map_err(|error| self.unusable(&error)),
         }
@@ -62,7 +63,7 @@ impl Checkpoint {
 
     /// Makes way for a run that starts anew: the state of another run, or of another version of this program, is kept under a name of
     /// its own, a file that is no checkpoint is refused. Says what a reader should know.
-    pub(crate) fn make_way(&self) -> Result<Option<String>, Failure> {
+    pub(crate) fn make_way(&self) -> Result<Option<String>, Refusal> {
         let shown = self.path.display();
         match read(&self.path, self.fingerprint) {
             Ok(_) => {
@@ -78,15 +79,15 @@ impl Checkpoint {
             }
             Err(Unusable::Wrong(CheckpointError::Foreign)) => {
                 let folder = self.path.parent().unwrap_or(Path::new(""));
-                Err(Failure::replaces_foreign(folder, &[(false, NAME.to_owned())]))
+                Err(failure::replaces_foreign(folder, &[(false, NAME.to_owned())]))
             }
             Err(_) => Ok(None),
         }
     }
 
     /// Gives the file another name; says which, and what for.
-    fn put_aside(&self, error: &CheckpointError, aside: &Path, what_for: &str) -> Result<Option<String>, Failure> {
-        fs::rename(&self.path, aside).map_err(|error| Failure::not_written(aside, &error))?;
+    fn put_aside(&self, error: &CheckpointError, aside: &Path, what_for: &str) -> Result<Option<String>, Refusal> {
+        fs::rename(&self.path, aside).map_err(|error| failure::not_written(aside, &error))?;
         let shown = self.path.display();
         Ok(Some(format!("{shown}: {error}; it is kept as {}, {what_for}", aside.display())))
     }
@@ -102,9 +103,9 @@ impl Checkpoint {
         let _ = folder::remove(&self.set_aside(self.fingerprint));
     }
 
-    fn unusable(&self, error: &Unusable) -> Failure {
+    fn unusable(&self, error: &Unusable) -> Refusal {
         let message = format!("cannot use {}: {error}", self.path.display());
-        Failure::input("F110", message, "run without --resume to start anew")
+        Refusal::new("F110", message, "run without --resume to start anew")
     }
 }
 

@@ -16,9 +16,3 @@ impl Clock {
         self.0.elapsed().as_secs_f64()
     }
 }
-
-impl extrados::means::Clock for Clock {
-    fn seconds(&self) -> f64 {
-        Clock::seconds(*self)
-    }
-}

@@ -1,23 +1,9 @@
 //! What keeps a command from its work: what, where, and what to do about it.
 
 use crate::status::Status;
-use assess::analysis::AnalysisError;
 use extrados::{Refusal, reason};
 use std::io;
 use std::path::Path;
-
-/// A command could not do its work.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Failure {
-    /// Stable code, `F…`; `extrados explain CODE` tells more.
-    pub code: &'static str,
-    /// How the command ends.
-    pub status: Status,
-    /// What went wrong, with the place.
-    pub message: String,
-    /// What to do.
-    pub help: String,
-}
 
 findings::cards! {
     "F101", "the file cannot be read",
@@ -166,57 +152,48 @@ findings::cards! {
         a folder of its own, or wait. The folder is free as soon as the other run has ended, however it ends.";
 }
 
-impl Failure {
-    /// The input cannot be used.
-    pub(crate) fn input(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Failure {
-        Failure { code, status: Status::UnusableInput, message: message.into(), help: help.into() }
-    }
+/// What the last step of a command refuses, when the work is done already.
+const NOT_WRITTEN: &str = "F109";
 
-    /// A file cannot be read.
-    pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Failure {
-        Refusal::unreadable(path, error).into()
-    }
+/// How a command ends that could not do its work.
+pub(crate) fn status(refusal: &Refusal) -> Status {
+    if refusal.code == NOT_WRITTEN { Status::NotWritten } else { Status::UnusableInput }
+}
 
-    /// A folder for results cannot be written.
-    pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Failure {
-        let message = format!("cannot write to {}: {}", path.display(), reason(error));
-        Failure::input("F102", message, "choose a folder that you may write to with --out DIR")
-    }
+/// A folder for results cannot be written.
+pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Refusal {
+    let message = format!("cannot write to {}: {}", path.display(), reason(error));
+    Refusal::new("F102", message, "choose a folder that you may write to with --out DIR")
+}
 
-    /// Another run writes there.
-    pub(crate) fn in_use(folder: &Path) -> Failure {
-        let message = format!("another run is at work in {}", folder.display());
-        Failure::input("F148", message, "wait until it has ended, or name a folder of its own with --out DIR")
-    }
+/// Another run writes there.
+pub(crate) fn in_use(folder: &Path) -> Refusal {
+    let message = format!("another run is at work in {}", folder.display());
+    Refusal::new("F148", message, "wait until it has ended, or name a folder of its own with --out DIR")
+}
 
-    /// Results would be written over files that are read.
-    pub(crate) fn replaces_input(folder: &Path, names: &[String]) -> Failure {
-        let message =
-            format!("results in {} would replace what this command reads: {}", folder.display(), listed(names));
-        Failure::input("F122", message, "name a folder of its own with --out DIR")
-    }
+/// Results would be written over files that are read.
+pub(crate) fn replaces_input(folder: &Path, names: &[String]) -> Refusal {
+    let message = format!("results in {} would replace what this command reads: {}", folder.display(), listed(names));
+    Refusal::new("F122", message, "name a folder of its own with --out DIR")
+}
 
-    /// Results would be written over files of somebody else; whether each was made here and changed since, and its name.
-    pub(crate) fn replaces_foreign(folder: &Path, files: &[(bool, String)]) -> Failure {
-        let named = |(changed, name): &(bool, String)| match changed {
-            true => format!("{name} (changed since it was made)"),
-            false => name.clone(),
-        };
-        let names: Vec<String> = files.iter().map(named).collect();
-        let what = "files that this command did not make";
-        let message = format!("results in {} would replace {what}: {}", folder.display(), listed(&names));
-        Failure::input("F123", message, "move the files away, or name another folder with --out DIR")
-    }
+/// Results would be written over files of somebody else; whether each was made here and changed since, and its name.
+pub(crate) fn replaces_foreign(folder: &Path, files: &[(bool, String)]) -> Refusal {
+    let named = |(changed, name): &(bool, String)| match changed {
+        true => format!("{name} (changed since it was made)"),
+        false => name.clone(),
+    };
+    let names: Vec<String> = files.iter().map(named).collect();
+    let what = "files that this command did not make";
+    let message = format!("results in {} would replace {what}: {}", folder.display(), listed(&names));
+    Refusal::new("F123", message, "move the files away, or name another folder with --out DIR")
+}
 
-    /// Results could not be written after the work was done.
-    pub(crate) fn not_written(path: &Path, error: &io::Error) -> Failure {
-        Failure {
-            code: "F109",
-            status: Status::NotWritten,
-            message: format!("could not write {}: {}", path.display(), reason(error)),
-            help: "make room or choose another folder with --out DIR".to_owned(),
-        }
-    }
+/// Results could not be written after the work was done.
+pub(crate) fn not_written(path: &Path, error: &io::Error) -> Refusal {
+    let message = format!("could not write {}: {}", path.display(), reason(error));
+    Refusal::new(NOT_WRITTEN, message, "make room or choose another folder with --out DIR")
 }
 
 /// Names one after the other; of many the first, and how many more.
@@ -226,19 +203,6 @@ fn listed(names: &[String]) -> String {
     match names.len().saturating_sub(MOST) {
         0 => shown,
         more => format!("{shown} and {more} more"),
-    }
-}
-
-impl From<Refusal> for Failure {
-    fn from(refusal: Refusal) -> Failure {
-        Failure::input(refusal.code, refusal.message, refusal.help)
-    }
-}
-
-impl From<AnalysisError> for Failure {
-    /// An analysis that cannot be set up.
-    fn from(error: AnalysisError) -> Failure {
-        Refusal::not_set_up(&error).into()
     }
 }
 

@@ -8,8 +8,9 @@ mod purpose;
 pub(crate) use list::{hash, is_inside};
 pub(crate) use purpose::Purpose;
 
-use crate::failure::Failure;
+use crate::failure;
 use claim::{Claim, PARTIAL, READY};
+use extrados::Refusal;
 use findings::visible::is_hidden;
 use list::List;
 use std::ffi::OsString;
@@ -58,10 +59,10 @@ pub(crate) fn shown_stem(file: &Path) -> OsString {
 impl Folder {
     /// Makes sure, before anything is computed, that results can be written here, and that they replace nothing but what the
     /// command made here before.
-    pub(crate) fn prepare(path: &Path, purpose: Purpose) -> Result<Folder, Failure> {
-        let unwritable = |error: io::Error| Failure::unwritable(path, &error);
+    pub(crate) fn prepare(path: &Path, purpose: Purpose) -> Result<Folder, Refusal> {
+        let unwritable = |error: io::Error| failure::unwritable(path, &error);
         fs::create_dir_all(path).map_err(unwritable)?;
-        let claim = Claim::of(path).ok_or_else(|| Failure::in_use(path))?;
+        let claim = Claim::of(path).ok_or_else(|| failure::in_use(path))?;
         let probe = path.join(format!("{PROBE}{}", std::process::id()));
         fs::write(&probe, b"").and_then(|()| fs::remove_file(&probe)).map_err(unwritable)?;
         claim.tidy(path).map_err(unwritable)?;
@@ -80,10 +81,10 @@ impl Folder {
     }
 
     /// Refuses, by name, to replace a file that the run reads or that the command did not make.
-    fn guard(&self) -> Result<(), Failure> {
+    fn guard(&self) -> Result<(), Refusal> {
         let list = List::read(&self.path);
         let (mut read, mut foreign) = (Vec::new(), Vec::new());
-        for name in self.present().map_err(|error| Failure::unwritable(&self.path, &error))? {
+        for name in self.present().map_err(|error| failure::unwritable(&self.path, &error))? {
             if !self.purpose.may_write(&name) {
                 continue;
             }
@@ -94,8 +95,8 @@ impl Folder {
             }
         }
         match (read.is_empty(), foreign.is_empty()) {
-            (false, _) => Err(Failure::replaces_input(&self.path, &read)),
-            (_, false) => Err(Failure::replaces_foreign(&self.path, &foreign)),
+            (false, _) => Err(failure::replaces_input(&self.path, &read)),
+            (_, false) => Err(failure::replaces_foreign(&self.path, &foreign)),
             _ => Ok(()),
         }
     }
@@ -121,10 +122,10 @@ impl Folder {
         &self,
         write: impl FnOnce(&Path) -> io::Result<()>,
         seal: impl FnOnce(&[String], &Path, &Placed) -> String,
-    ) -> Result<Placed, Failure> {
+    ) -> Result<Placed, Refusal> {
         let _busy = crate::signs::busy();
         let staging = Staging(self.path.join(format!("{PARTIAL}{}", std::process::id())));
-        let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
+        let not_written = |error: io::Error| failure::not_written(&self.path, &error);
         fs::create_dir_all(&staging.0).map_err(not_written)?;
         write(&staging.0).map_err(not_written)?;
         let files = files_in(&staging.0).map_err(not_written)?;
@@ -139,8 +140,8 @@ impl Folder {
     }
 
     /// Writes files, each whole or not at all, beside whatever else is there. An answer of another file is moved away first.
-    pub(crate) fn put(&self, files: &[figures::File]) -> Result<(), Failure> {
-        let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
+    pub(crate) fn put(&self, files: &[figures::File]) -> Result<(), Refusal> {
+        let not_written = |error: io::Error| failure::not_written(&self.path, &error);
         let hash = |file: &figures::File| blake3::hash(&file.bytes).to_hex().to_string();
         self.guard()?;
         let mut list = List::read(&self.path);
@@ -152,7 +153,7 @@ impl Folder {
         list.write(&self.path).map_err(not_written)?;
         for file in files {
             let place = self.file(&file.name);
-            write_whole(&place, &file.bytes).map_err(|error| Failure::not_written(&place, &error))?;
+            write_whole(&place, &file.bytes).map_err(|error| failure::not_written(&place, &error))?;
             list.settle(&file.name, hash(file));
         }
         list.write(&self.path).map_err(not_written)

@@ -1,10 +1,11 @@
 //! The log of an update: every finished evaluation as a line of a file in the folder of results.
 
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::Folder;
 use crate::signs;
 use calibrate::Log;
 use calibrate::log::Unreadable;
+use extrados::Refusal;
 use extrados::files::{LONGEST, read_at_most};
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
@@ -21,7 +22,7 @@ pub(crate) struct LogFile {
 
 impl LogFile {
     /// What an earlier run of the same model did, if it is to be taken up, and the file for what comes.
-    pub(crate) fn open(folder: &Folder, identity: &str, resume: bool) -> Result<(Log, LogFile), Failure> {
+    pub(crate) fn open(folder: &Folder, identity: &str, resume: bool) -> Result<(Log, LogFile), Refusal> {
         let path = folder.file(NAME);
         let log = match read(&path)? {
             Some(text) if resume => take_up(folder, identity, &text)?,
@@ -36,7 +37,7 @@ impl LogFile {
             None => Log::new(identity),
         };
         // Written anew, so that a torn last line of a killed run does not spoil the next one.
-        let unwritable = |error: io::Error| Failure::not_written(&path, &error);
+        let unwritable = |error: io::Error| failure::not_written(&path, &error);
         crate::folder::write_whole(&path, log.text().as_bytes()).map_err(unwritable)?;
         let file = OpenOptions::new().append(true).open(&path).map_err(unwritable)?;
         let words = format!("evaluations are kept in {}\nthe same command with --resume goes on", path.display());
@@ -52,27 +53,27 @@ impl LogFile {
     }
 
     /// What kept a line from being kept.
-    pub(crate) fn trouble(&self) -> Option<Failure> {
-        self.trouble.as_ref().map(|error| Failure::not_written(&self.path, error))
+    pub(crate) fn trouble(&self) -> Option<Refusal> {
+        self.trouble.as_ref().map(|error| failure::not_written(&self.path, error))
     }
 }
 
-fn read(path: &std::path::Path) -> Result<Option<String>, Failure> {
+fn read(path: &std::path::Path) -> Result<Option<String>, Refusal> {
     match read_at_most(path, LONGEST) {
         Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(Failure::unreadable(path, &error)),
+        Err(error) => Err(Refusal::unreadable(path, &error)),
     }
 }
 
 /// Keeps the log of an earlier run under a name of its own; a file that is no log is refused.
-fn make_way(folder: &Folder, text: &str) -> Result<(), Failure> {
+fn make_way(folder: &Folder, text: &str) -> Result<(), Refusal> {
     // No model has an empty identity: the answer tells whose log it is.
     let Err(Unreadable::Other { identity }) = Log::read("", text) else {
-        return Err(Failure::replaces_foreign(folder.path(), &[(false, NAME.to_owned())]));
+        return Err(failure::replaces_foreign(folder.path(), &[(false, NAME.to_owned())]));
     };
     let aside = aside(folder, &identity);
-    std::fs::rename(folder.file(NAME), &aside).map_err(|error| Failure::not_written(&aside, &error))
+    std::fs::rename(folder.file(NAME), &aside).map_err(|error| failure::not_written(&aside, &error))
 }
 
 /// Where the evaluations of a model are kept while another one's stand in the log.
@@ -81,7 +82,7 @@ fn aside(folder: &Folder, identity: &str) -> PathBuf {
     folder.file(&format!("evaluations-{}.log", &hash.as_str()[..16]))
 }
 
-fn take_up(folder: &Folder, identity: &str, text: &str) -> Result<Log, Failure> {
+fn take_up(folder: &Folder, identity: &str, text: &str) -> Result<Log, Refusal> {
     let path = folder.file(NAME);
     match Log::read(identity, text) {
         Ok((log, _)) => Ok(log),
@@ -92,11 +93,11 @@ fn take_up(folder: &Folder, identity: &str, text: &str) -> Result<Log, Failure> 
                 return Ok(log);
             }
             let message = format!("{} belongs to another bridge or other parameters", path.display());
-            Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
+            Err(Refusal::new("F106", message, "repeat the command that was interrupted, or run without --resume"))
         }
         Err(Unreadable::NoLog) => {
             let message = format!("cannot use {}: it is no log of evaluations", path.display());
-            Err(Failure::input("F110", message, "run without --resume to start anew"))
+            Err(Refusal::new("F110", message, "run without --resume to start anew"))
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Quantities on the command line, with units as in files.
 
-use crate::failure::Failure;
 use bridge::quantity::{self, Dimension};
+use extrados::Refusal;
 
 /// A load per metre of width [N/m]; one over the whole width is divided by it [m].
-pub(crate) fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Failure> {
+pub(crate) fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Refusal> {
     let example = "1 kN/m";
     let quantity = read(option, text, &[Dimension::LineLoad, Dimension::Force], example)?;
     let load = match quantity.unit.dimension {
@@ -21,17 +21,17 @@ pub(crate) fn line_load(option: &str, text: &str, width: f64) -> Result<f64, Fai
 const LEAST_LOAD: f64 = 1.0;
 
 /// A length [m].
-pub(crate) fn length(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn length(option: &str, text: &str) -> Result<f64, Refusal> {
     above_zero(option, text, Dimension::Length, "0.25 m")
 }
 
 /// A stress or modulus [Pa].
-pub(crate) fn stress(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn stress(option: &str, text: &str) -> Result<f64, Refusal> {
     above_zero(option, text, Dimension::Stress, "40 MPa")
 }
 
 /// A speed [m/s].
-pub(crate) fn speed(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn speed(option: &str, text: &str) -> Result<f64, Refusal> {
     let example = "45 km/h";
     let speed = above_zero(option, text, Dimension::Speed, example)?;
     match (LEAST_SPEED..=Dimension::Speed.most()).contains(&speed) {
@@ -41,7 +41,7 @@ pub(crate) fn speed(option: &str, text: &str) -> Result<f64, Failure> {
 }
 
 /// A sampling rate [Hz].
-pub(crate) fn frequency(option: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn frequency(option: &str, text: &str) -> Result<f64, Refusal> {
     let example = "200 Hz";
     let rate = above_zero(option, text, Dimension::Frequency, example)?;
     if (LEAST_RATE..=MOST_RATE).contains(&rate) {
@@ -57,9 +57,9 @@ const LEAST_RATE: f64 = 0.1;
 const MOST_RATE: f64 = 1e5;
 
 /// A size of displacements or of strains in a unit of records, and which of the two it is; none of them is below zero [SI].
-pub(crate) fn of_records(option: &str, text: &str) -> Result<(records::Dimension, f64), Failure> {
+pub(crate) fn of_records(option: &str, text: &str) -> Result<(records::Dimension, f64), Refusal> {
     let help = || format!("write {option} \"0.01 mm\" or {option} \"0.05 microstrain\"");
-    let refuse = |why: &str| Failure::input("F107", format!("{option} \"{text}\" {why}"), help());
+    let refuse = |why: &str| Refusal::new("F107", format!("{option} \"{text}\" {why}"), help());
     let start = text.find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E').unwrap_or(text.len());
     let (number, unit) = text.split_at(start);
     let number: f64 = number.trim().parse().map_err(|_| refuse("is no number with a unit"))?;
@@ -79,7 +79,7 @@ const MOST_OF_RECORDS: f64 = 1.0;
 /// The least speed [m/s], as in files.
 const LEAST_SPEED: f64 = 0.01;
 
-fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result<quantity::Quantity, Failure> {
+fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result<quantity::Quantity, Refusal> {
     let names = || wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");
     let quantity = quantity::parse(text)
         .map_err(|_| refused(format!("{option} \"{text}\" is not {}", names()), option, example))?;
@@ -90,19 +90,19 @@ fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result
 }
 
 /// A quantity of one kind that is above zero [SI].
-fn above_zero(option: &str, text: &str, wanted: Dimension, example: &str) -> Result<f64, Failure> {
+fn above_zero(option: &str, text: &str, wanted: Dimension, example: &str) -> Result<f64, Refusal> {
     positive(option, text, read(option, text, &[wanted], example)?.si(), example)
 }
 
-fn positive(option: &str, text: &str, value: f64, example: &str) -> Result<f64, Failure> {
+fn positive(option: &str, text: &str, value: f64, example: &str) -> Result<f64, Refusal> {
     match value > 0.0 && value.is_finite() {
         true => Ok(value),
         false => Err(refused(format!("{option} \"{text}\" is not above zero"), option, example)),
     }
 }
 
-fn refused(message: String, option: &str, example: &str) -> Failure {
-    Failure::input("F107", message, format!("write {option} \"{example}\""))
+fn refused(message: String, option: &str, example: &str) -> Refusal {
+    Refusal::new("F107", message, format!("write {option} \"{example}\""))
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! Findings as an engineer sees them in a terminal: the line, a caret, and what to write instead.
 
-use crate::failure::Failure;
 use bridge::{Diagnostic, Severity};
 use console::Style;
-use extrados::Excerpt;
+use extrados::{Excerpt, Refusal};
 use findings::visible::{one_line, visible};
 use findings::words::counted;
 use std::fmt::Write;
@@ -112,7 +111,7 @@ pub(crate) fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> S
 }
 
 /// A failure of the command itself.
-pub(crate) fn failure(failure: &Failure, paint: &Paint) -> String {
+pub(crate) fn failure(failure: &Refusal, paint: &Paint) -> String {
     let head = paint.headed(Severity::Error, failure.code, &failure.message);
     format!("{head}  help: {}\n", visible(&failure.help))
 }

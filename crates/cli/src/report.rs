@@ -95,11 +95,17 @@ impl Report {
 
     /// Adds a warning of the analysis and shows it.
     pub(crate) fn warn(&mut self, screen: &mut Screen, code: &str, message: &str) {
-        self.warnings.push(json!({ "code": code, "message": message }));
+        self.warn_with(screen, json!({ "code": code, "message": message }));
+    }
+
+    /// Adds a warning that may have a place and shows it.
+    fn warn_with(&mut self, screen: &mut Screen, warning: Value) {
+        let [code, message] = ["code", "message"].map(|key| warning[key].as_str().unwrap_or_default());
         // What concerns files and folders is told as it happens.
         if screen.tells_each() || !screen.quiet && code.starts_with('F') {
             screen.remark(&render::warning(code, message, &Paint::for_stderr()));
         }
+        self.warnings.push(warning);
     }
 
     /// Adds the warnings of an analysis and shows them.
@@ -109,16 +115,7 @@ impl Report {
 
     /// Adds a warning with its place in a file of records and shows it.
     pub(crate) fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &outcome::records::Finding) {
-        let (place, words) = (&finding.place, finding.words());
-        let message = if file.is_empty() { words } else { format!("{file}: {words}") };
-        self.warn(screen, finding.code, &message);
-        let Some(value) = self.warnings.last_mut().filter(|_| !file.is_empty()) else { return };
-        value["file"] = json!(file);
-        for (key, number) in [("line", place.lines.map(|lines| lines[0])), ("column", place.column)] {
-            if let Some(number) = number {
-                value[key] = json!(number);
-            }
-        }
+        self.warn_with(screen, extrados::written::finding_in_records(file, finding));
     }
 
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,

@@ -1,10 +1,11 @@
 //! From an analysis to its folder of results.
 
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::{Folder, with_room};
 use crate::report::Report;
 use crate::workbook;
+use extrados::Refusal;
 pub(crate) use extrados::written::{Written, tables};
 use serde_json::json;
 use std::fmt::Display;
@@ -13,8 +14,8 @@ use std::io;
 use std::path::Path;
 
 /// A figure that cannot be drawn, or a workbook that cannot be packed, is a result that cannot be written.
-pub(crate) fn not_drawn(folder: &Path, error: &impl Display) -> Failure {
-    Failure::not_written(folder, &io::Error::other(error.to_string()))
+pub(crate) fn not_drawn(folder: &Path, error: &impl Display) -> Refusal {
+    failure::not_written(folder, &io::Error::other(error.to_string()))
 }
 
 /// Writes files into a folder, with folders of their own where their names have them.
@@ -28,7 +29,7 @@ pub(crate) fn publish(
     mut report: Report,
     folder: &Folder,
     written: Written,
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     let mut files = files(folder, written)?;
     files.extend(in_one_workbook(&report, &files).map_err(|error| not_drawn(folder.path(), &error))?);
     folder.fill(
@@ -95,14 +96,14 @@ fn told(files: &[figures::File], details: bool) -> String {
 }
 
 /// Puts files beside whatever else is in the folder; gives their names.
-pub(crate) fn put(folder: &Folder, written: Written) -> Result<Vec<String>, Failure> {
+pub(crate) fn put(folder: &Folder, written: Written) -> Result<Vec<String>, Refusal> {
     let files = files(folder, written)?;
     folder.put(&files)?;
     Ok(files.into_iter().map(|file| file.name).collect())
 }
 
 /// Every file of an answer; each drawing as SVG and as PNG.
-fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Failure> {
+fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Refusal> {
     let mut files = figures::written(&written.drawings).map_err(|error| not_drawn(folder.path(), &error))?;
     files.extend(written.files);
     Ok(files)

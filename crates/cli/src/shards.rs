@@ -3,11 +3,12 @@
 //! command, which then finds every piece finished. So keys, results and the way they are written are those of the command alone.
 
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::{self, Folder, SEAL, with_room, write_whole};
 use crate::program;
 use crate::report::Report;
 use crate::results::{self, Written};
+use extrados::Refusal;
 use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
 use serde_json::{Map, Value, json};
@@ -139,13 +140,13 @@ pub(crate) fn publish(
     shard: Shard,
     identity: String,
     (inputs, files): (BTreeMap<String, String>, Vec<String>),
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     let hashed = |file: String| {
         let hash =
-            folder::hash(&folder.file(&file)).map_err(|error| Failure::not_written(&folder.file(&file), &error))?;
+            folder::hash(&folder.file(&file)).map_err(|error| failure::not_written(&folder.file(&file), &error))?;
         Ok(Piece { file, hash })
     };
-    let pieces: Vec<Piece> = files.into_iter().map(hashed).collect::<Result<_, Failure>>()?;
+    let pieces: Vec<Piece> = files.into_iter().map(hashed).collect::<Result<_, Refusal>>()?;
     let (count, words) = (pieces.len(), desk.words.clone());
     let portion = Portion { words, shard: shard.to_string(), identity, program: program::hash(), inputs, pieces };
     report.fields.extend(portion.fields());
@@ -177,19 +178,19 @@ impl Merged {
     }
 
     /// Copies every piece into the folder of the whole work, where that is still the work that the shards did.
-    pub(crate) fn bring(&self, identity: &str, folder: &Folder) -> Result<(), Failure> {
+    pub(crate) fn bring(&self, identity: &str, folder: &Folder) -> Result<(), Refusal> {
         if identity != self.identity {
             let message =
                 "what the shards were made from has changed since: the bridge file, its ranges, or a file beside it";
             let help = "make the shards again with the same commands; only what changed is computed";
-            return Err(Failure::input("F145", message, help));
+            return Err(Refusal::new("F145", message, help));
         }
         for (from, portion) in &self.shards {
             for piece in &portion.pieces {
                 let place = folder.file(&piece.file);
                 let copied = read_at_most(&from.join(&piece.file), LONGEST)
                     .and_then(|bytes| write_whole(with_room(&place)?, &bytes));
-                copied.map_err(|error| Failure::not_written(&place, &error))?;
+                copied.map_err(|error| failure::not_written(&place, &error))?;
             }
         }
         Ok(())

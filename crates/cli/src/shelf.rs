@@ -1,7 +1,6 @@
 //! Finished pieces of work in the folder of results: runs in `cache`, stages in `stages`, evaluations in their log. A piece that
 //! is there is never computed again.
 
-use crate::failure::Failure;
 use crate::folder::{Folder, with_room, write_whole};
 use crate::log::LogFile;
 use extrados::Refusal;
@@ -26,15 +25,8 @@ pub(crate) enum Resume {
 pub(crate) struct FolderShelf<'a> {
     folder: &'a Folder,
     resume: Resume,
-    log: Mutex<Opened>,
-}
-
-/// The log, once it is asked for.
-#[derive(Default)]
-struct Opened {
-    file: Option<LogFile>,
-    taken_up: usize,
-    failure: Option<Failure>,
+    /// The log, once it is asked for, and how many evaluations were in it.
+    log: Mutex<Option<(LogFile, usize)>>,
 }
 
 impl<'a> FolderShelf<'a> {
@@ -49,16 +41,15 @@ impl<'a> FolderShelf<'a> {
 
     /// How many evaluations were taken up.
     pub(crate) fn taken_up(&self) -> usize {
-        self.log().taken_up
+        self.log().as_ref().map_or(0, |(_, taken_up)| *taken_up)
     }
 
-    /// What kept the log from being opened or an evaluation from being kept.
-    pub(crate) fn trouble(&self) -> Option<Failure> {
-        let log = self.log();
-        log.failure.clone().or(log.file.as_ref().and_then(LogFile::trouble))
+    /// What kept an evaluation from being kept.
+    pub(crate) fn trouble(&self) -> Option<Refusal> {
+        self.log().as_ref().and_then(|(file, _)| file.trouble())
     }
 
-    fn log(&self) -> MutexGuard<'_, Opened> {
+    fn log(&self) -> MutexGuard<'_, Option<(LogFile, usize)>> {
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -86,27 +77,17 @@ impl Shelf for FolderShelf<'_> {
 
     fn evaluations(&self, identity: &str) -> Result<calibrate::Log, Refusal> {
         let open = |resume| LogFile::open(self.folder, identity, resume);
-        let opened = match self.resume {
+        let (known, file) = match self.resume {
             Resume::Asked => open(true),
             Resume::WherePossible => open(true).or_else(|_| open(false)),
             Resume::No => open(false),
-        };
-        let mut log = self.log();
-        match opened {
-            Ok((known, file)) => {
-                (log.file, log.taken_up) = (Some(file), known.len());
-                Ok(known)
-            }
-            Err(failure) => {
-                let refusal = Refusal::new(failure.code, failure.message.clone(), failure.help.clone());
-                log.failure = Some(failure);
-                Err(refusal)
-            }
-        }
+        }?;
+        *self.log() = Some((file, known.len()));
+        Ok(known)
     }
 
     fn append(&self, line: &str) {
-        if let Some(file) = &mut self.log().file {
+        if let Some((file, _)) = &mut *self.log() {
             file.append(line);
         }
     }

@@ -88,8 +88,7 @@ impl Status {
 
     /// The worst of several analyses; where nothing failed, the command has completed.
     pub(crate) fn worst_of(all: impl Iterator<Item = AnalysisStatus>) -> Status {
-        let worst = all.map(|one| Status::of(one.word())).max_by_key(|status| status.exit_code());
-        worst.filter(|status| status.exit_code() != 0).unwrap_or(Status::Completed)
+        Status::of(extrados::written::worst(all).word())
     }
 
     /// The status of something that ended with this word.

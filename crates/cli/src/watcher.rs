@@ -1,10 +1,9 @@
 //! Looks on a run: draws its progress, passes on that somebody asked to stop, keeps its checkpoint.
 
 use crate::checkpoint::Checkpoint;
-use crate::failure::Failure;
 use crate::signs;
 pub(crate) use crate::signs::asked_to_stop;
-use extrados::{Progress, Watch, Wish};
+use extrados::{Progress, Refusal, Watch, Wish};
 use findings::visible::one_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::{Duration, Instant};
@@ -18,7 +17,7 @@ pub(crate) struct Watcher {
     checkpoint: Checkpoint,
     keep_every: Duration,
     kept: Option<Instant>,
-    trouble: Option<Failure>,
+    trouble: Option<Refusal>,
 }
 
 impl Watcher {
@@ -33,7 +32,7 @@ impl Watcher {
     }
 
     /// Ends the drawing; tells what kept a checkpoint from being written.
-    pub(crate) fn finish(self) -> Option<Failure> {
+    pub(crate) fn finish(self) -> Option<Refusal> {
         self.bar.finish_and_clear();
         self.trouble
     }
@@ -69,22 +68,8 @@ impl Watch for Silent {
     }
 }
 
-/// Predictions call analyses by themselves.
-impl mechanics::watch::Watch for Silent {
-    fn look(&mut self, _: &Progress) -> Wish {
-        wish()
-    }
-}
-
 fn wish() -> Wish {
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
-}
-
-/// Measures of speed call analyses by themselves.
-impl mechanics::watch::Watch for Spectator {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        draw(&self.0, progress)
-    }
 }
 
 fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {

@@ -1,12 +1,10 @@
-//! Bridges and drawings before anything is computed.
+//! Bridges before anything is computed.
 
 use crate::project::Project;
 use crate::refusal::Refusal;
 use assess::analysis;
 use assess::vehicles::{Library, library as whole};
-use drawing::Drawing;
 use outcome::picture::Picture;
-use structure::blocks::skeleton;
 
 /// The bridge as its file describes it, for drawing: what `figures::bridge_as_drawn` takes.
 ///
@@ -14,12 +12,6 @@ use structure::blocks::skeleton;
 /// A file that cannot be used, or a bridge that cannot be cut into blocks (F108).
 pub fn as_built(project: &Project) -> Result<Picture, Refusal> {
     Ok(analysis::as_built(project.bridge()?)?)
-}
-
-/// A block model file from a drawing: what the drawing does not say stands there as a line to fill in, which the reader refuses until that
-/// is done.
-pub fn of_drawing(name: &str, drawing: &Drawing) -> String {
-    skeleton(name, drawing)
 }
 
 /// The vehicles and rules of the library, with the trains of passages, whose axles weigh by standard gravity.

@@ -93,6 +93,19 @@ impl Cases {
         fields
     }
 
+    /// The factors of the cases that have one, by their names.
+    pub fn factors(&self) -> Vec<(String, f64)> {
+        self.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect()
+    }
+
+    /// Drawings (SVG) of every case, those of each in a folder of its own: `case-1/mechanism`.
+    pub fn drawings(&self) -> impl Iterator<Item = (String, String)> {
+        self.answers.iter().enumerate().flat_map(|(k, one)| {
+            let own = figures::drawings(&one.collapse.picture).into_iter();
+            own.map(move |(name, svg)| (format!("case-{}/{name}", k + 1), svg))
+        })
+    }
+
     /// Warnings of all cases, each once, with the cases that it concerns.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut all: Vec<(&Warning, Vec<String>)> = Vec::new();

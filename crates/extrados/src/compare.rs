@@ -72,6 +72,14 @@ impl Compared {
         fields
     }
 
+    /// Drawings (SVG) of both, those of each in a folder of its own: `before/mechanism`.
+    pub fn drawings(&self) -> impl Iterator<Item = (String, String)> {
+        ["before", "after"].into_iter().zip(&self.answers).flat_map(|(which, one)| {
+            let own = figures::drawings(&one.picture).into_iter();
+            own.map(move |(name, svg)| (format!("{which}/{name}"), svg))
+        })
+    }
+
     /// Which of the two carries more, in a sentence.
     pub fn verdict(&self) -> String {
         let Some(headline) = self.numbers.iter().find(|number| number.name == "headline_kn_per_m") else {

@@ -2,7 +2,7 @@
 //!
 //! This crate is the one door to all of it, for the command, for pages in a browser and for other programs. A [`Project`] is a
 //! bridge file with what it takes from other files; every analysis takes one, its options and someone who looks on, and gives
-//! typed results. Nothing here reads a file or a clock but through [`files::Files`] and [`means::Clock`].
+//! typed results. Nothing here reads a file or a clock but through [`files::Files`] and the clock of [`Means`].
 //!
 //! ```
 //! use extrados::{CollapseOptions, Memory, Project, Unwatched, collapse};
@@ -63,10 +63,10 @@ pub mod written;
 
 pub use crate::assess::{AssessOptions, Assessed, StageName, assess};
 pub use crate::blocks::{Blocks, collapse_of_blocks};
-pub use crate::built::{as_built, library, of_drawing};
+pub use crate::built::{as_built, library};
 pub use crate::calibrate_fill::{CalibrateFillOptions, calibrate_fill};
 pub use crate::cases::{CaseAnswer, Cases, cases};
-pub use crate::choice::Choice;
+pub use crate::choice::{Choice, damping};
 pub use crate::collapse::{CollapseOptions, collapse, not_known, planned};
 pub use crate::compare::{Answered, Compared, Difference, compare};
 pub use crate::files::{Disk, Files, Memory, WholeDisk};
@@ -96,3 +96,6 @@ pub use figures;
 pub use mechanics::dem;
 /// Materials of the library, which [`with_material`] writes into a file.
 pub use rules::materials;
+/// A block model file from a drawing: what the drawing does not say stands there as a line to fill in, which the reader refuses until that
+/// is done.
+pub use structure::blocks::skeleton as of_drawing;

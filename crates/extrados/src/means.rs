@@ -2,36 +2,20 @@
 
 use crate::shelf::{Shelf, Unkept};
 
-/// A clock. Times enter no result: they tell people how long something took.
-pub trait Clock: Sync {
-    /// Seconds since whenever.
-    fn seconds(&self) -> f64;
-}
-
-/// A clock that stands still: for where there is none.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Timeless;
-
-impl Clock for Timeless {
-    fn seconds(&self) -> f64 {
-        0.0
-    }
-}
-
-/// What a caller lends; nothing is kept and no time passes by default.
+/// What a caller lends; nothing is kept and the clock stands still by default.
 #[derive(Clone, Copy)]
 pub struct Means<'a> {
     /// Where finished pieces are kept.
     pub shelf: &'a dyn Shelf,
-    /// A clock.
-    pub clock: &'a dyn Clock,
+    /// A clock: seconds since whenever. Times enter no result: they tell people how long something took.
+    pub clock: &'a (dyn Fn() -> f64 + Sync),
     /// Which build computes: pieces of another one are not taken up, for it may find other bits.
     pub program: &'a str,
 }
 
 impl Default for Means<'_> {
     fn default() -> Self {
-        Means { shelf: &Unkept, clock: &Timeless, program: env!("CARGO_PKG_VERSION") }
+        Means { shelf: &Unkept, clock: &|| 0.0, program: env!("CARGO_PKG_VERSION") }
     }
 }
 

@@ -67,6 +67,14 @@ impl Project {
         &self.read.diagnostics
     }
 
+    /// Its errors in words, each with its line.
+    pub fn errors(&self) -> impl Iterator<Item = String> {
+        self.findings().iter().filter(|finding| finding.severity == Severity::Error).map(|finding| {
+            let line = bridge::text::position(&self.text, finding.range.start).line;
+            format!("line {line}: {} ({})", finding.message, finding.code)
+        })
+    }
+
     /// The paths of the files that were read beside it, records among them.
     pub fn inputs(&self) -> &[PathBuf] {
         &self.inputs
@@ -78,13 +86,7 @@ impl Project {
     /// The file's own errors, each with its line, where it cannot be used (F108).
     pub fn bridge(&self) -> Result<&Bridge, Refusal> {
         self.read.bridge.as_ref().ok_or_else(|| {
-            let errors = self.findings().iter().filter(|finding| finding.severity == Severity::Error);
-            let told: Vec<String> = errors
-                .map(|finding| {
-                    let line = bridge::text::position(&self.text, finding.range.start).line;
-                    format!("line {line}: {} ({})", finding.message, finding.code)
-                })
-                .collect();
+            let told: Vec<String> = self.errors().collect();
             let message = format!("{} cannot be used: {}", self.name, told.join("; "));
             Refusal::new("F108", message, "extrados check FILE shows every error with its place")
         })

@@ -8,7 +8,7 @@ use std::io;
 use std::path::Path;
 
 /// A file or a request that cannot be used. Answers such as collapse and non-convergence are none of these.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct Refusal {
     /// Stable code; `extrados explain CODE` tells more.
     pub code: &'static str,

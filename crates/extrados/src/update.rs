@@ -32,8 +32,7 @@ pub fn update(
     with_task(project, options, |task| {
         let known = means.shelf.evaluations(&task.identity())?;
         let mut watch = Seeking { watch, shelf: means.shelf };
-        let clock = || means.clock.seconds();
-        update::update(task, known, update::Means { map: &Threads, watch: &mut watch, clock: &clock })
+        update::update(task, known, update::Means { map: &Threads, watch: &mut watch, clock: means.clock })
             .map_err(|error| refused(&error))
     })
 }
@@ -45,8 +44,7 @@ pub fn update(
 pub fn judge(project: &Project, means: &Means<'_>, watch: &mut dyn Watch) -> Result<Update, Refusal> {
     with_task(project, &UpdateOptions::default(), |task| {
         let mut watch = Seeking { watch, shelf: &crate::shelf::Unkept };
-        let clock = || means.clock.seconds();
-        update::judge(task, update::Means { map: &Threads, watch: &mut watch, clock: &clock })
+        update::judge(task, update::Means { map: &Threads, watch: &mut watch, clock: means.clock })
             .map_err(|error| refused(&error))
     })
 }

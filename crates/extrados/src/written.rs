@@ -5,9 +5,10 @@ use crate::assess::Assessed;
 use crate::project::Project;
 use bridge::{Diagnostic, Severity};
 use figures::File;
-use outcome::collapse::Collapse;
+use outcome::collapse::{Collapse, Status};
 use outcome::passage::Passage;
 use outcome::published::{self, Object};
+use outcome::records;
 use outcome::study::Study;
 use outcome::sweep::Sweep;
 use outcome::update::Update;
@@ -149,6 +150,28 @@ pub fn finding_in_drawing(name: &str, finding: &drawing::Finding) -> Value {
         value["y_m"] = json!(y);
     }
     value
+}
+
+/// A finding in a file of records as an object: its place is a line and a column where they are known.
+pub fn finding_in_records(name: &str, finding: &records::Finding) -> Value {
+    let words = finding.words();
+    let message = if name.is_empty() { words } else { format!("{name}: {words}") };
+    let mut value = json!({ "code": finding.code, "message": message });
+    if !name.is_empty() {
+        value["file"] = json!(name);
+        for (key, number) in [("line", finding.place.lines.map(|lines| lines[0])), ("column", finding.place.column)] {
+            if let Some(number) = number {
+                value[key] = json!(number);
+            }
+        }
+    }
+    value
+}
+
+/// The status of several analyses: of the one that ended worst; where nothing failed they are completed.
+pub fn worst(all: impl Iterator<Item = Status>) -> Status {
+    let worst = all.max_by_key(|status| status.exit_code());
+    worst.filter(|status| status.exit_code() != 0).unwrap_or(Status::Completed)
 }
 
 /// What the analysis of a collapse warns of, in the words of the command.

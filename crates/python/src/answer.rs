@@ -3,7 +3,7 @@
 use crate::arrays;
 use crate::object;
 use crate::run;
-use extrados::results::collapse::{Collapse, Status};
+use extrados::results::collapse::Collapse;
 use extrados::results::passage::Passage;
 use extrados::results::published::{self, Object};
 use extrados::results::records::Severity as Weight;
@@ -43,26 +43,20 @@ pub enum Found {
 /// A result, with the files that it belongs to.
 #[pyclass(frozen, module = "extrados")]
 pub struct Answer {
-    found: Found,
-    projects: Vec<Arc<Project>>,
-    seconds: f64,
+    /// What was found.
+    pub found: Found,
+    /// The files that it belongs to.
+    pub projects: Vec<Arc<Project>>,
+    /// How long it took [s].
+    pub seconds: f64,
 }
 
 impl Answer {
-    /// A result of these files.
-    pub fn new(found: Found, projects: Vec<Arc<Project>>, seconds: f64) -> Answer {
-        Answer { found, projects, seconds }
-    }
-
-    /// What was found.
-    pub fn found(&self) -> &Found {
-        &self.found
-    }
-
     /// As the command writes it to `result.json`, but for the places of its files.
     fn whole(&self) -> Object {
         let mut warnings: Vec<Value> = self.projects.iter().flat_map(|project| of_file(project)).collect();
-        let mut add = |list: &[Warning]| warnings.extend(list.iter().map(|one| told(one.code(), &one.message())));
+        let told = |one: &Warning| json!({ "code": one.code(), "message": one.message() });
+        let mut add = |list: &[Warning]| warnings.extend(list.iter().map(told));
         let (schema, status, fields) = match &self.found {
             Found::Collapse(found) => {
                 add(&written::warnings_of(found));
@@ -84,7 +78,7 @@ impl Answer {
                 add(&found.warnings);
                 for (finding, file) in found.records.findings.iter().zip(&found.records.places) {
                     if finding.severity > Weight::Note {
-                        warnings.push(of_records(finding, file));
+                        warnings.push(written::finding_in_records(file, finding));
                     }
                 }
                 let mut fields = found.object();
@@ -101,17 +95,14 @@ impl Answer {
             Found::Assessed(done) => {
                 add(&done.warnings());
                 let verdict = &done.assessment.verdict;
-                let stages: Vec<Value> = (done.appendix.stages.iter())
-                    .map(|stage| json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key }))
-                    .collect();
                 let mut fields = done.object();
-                fields.insert("stages".to_owned(), json!(stages));
+                fields.insert("stages".to_owned(), done.stages());
                 fields.insert("input_hash".to_owned(), json!(done.appendix.input));
                 ("assess", verdict.status.word(), fields)
             }
             Found::Cases(found) => {
                 add(&found.warnings());
-                ("cases", worst(found.answers.iter().map(|one| one.collapse.status)), found.object())
+                ("cases", written::worst(found.answers.iter().map(|one| one.collapse.status)).word(), found.object())
             }
             Found::Compared(found) => {
                 let mut fields = Object::new();
@@ -119,7 +110,7 @@ impl Answer {
                     fields.insert(key.to_owned(), json!(project.name()));
                 }
                 fields.extend(found.object());
-                ("compare", worst(found.answers.iter().map(|one| one.status)), fields)
+                ("compare", written::worst(found.answers.iter().map(|one| one.status)).word(), fields)
             }
         };
         let mut whole = written::headed(&format!("extrados.{schema}/1"), status, fields, warnings);
@@ -145,23 +136,11 @@ impl Answer {
                 done.figures.iter().map(|figure| (figure.name.clone(), figure.svg.clone())).collect()
             }
             Found::Cases(found) => {
-                let factors: Vec<(String, f64)> =
-                    found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
                 let bridge = found.answers.first().map_or("", |one| one.collapse.bridge.as_str());
-                let bars = figures::case_factors(bridge, &factors).map(|svg| ("cases".to_owned(), svg));
-                let each = found.answers.iter().enumerate().flat_map(|(k, one)| {
-                    let own = figures::drawings(&one.collapse.picture).into_iter();
-                    own.map(move |(name, svg)| (format!("case-{}/{name}", k + 1), svg))
-                });
-                bars.into_iter().chain(each).collect()
+                let bars = figures::case_factors(bridge, &found.factors()).map(|svg| ("cases".to_owned(), svg));
+                bars.into_iter().chain(found.drawings()).collect()
             }
-            Found::Compared(found) => {
-                let each = ["before", "after"].into_iter().zip(&found.answers).flat_map(|(which, one)| {
-                    let own = figures::drawings(&one.picture).into_iter();
-                    own.map(move |(name, svg)| (format!("{which}/{name}"), svg))
-                });
-                each.collect()
-            }
+            Found::Compared(found) => found.drawings().collect(),
         }
     }
 
@@ -295,35 +274,8 @@ impl Answer {
     }
 }
 
-fn told(code: &str, message: &str) -> Value {
-    json!({ "code": code, "message": message })
-}
-
 /// Doubts about a file, as the command lists them.
 fn of_file(project: &Project) -> impl Iterator<Item = Value> {
     let doubts = project.findings().iter().filter(|finding| finding.severity != bridge::Severity::Error);
     doubts.map(|finding| written::finding(project.name(), project.text(), finding))
-}
-
-/// A doubt about records.
-fn of_records(finding: &extrados::results::records::Finding, file: &str) -> Value {
-    let words = finding.words();
-    let mut value = told(finding.code, &if file.is_empty() { words } else { format!("{file}: {words}") });
-    if !file.is_empty() {
-        value["file"] = json!(file);
-        for (key, number) in [("line", finding.place.lines.map(|lines| lines[0])), ("column", finding.place.column)] {
-            if let Some(number) = number {
-                value[key] = json!(number);
-            }
-        }
-    }
-    value
-}
-
-/// The status of several analyses: of the one that ended worst.
-fn worst(all: impl Iterator<Item = Status>) -> &'static str {
-    match all.max_by_key(|status| status.exit_code()) {
-        Some(status) if status.exit_code() != 0 => status.word(),
-        _ => "completed",
-    }
 }

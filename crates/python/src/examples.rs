@@ -1,34 +1,31 @@
-//! Bridge files that come with the package, with what they take from other files.
+//! Bridge files that come with the package, with what they take from other files: some of the library's examples under names of their own.
+
+use extrados::examples;
+
+/// Name, the example of the library with its bridge file, and the files beside it.
+const ALL: [(&str, &str, &str, &[&str]); 7] = [
+    ("tiny", "tiny", "bridge.toml", &[]),
+    ("bridgemill", "bridgemill", "case-1.toml", &[]),
+    ("semicircle", "semicircle", "ring.toml", &[]),
+    ("packhorse", "packhorse", "cases.toml", &[]),
+    ("vehicles", "bridgemill", "vehicles.toml", &[]),
+    ("passage", "railway-arch", "passage.toml", &[]),
+    ("update", "railway-arch", "update.toml", &["table-6.csv"]),
+];
 
 /// Their names.
-pub(crate) const NAMES: [&str; 7] = ["tiny", "bridgemill", "semicircle", "packhorse", "vehicles", "passage", "update"];
-
-/// A file of an example: its name and its bytes.
-pub(crate) type Companion = (&'static str, &'static [u8]);
-
-macro_rules! file {
-    ($path:literal) => {
-        include_str!(concat!("../../../examples/", $path))
-    };
+pub(crate) fn names() -> Vec<&'static str> {
+    ALL.map(|(name, ..)| name).to_vec()
 }
 
-/// The text of a bridge file and the files beside it.
-pub(crate) type Example = (&'static str, Vec<Companion>);
+/// The text of a bridge file and the files beside it: names and bytes.
+pub(crate) type Example = (&'static str, Vec<(&'static str, &'static [u8])>);
 
 /// The example of this name.
 pub(crate) fn named(name: &str) -> Option<Example> {
-    let alone = |text| Some((text, Vec::new()));
-    match name {
-        "tiny" => alone(file!("tiny/bridge.toml")),
-        "bridgemill" => alone(file!("bridgemill/case-1.toml")),
-        "semicircle" => alone(file!("semicircle/ring.toml")),
-        "packhorse" => alone(file!("packhorse/cases.toml")),
-        "vehicles" => alone(file!("bridgemill/vehicles.toml")),
-        "passage" => alone(file!("railway-arch/passage.toml")),
-        "update" => Some((
-            file!("railway-arch/update.toml"),
-            vec![("table-6.csv", file!("railway-arch/table-6.csv").as_bytes())],
-        )),
-        _ => None,
-    }
+    let (_, example, file, beside) = ALL.iter().find(|(own, ..)| *own == name)?;
+    let all = examples::named(example)?.files;
+    let text = |name: &str| all.iter().find(|one| one.name == name).map(|one| one.text);
+    let beside = beside.iter().map(|name| Some((*name, text(name)?.as_bytes())));
+    Some((text(file)?, beside.collect::<Option<_>>()?))
 }

@@ -36,7 +36,7 @@ fn example(name: &str) -> Option<examples::Example> {
 /// Names of the examples.
 #[pyfunction]
 fn examples_known() -> Vec<&'static str> {
-    examples::NAMES.to_vec()
+    examples::names()
 }
 
 /// Breaks, for the tests of what happens then.

@@ -6,7 +6,7 @@ use bridge::quantity::{self, Dimension};
 use extrados::bridge::Damping;
 use extrados::{Choice, StageName};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyDict;
 
 /// Arguments by name, each taken once; what nobody takes is refused.
 pub(crate) struct Options<'py> {
@@ -49,10 +49,7 @@ impl<'py> Options<'py> {
     pub(crate) fn word<T: Words>(&self, name: &str) -> PyResult<Option<T>> {
         let Some(value) = self.take(name)? else { return Ok(None) };
         let word = value.extract::<String>().ok().and_then(|word| T::named(&word));
-        word.map(Some).ok_or_else(|| {
-            let known: Vec<String> = T::WORDS.iter().map(|one| format!("\"{}\"", one.word)).collect();
-            self.wrong(name, &value, &format!("write {}", known.join(", ")))
-        })
+        word.map(Some).ok_or_else(|| self.wrong(name, &value, &format!("write {}", known::<T>())))
     }
 
     /// A quantity above zero in one of these dimensions, with its unit.
@@ -104,19 +101,9 @@ impl<'py> Options<'py> {
 
     fn damping(&self) -> PyResult<Option<Damping>> {
         let Some(value) = self.take("damping")? else { return Ok(None) };
-        let text = value.extract::<String>().unwrap_or_default();
-        let (kind, share) = text.split_once(':').map_or((text.as_str(), None), |(kind, share)| (kind, Some(share)));
-        let share = match share.map(str::parse::<f64>) {
-            None => Some(0.8),
-            Some(Ok(share)) if share > 0.0 && share <= 1.0 => Some(share),
-            Some(_) => None,
-        };
-        match (kind, share) {
-            ("local", Some(share)) => Ok(Some(Damping::Local(share))),
-            ("viscous", Some(share)) => Ok(Some(Damping::Viscous(share))),
-            ("adaptive", Some(_)) if !text.contains(':') => Ok(Some(Damping::Adaptive)),
-            _ => Err(self.wrong("damping", &value, "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"")),
-        }
+        let read = extrados::damping(&value.extract::<String>().unwrap_or_default());
+        let wanted = "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"";
+        read.map(Some).map_err(|_| self.wrong("damping", &value, wanted))
     }
 
     /// What takes the place of the file's plan, for a bridge of this width [m].
@@ -145,22 +132,10 @@ impl<'py> Options<'py> {
 
     /// Stages that an assessment leaves out.
     pub(crate) fn stages(&self, name: &str) -> PyResult<Vec<StageName>> {
-        const ALL: [(&str, StageName); 7] = [
-            ("update", StageName::Update),
-            ("service", StageName::Service),
-            ("collapse", StageName::Collapse),
-            ("vehicles", StageName::Vehicles),
-            ("cases", StageName::Cases),
-            ("support-movement", StageName::SupportMovement),
-            ("sensitivity", StageName::Sensitivity),
-        ];
-        let known = || ALL.map(|(word, _)| format!("\"{word}\"")).join(", ");
         let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
         let words = value.extract::<Vec<String>>().unwrap_or_else(|_| vec![String::new()]);
-        let stages = words.iter().map(|word| ALL.iter().find(|(own, _)| own == word).map(|(_, stage)| *stage));
-        stages
-            .collect::<Option<Vec<StageName>>>()
-            .ok_or_else(|| self.wrong(name, &value, &format!("write a list of {}", known())))
+        let stages: Option<Vec<StageName>> = words.iter().map(|word| StageName::named(word)).collect();
+        stages.ok_or_else(|| self.wrong(name, &value, &format!("write a list of {}", known::<StageName>())))
     }
 
     /// Refuses what is left.
@@ -174,14 +149,14 @@ impl<'py> Options<'py> {
     }
 }
 
+/// Every word of a key, in quotes.
+fn known<T: Words>() -> String {
+    T::WORDS.iter().map(|one| format!("\"{}\"", one.word)).collect::<Vec<_>>().join(", ")
+}
+
 /// Files that are given as bytes beside those of the disk.
 pub(crate) fn files(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(std::path::PathBuf, Vec<u8>)>> {
     let Some(given) = given else { return Ok(Vec::new()) };
     let all = given.iter().map(|(path, bytes)| Ok((path.extract()?, bytes.extract::<Vec<u8>>()?)));
     all.collect()
-}
-
-/// A list of texts, as Python has it.
-pub(crate) fn list<'py>(py: Python<'py>, all: &[[String; 4]]) -> PyResult<Bound<'py, PyList>> {
-    PyList::new(py, all.iter().map(|[a, b, c, d]| (a, b, c, d)))
 }

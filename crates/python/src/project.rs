@@ -6,7 +6,6 @@ use crate::kept::{Kept, State};
 use crate::object;
 use crate::options::{self, Options};
 use crate::run::{self, Finished};
-use extrados::means::Clock;
 use extrados::results::published;
 use extrados::{
     AssessOptions, CollapseOptions, Disk, Files, Means, Project as File, Refusal, RespondOptions, SweepOptions, Swept,
@@ -46,19 +45,11 @@ impl Files for Beside {
     }
 }
 
-/// A clock that starts when it is made.
-struct Watch(Instant);
-
-impl Clock for Watch {
-    fn seconds(&self) -> f64 {
-        self.0.elapsed().as_secs_f64()
-    }
-}
-
 /// A bridge file that was read. It does not change.
 #[pyclass(frozen, module = "extrados")]
 pub struct Project {
-    file: Arc<File>,
+    /// The file itself.
+    pub(crate) file: Arc<File>,
     beside: Beside,
 }
 
@@ -117,14 +108,8 @@ impl Project {
         let found =
             run::guarded(py, || self.file.document_without_ranges().map(|document| bridge::vary::known(&document)))?;
         let all = found.map_err(|refusal| errors::refused(py, &[refusal]))?;
-        let rows: Vec<[String; 4]> = all
-            .into_iter()
-            .map(|one| {
-                let origin = if one.by_default { "default" } else { "file" };
-                [one.path, one.value, one.doc.to_owned(), origin.to_owned()]
-            })
-            .collect();
-        options::list(py, &rows)
+        let origin = |by_default: bool| if by_default { "default" } else { "file" };
+        PyList::new(py, all.into_iter().map(|one| (one.path, one.value, one.doc, origin(one.by_default))))
     }
 
     /// The same file with other values: `joint.friction_angle=30deg`.
@@ -333,7 +318,7 @@ impl Project {
     fn collapse_numbers<'py>(&self, py: Python<'py>, options: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
         let answer = self.collapse(py, options, None, None)?;
         let all = PyDict::new(py);
-        if let Found::Collapse(found) = answer.found() {
+        if let Found::Collapse(found) = &answer.found {
             for (name, number) in published::collapse_numbers(found) {
                 all.set_item(name, number)?;
             }
@@ -364,11 +349,6 @@ impl Project {
         let read = run::run(py, None, move |_| File::read(&path, &own))?.given(py)?;
         let file = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
         Ok(Project { file: Arc::new(file), beside })
-    }
-
-    /// The file itself.
-    pub fn file(&self) -> &Arc<File> {
-        &self.file
     }
 
     /// The bridge, or everything that is wrong with its file.
@@ -404,7 +384,8 @@ impl Project {
     ) -> PyResult<Answer> {
         let (file, shelf) = (Arc::clone(&self.file), Arc::clone(&kept));
         worked(py, progress, Some(kept), vec![Arc::clone(&file)], move |watch| {
-            let clock = Watch(Instant::now());
+            let begun = Instant::now();
+            let clock = || begun.elapsed().as_secs_f64();
             work(&file, &Means { shelf: &*shelf, clock: &clock, program: &program }, watch)
         })
     }
@@ -420,7 +401,7 @@ fn worked(
 ) -> PyResult<Answer> {
     let begun = Instant::now();
     let Finished { result, shared } = run::run(py, progress, work)?;
-    let answer = |found| Answer::new(found, files, begun.elapsed().as_secs_f64());
+    let answer = |found| Answer { found, projects: files, seconds: begun.elapsed().as_secs_f64() };
     match result {
         Ok(Ok(Some(found))) => Ok(answer(found)),
         Ok(Ok(None)) => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),

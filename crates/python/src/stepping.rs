@@ -49,7 +49,7 @@ impl CollapseRun {
     fn new(py: Python<'_>, project: &Project, options: &Bound<'_, PyDict>) -> PyResult<CollapseRun> {
         let width = project.usable(py)?.width;
         let choice = Options::read(options, |given| given.choice(width))?;
-        let file = Arc::clone(project.file());
+        let file = Arc::clone(&project.file);
         let run = run::run(py, None, move |_| Stepping::new(&file, &choice))?.given(py)?;
         let run = run.map_err(|refusal| errors::refused(py, &[refusal]))?;
         let loads = [run.blocks().load(0.0), run.blocks().load(1.0)];
@@ -153,7 +153,7 @@ impl PassageRun {
         let py = project.py();
         project.get().usable(py)?;
         let options = Options::read(options, passage_options)?;
-        let (file, begun) = (Arc::clone(project.get().file()), Instant::now());
+        let (file, begun) = (Arc::clone(&project.get().file), Instant::now());
         let run = run::run(py, progress, move |watch| Passing::new(&file, &options, watch))?.given(py)?;
         let run = run.map_err(|refusal| errors::refused(py, &[refusal]))?;
         Ok(PassageRun { held: Arc::new(Mutex::new(Some(run))), project: project.unbind(), begun })
@@ -209,10 +209,12 @@ impl PassageRun {
     #[pyo3(signature = (progress = None))]
     fn finish(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Answer>> {
         let found = moved(py, &self.held, progress, |held, watch| held.take().map(|run| run.finish(watch)))?;
-        let files = vec![Arc::clone(self.project.get().file())];
+        let files = vec![Arc::clone(&self.project.get().file)];
         let seconds = self.begun.elapsed().as_secs_f64();
         match found.transpose() {
-            Ok(found) => Ok(found.map(|found| Answer::new(Found::Passage(Box::new(found)), files, seconds))),
+            Ok(found) => {
+                Ok(found.map(|found| Answer { found: Found::Passage(Box::new(found)), projects: files, seconds }))
+            }
             Err(refusal) => Err(errors::refused(py, &[refusal])),
         }
     }

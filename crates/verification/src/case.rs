@@ -1,24 +1,33 @@
 //! What a `case.toml` says.
 
+use bridge::choice::Choice;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// What a case is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    /// A closed form.
-    Exact,
-    /// A theory with approximations of its own.
-    Analytical,
-    /// Another program, or a published numerical result.
-    Benchmark,
-    /// A test.
-    Experiment,
-    /// This program's own past.
-    Regression,
+bridge::choice! {
+    /// What a case is compared with: kinds of evidence, whose counts are never added up.
+    #[derive(PartialOrd, Ord)]
+    pub enum Kind {
+        /// closed forms
+        Exact = "exact",
+        /// approximate theory
+        Analytical = "analytical",
+        /// other programs and published numerical results
+        Benchmark = "benchmark",
+        /// tests
+        Experiment = "experiment",
+        /// this program's own past
+        Regression = "regression",
+    }
+}
+
+impl Kind {
+    /// What a case of this kind is compared with.
+    pub fn words(self) -> &'static str {
+        Kind::WORDS[self as usize].doc
+    }
 }
 
 /// How long it takes.

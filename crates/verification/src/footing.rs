@@ -25,19 +25,20 @@ const CLAY: f64 = 100e3;
 const COHESION: f64 = 10e3;
 const FRICTION_ANGLE: f64 = 30.0;
 
-/// What the ground is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ground {
-    /// Linear.
-    Elastic,
-    /// Clay.
-    VonMises,
-    /// The cone that collapses in plane strain as the soil of Mohr and Coulomb does, flowing at right angles to it.
-    DruckerPrager,
-    /// The cone for flow without any change of volume.
-    NonAssociated,
-    /// The soil itself, with associated flow.
-    MohrCoulomb,
+bridge::choice! {
+    /// What the ground is made of.
+    pub enum Ground {
+        /// Linear
+        Elastic = "elastic",
+        /// Clay
+        VonMises = "von-mises",
+        /// Frictional, with associated flow
+        DruckerPrager = "drucker-prager",
+        /// Frictional, without dilation: an unsymmetric tangent
+        NonAssociated = "non-associated",
+        /// Frictional, the pyramid in place of the cone, with associated flow
+        MohrCoulomb = "mohr-coulomb",
+    }
 }
 
 /// A mesh with its footing.
@@ -81,6 +82,7 @@ pub fn prandtl(ground: Ground) -> Option<f64> {
 
 fn material(ground: Ground) -> Material {
     let angle = FRICTION_ANGLE.to_radians();
+    // It collapses in plane strain as the soil of Mohr and Coulomb does, flowing at right angles to it or without any change of volume.
     let cone = |dilatancy| DruckerPrager::matching(ELASTIC, Cone::PlaneStrain, COHESION, angle, dilatancy);
     match ground {
         Ground::Elastic => Material::Elastic(ELASTIC),

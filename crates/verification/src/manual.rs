@@ -3,16 +3,6 @@
 use super::case::{Expect, Kind, Value};
 use super::judge::{Judged, Judgement, Verdict};
 
-fn heading(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Exact => "Against closed forms",
-        Kind::Analytical => "Against approximate theory",
-        Kind::Benchmark => "Against other programs and published numerical results",
-        Kind::Experiment => "Against tests",
-        Kind::Regression => "Against this program's own past",
-    }
-}
-
 /// What an expectation asks for, in words.
 fn wanted(e: &Expect) -> String {
     let unit = if e.unit.is_empty() { String::new() } else { format!(" {}", e.unit) };
@@ -76,7 +66,7 @@ pub fn manual(judged: &[Judged]) -> String {
     kinds.sort_unstable();
     kinds.dedup();
     for kind in kinds {
-        text += &format!("\n## {}\n", heading(kind));
+        text += &format!("\n## Against {}\n", kind.words());
         for j in judged.iter().filter(|j| j.case.kind == kind) {
             case(&mut text, j);
         }

@@ -40,7 +40,6 @@ fn findings(of: &str, list: &[Diagnostic]) -> Vec<Value> {
 
 /// Findings, and what there is to analyse.
 pub fn reading(document: &Document) -> Value {
-    let refused = document.refusal().map(refusal);
     if let Some(blocks) = document.blocks() {
         let drawing = blocks.drawing().map_or_else(Vec::new, |(_, found)| {
             let one = |finding: &extrados::drawing::Finding| {
@@ -60,7 +59,7 @@ pub fn reading(document: &Document) -> Value {
     }
     let Ok(project) = document.project() else {
         return json!({
-            "kind": "bridge", "usable": false, "name": "", "width_m": null, "sections": null, "refusal": refused, "findings": [],
+            "kind": "bridge", "usable": false, "name": "", "width_m": null, "sections": null, "refusal": document.refusal(), "findings": [],
             "inputs": [],
         });
     };
@@ -84,11 +83,6 @@ pub fn reading(document: &Document) -> Value {
         "findings": findings(document.text(), project.findings()),
         "inputs": project.inputs().iter().map(|path| path.display().to_string()).collect::<Vec<_>>(),
     })
-}
-
-/// A refusal as data.
-pub fn refusal(refusal: &extrados::Refusal) -> Value {
-    json!({ "code": refusal.code, "message": refusal.message, "help": refusal.help })
 }
 
 /// Every quantity of a text that has a value; none where the text is no TOML.

@@ -135,11 +135,7 @@ impl Answer {
 
     /// Of named cases.
     pub fn cases(project: &Project, found: &Cases) -> Answer {
-        let mut written = Written::default();
-        for (k, one) in found.answers.iter().enumerate() {
-            let drawn = extrados::figures::drawings(&one.collapse.picture).into_iter();
-            written.drawings.extend(drawn.map(|(name, svg)| (format!("case-{}/{name}", k + 1), svg)));
-        }
+        let written = Written { drawings: found.drawings().collect(), ..Written::default() };
         let picture = found.least().map_or(Value::Null, |one| json!(one.collapse.picture));
         let known = found.answers.iter().all(extrados::CaseAnswer::is_known);
         let head = ("extrados.cases/1", if known { "completed" } else { "undetermined" });

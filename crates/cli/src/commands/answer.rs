@@ -1,12 +1,12 @@
 //! What a command answers, and how that is shown.
 
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure::status;
 use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::status::Status;
 use extrados::Refusal;
-use serde_json::{Value, json};
+use serde_json::json;
 
 /// Shows the answer; gives the exit code.
 pub(super) fn speak(desk: &mut Desk, report: &Report) -> u8 {
@@ -19,22 +19,18 @@ pub(super) fn speak(desk: &mut Desk, report: &Report) -> u8 {
 }
 
 /// The object of a command that could not do its work.
-pub(super) fn failed(failure: &Failure) -> Report {
-    let mut report = Report::new(failure.status);
-    report.errors.push(object(failure));
+pub(super) fn failed(failure: &Refusal) -> Report {
+    let mut report = Report::new(status(failure));
+    report.errors.push(json!(failure));
     report
-}
-
-fn object(failure: &Failure) -> Value {
-    json!({ "code": failure.code, "message": failure.message, "help": failure.help })
 }
 
 /// Everything that is wrong, shown and listed.
 pub(super) fn refused(desk: &mut Desk, mut report: Report, refusals: Vec<Refusal>) -> Report {
     report.status = Status::UnusableInput;
-    for failure in refusals.into_iter().map(Failure::from) {
+    for failure in refusals {
         desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-        report.errors.push(object(&failure));
+        report.errors.push(json!(failure));
     }
     report
 }

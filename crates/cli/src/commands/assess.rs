@@ -4,10 +4,9 @@ mod fleet;
 mod pdf;
 
 use super::source::Source;
-use crate::args::{Assess as Arguments, STAGES, word_for};
+use crate::args::Assess as Arguments;
 use crate::clock::Clock;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::program;
 use crate::report::Report;
@@ -17,18 +16,18 @@ use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::{Silent, watched};
-use extrados::{AssessOptions, Assessed, Disk, Files, Means, WholeDisk};
+use extrados::{AssessOptions, Assessed, Disk, Files, Means, Refusal, WholeDisk};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     desk.screen.details = arguments.details;
     if arguments.file.is_dir() {
         return fleet::run(desk, arguments);
     }
     if arguments.sharing.shard.is_some() {
         let message = format!("{} is one bridge, and no work that can be cut into shards", arguments.file.display());
-        return Err(Failure::input("F146", message, "leave --shard away, or name a folder of bridge files"));
+        return Err(Refusal::new("F146", message, "leave --shard away, or name a folder of bridge files"));
     }
     let source = Source::open_from(desk, &arguments.file, pictures(arguments))?;
     if source.bridge().is_none() {
@@ -75,13 +74,7 @@ pub(super) fn answer(done: &Assessed, source: &Source) -> Report {
     let mut report = source.report(Status::of(done.assessment.verdict.status.word()));
     report.finished = done.assessment.verdict.finished;
     report.fields = done.object();
-    let stages: Vec<serde_json::Value> = done
-        .appendix
-        .stages
-        .iter()
-        .map(|stage| serde_json::json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key }))
-        .collect();
-    report.with("stages", stages).with("input_hash", done.appendix.input.as_str())
+    report.with("stages", done.stages()).with("input_hash", done.appendix.input.as_str())
 }
 
 /// Where pictures of a report may come from: the folder of the bridge file and those below, or wherever the file says.
@@ -96,14 +89,15 @@ fn assessed(
     program: &str,
     arguments: &Arguments,
     quiet: bool,
-) -> Result<Option<Assessed>, Failure> {
+) -> Result<Option<Assessed>, Refusal> {
     let shelf = FolderShelf::new(folder, Resume::WherePossible);
     let options = AssessOptions {
         skip: arguments.skip.clone(),
         command: command(arguments, source.project.name()),
         day: today(),
     };
-    let means = Means { shelf: &shelf, clock: &Clock::start(), program };
+    let clock = Clock::start();
+    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program };
     let project = &source.project;
     Ok(match quiet {
         true => extrados::assess(project, &options, &means, &mut Silent)?,
@@ -113,7 +107,7 @@ fn assessed(
 
 /// The command that makes this bridge's report by itself.
 fn command(arguments: &Arguments, file: &str) -> String {
-    let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {}", word_for(STAGES, *stage))).collect();
+    let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {stage}")).collect();
     let outside = if arguments.allow_outside { " --allow-outside" } else { "" };
     format!("extrados assess {file}{skipped}{outside}")
 }

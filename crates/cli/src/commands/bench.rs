@@ -11,19 +11,18 @@ mod update;
 
 use crate::args::{Bench, BenchName};
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::watched;
 use assess::analysis::AnalysisError;
 use bridge::Bridge;
-use extrados::examples;
+use extrados::{Looking, Refusal, examples};
 use repeated::{Repeated, repeated};
 use verification::kernels;
 use verification::kernels::Found;
 
 /// Measures.
-pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Refusal> {
     let quiet = desk.screen.quiet || desk.screen.json;
     match arguments.name {
         BenchName::Disks => disks::run(quiet, arguments),
@@ -33,16 +32,16 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchName::Bounds => bounds::run(arguments),
         BenchName::Crossing => crossing::run(arguments),
         BenchName::Factor => factor::run(arguments),
-        BenchName::Footing => watched(quiet, |onlooker| footing::run(onlooker, arguments)),
+        BenchName::Footing => watched(quiet, |onlooker| footing::run(&mut Looking(onlooker), arguments)),
         BenchName::Passage => passage::run(quiet, arguments),
-        BenchName::Update => watched(quiet, |onlooker| update::run(onlooker, arguments)),
+        BenchName::Update => watched(quiet, |onlooker| update::run(&mut Looking(onlooker), arguments)),
     }
 }
 
 /// What a measure does.
 type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
 
-fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
+fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Refusal> {
     let bridge = of_example("bridgemill", "case-1.toml")?;
     let Repeated { least, middle, last: found } = repeated(arguments, || method(&bridge))?;
     let report = Report::new(Status::Completed)
@@ -96,8 +95,8 @@ fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
 }
 
 /// A file of an example.
-fn of_example(name: &str, file: &str) -> Result<Bridge, Failure> {
+fn of_example(name: &str, file: &str) -> Result<Bridge, Refusal> {
     let text = examples::named(name).and_then(|example| example.files.iter().find(|one| one.name == file));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
-    read.ok_or_else(|| Failure::input("F104", format!("the example {name} cannot be read"), "report this"))
+    read.ok_or_else(|| Refusal::new("F104", format!("the example {name} cannot be read"), "report this"))
 }

@@ -3,19 +3,18 @@
 use super::source::Source;
 use crate::args::CalibrateFill as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::results::{self, Written};
 use crate::status::Status;
 use crate::watcher::watched;
 use crate::{quantities, summary};
-use extrados::{CalibrateFillOptions, calibrate_fill};
+use extrados::{CalibrateFillOptions, Refusal, calibrate_fill};
 use outcome::calibration::Verdict;
 use outcome::published;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));

@@ -3,19 +3,18 @@
 use super::source::Source;
 use crate::args::Cases as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::results::{self, Written};
 use crate::status::Status;
 use crate::watcher::watched;
-use extrados::Cases;
+use extrados::{Cases, Refusal};
 use findings::visible::cell;
 use std::fmt::Write;
 use std::path::Path;
 
 /// Reads the file, makes every case, writes them side by side.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
     let choice = arguments.choice.of(bridge.width)?;
@@ -24,14 +23,8 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     let mut report = source.report(Status::worst_of(found.answers.iter().map(|one| one.collapse.status)));
     report.fields = found.object();
     report.warn_of(&mut desk.screen, &found.warnings());
-    let factors: Vec<(String, f64)> =
-        found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
-    let bars = figures::case_factors(&bridge.name, &factors).map(|svg| ("cases".to_owned(), svg));
-    let mut drawings: Vec<(String, String)> = bars.into_iter().collect();
-    for (k, one) in found.answers.iter().enumerate() {
-        let own = figures::drawings(&one.collapse.picture).into_iter();
-        drawings.extend(own.map(|(figure, svg)| (format!("case-{}/{figure}", k + 1), svg)));
-    }
+    let bars = figures::case_factors(&bridge.name, &found.factors()).map(|svg| ("cases".to_owned(), svg));
+    let drawings = bars.into_iter().chain(found.drawings()).collect();
     report.summary = summary(&bridge.name, &found, folder.path());
     let files = results::tables([("cases", table(&found))]).collect();
     results::publish(desk, report, &folder, Written { drawings, files })

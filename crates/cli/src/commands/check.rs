@@ -4,13 +4,13 @@ use super::model;
 use super::source::{Source, read_text};
 use crate::args::Check;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::results::{self, Written};
 use crate::status::Status;
 use assess::analysis::{self, calibrate, passage};
 use bridge::{Bridge, Strip};
+use extrados::Refusal;
 use findings::words::counted;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -18,7 +18,7 @@ use structure::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
 use structure::discretise::springings::{are_level, springings};
 
 /// Reads the file and draws the bridge.
-pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Refusal> {
     if bridge::is_block_file(&read_text(&arguments.file)?) {
         return model::check(desk, arguments);
     }
@@ -68,7 +68,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure>
 }
 
 /// Refuses what the command that the file is made for would refuse before it computes.
-fn planned(bridge: &Bridge) -> Result<(), Failure> {
+fn planned(bridge: &Bridge) -> Result<(), Refusal> {
     analysis::planned(bridge)?;
     if bridge.calibration.wanted_modulus.is_some() {
         calibrate::planned(bridge)?;
@@ -81,7 +81,7 @@ fn planned(bridge: &Bridge) -> Result<(), Failure> {
         Err(MeshError::TooFine { nodes, .. }) if nodes <= MOST_NODES => Ok(()),
         Err(MeshError::TooFine { nodes, .. }) => {
             let error = MeshError::TooFine { nodes, most: MOST_NODES };
-            Err(Failure::input("F124", error.to_string(), "give a larger `size` in [mesh]"))
+            Err(Refusal::new("F124", error.to_string(), "give a larger `size` in [mesh]"))
         }
         _ => Ok(passage::setup(bridge).map(|_| ())?),
     }

@@ -5,14 +5,13 @@ use super::source::{Source, read_text};
 use crate::args::Collapse as Arguments;
 use crate::checkpoint::Checkpoint;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::{Watcher, watched};
 use crate::{quantities, summary};
-use extrados::{Choice, CollapseOptions, SweepOptions, Swept, written};
+use extrados::{Choice, CollapseOptions, Refusal, SweepOptions, Swept, written};
 use outcome::collapse::Collapse;
 use outcome::picture::Picture;
 use outcome::sweep::Sweep;
@@ -20,7 +19,7 @@ use outcome::vehicles::VehicleSweep;
 use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     desk.screen.details = arguments.details;
     if bridge::is_block_file(&read_text(&arguments.file)?) {
         return model::collapse(desk, arguments);
@@ -35,7 +34,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
         return sweep(desk, arguments, &source, choice, &folder);
     }
     let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
-        extrados::collapse(&source.project, &CollapseOptions { choice, resume }, watcher).map_err(Failure::from)
+        extrados::collapse(&source.project, &CollapseOptions { choice, resume }, watcher)
     };
     let checkpoint = Checkpoint::of(&bridge, &folder);
     let report = source.report(Status::Completed);
@@ -53,12 +52,12 @@ pub(super) fn kind(plan: &bridge::Plan, sweep_of_vehicles: Option<bool>) -> Stri
 }
 
 /// What the command line says in place of the file's plan, for a bridge of this width [m].
-pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Failure> {
+pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Refusal> {
     let other = arguments.choice.method.filter(|method| !extrados::sweeps(*method));
     if let (true, Some(method)) = (arguments.sweep, other) {
         let message = format!("--sweep is limit analysis: --method {} cannot do it", method.word());
         let way_out = "leave --method out, say --method limit, or --method path for deformable joints too";
-        return Err(Failure::input("F107", message, way_out));
+        return Err(Refusal::new("F107", message, way_out));
     }
     arguments.choice.of(width)
 }
@@ -70,8 +69,8 @@ pub(super) fn analyse(
     mut report: Report,
     checkpoint: Checkpoint,
     folder: &Folder,
-    run: impl FnOnce(Option<Vec<u8>>, &mut Watcher) -> Result<Collapse, Failure>,
-) -> Result<Report, Failure> {
+    run: impl FnOnce(Option<Vec<u8>>, &mut Watcher) -> Result<Collapse, Refusal>,
+) -> Result<Report, Refusal> {
     let resume = if arguments.resume { checkpoint.take_up()? } else { None };
     if let Some(words) = if arguments.resume { None } else { checkpoint.make_way()? } {
         report.warn(&mut desk.screen, "F110", &words);
@@ -110,7 +109,7 @@ fn write(
     found: &Collapse,
     mut report: Report,
     folder: &Folder,
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     report.warn_of(&mut desk.screen, &written::warnings_of(found));
     report.fields.extend(found.object());
     let page = summary::collapse(found, &folder.path().display().to_string(), desk.screen.details);
@@ -123,7 +122,7 @@ fn write(
 }
 
 /// The run of a picture as it moves, as a file of this folder below that of the results.
-fn animation(folder: &Folder, below: &str, picture: &Picture) -> Result<Option<figures::File>, Failure> {
+fn animation(folder: &Folder, below: &str, picture: &Picture) -> Result<Option<figures::File>, Refusal> {
     let moving = figures::animation(picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
     Ok(moving.map(|bytes| figures::File { name: format!("{below}animation.png"), bytes }))
 }
@@ -135,7 +134,7 @@ fn sweep(
     source: &Source,
     choice: Choice,
     folder: &Folder,
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     let vehicles = source.bridge().is_some_and(|bridge| bridge.sweep.is_some());
     desk.schema = if vehicles { "extrados.vehicle-sweep/1" } else { "extrados.sweep/1" }.to_owned();
     let step = arguments.sweep_step.as_ref().map(|text| quantities::length("--sweep-step", text)).transpose()?;
@@ -147,7 +146,7 @@ fn sweep(
 }
 
 /// Writes a sweep of vehicles.
-fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder: &Folder) -> Result<Report, Failure> {
+fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder: &Folder) -> Result<Report, Refusal> {
     let mut report = source.report(Status::of(found.status().word()));
     report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = found.object();
@@ -160,7 +159,7 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
 }
 
 /// Writes a sweep of the file's loads.
-fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder) -> Result<Report, Failure> {
+fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder) -> Result<Report, Refusal> {
     let mut report = source.report(Status::of(found.ended().word()));
     report.warn_of(&mut desk.screen, &found.warnings);
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));

@@ -3,13 +3,12 @@
 use super::source::{Source, read_text};
 use crate::args::Compare as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::report::Report;
 use crate::results::{self, Written};
 use crate::status::Status;
 use crate::watcher::watched;
-use extrados::Compared;
+use extrados::{Compared, Refusal};
 use findings::visible::cell;
 use findings::words::counted;
 use serde_json::json;
@@ -20,12 +19,12 @@ use std::path::{Path, PathBuf};
 const SHOWN: usize = 20;
 
 /// Reads both files, makes both analyses, writes what differs.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let files = [&arguments.before, &arguments.after];
     for file in files {
         if bridge::is_block_file(&read_text(file)?) {
             let message = format!("{} is a block model file; two bridge files can be compared", file.display());
-            return Err(Failure::input("F107", message, "compare the results of two runs of extrados collapse"));
+            return Err(Refusal::new("F107", message, "compare the results of two runs of extrados collapse"));
         }
     }
     let sources = [Source::open(desk, files[0])?, Source::open(desk, files[1])?];
@@ -43,7 +42,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     write(desk, arguments, &found, report, &folder)
 }
 
-fn folder(arguments: &Arguments, sources: &[Source; 2]) -> Result<Folder, Failure> {
+fn folder(arguments: &Arguments, sources: &[Source; 2]) -> Result<Folder, Refusal> {
     let stem = |file: &Path| folder::shown_stem(file).to_string_lossy().into_owned();
     let named = || Path::new("out").join(format!("{}-and-{}", stem(&arguments.before), stem(&arguments.after)));
     let out = arguments.out.clone().unwrap_or_else(named);
@@ -58,18 +57,13 @@ fn write(
     found: &Compared,
     mut report: Report,
     folder: &Folder,
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     report.status = Status::worst_of(found.answers.iter().map(|answer| answer.status));
-    let [before, after] = &found.answers;
     let named = [&arguments.before, &arguments.after].map(|file| file.display().to_string());
     report.fields.insert("before_file".into(), json!(named[0]));
     report.fields.insert("after_file".into(), json!(named[1]));
     report.fields.extend(found.object());
-    let mut drawings = Vec::new();
-    for (name, answer) in [("before", before), ("after", after)] {
-        let own = figures::drawings(&answer.picture).into_iter();
-        drawings.extend(own.map(|(figure, svg)| (format!("{name}/{figure}"), svg)));
-    }
+    let drawings = found.drawings().collect();
     let files = results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
     report.summary = summary(found, &named, folder.path());
     results::publish(desk, report, folder, Written { drawings, files })

@@ -6,7 +6,7 @@ use super::model::Model;
 use super::source::{Source, read_file, read_text};
 use crate::args::Convert;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder;
 use crate::quantities;
 use crate::render::{self, Paint};
@@ -14,6 +14,7 @@ use crate::report::Report;
 use crate::status::Status;
 use assess::analysis::AnalysisError;
 use drawing::{Drawing, Item, Options, Sheet};
+use extrados::Refusal;
 use extrados::files::LONGEST_DRAWING;
 use findings::words::counted;
 use outcome::picture::{Motion, Picture, Shape, Snapshot};
@@ -28,7 +29,7 @@ enum Content {
 }
 
 /// Reads FROM and writes TO.
-pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Refusal> {
     let (from, to) = (ending(&arguments.from), ending(&arguments.to));
     if matches!((from.as_str(), to.as_str()), ("csv" | "txt" | "xy", "toml" | "svg" | "png" | "csv")) {
         return section::run(desk, arguments, &to);
@@ -50,7 +51,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failur
     };
     let inputs: Vec<&Path> = inputs.iter().map(AsRef::as_ref).collect();
     guard(arguments, &inputs)?;
-    folder::write_whole(&arguments.to, &bytes).map_err(|error| Failure::unwritable(&arguments.to, &error))?;
+    folder::write_whole(&arguments.to, &bytes).map_err(|error| failure::unwritable(&arguments.to, &error))?;
     let (blocks, particles) = match &content {
         Content::Model(scene) => (scene.bodies.len(), scene.particles.len()),
         Content::Drawing(drawing) => (drawing.outlines.len(), drawing.circles.len()),
@@ -71,11 +72,11 @@ fn ending(path: &Path) -> String {
     path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase())
 }
 
-fn no_pair(from: &str, to: &str) -> Failure {
+fn no_pair(from: &str, to: &str) -> Refusal {
     let shown =
         |ending: &str| if ending.is_empty() { "a file without extension".to_owned() } else { format!(".{ending}") };
     let message = format!("there is no conversion from {} to {}", shown(from), shown(to));
-    Failure::input(
+    Refusal::new(
         "F118",
         message,
         "convert .toml to .dxf, .vtu or .toml, .dxf to .toml, .vtu or .dxf, or a section's .csv to .toml, .svg, .png or .csv",
@@ -84,14 +85,14 @@ fn no_pair(from: &str, to: &str) -> Failure {
 
 type ReadIn = (Report, Option<Content>, Vec<std::path::PathBuf>);
 
-fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
+fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal> {
     let of_drawing = arguments.unit.is_some()
         || arguments.chord_tolerance.is_some()
         || arguments.gap_tolerance.is_some()
         || arguments.cut_concave;
     if of_drawing {
         let message = "--unit, --chord-tolerance, --gap-tolerance and --cut-concave are for drawings (.dxf)";
-        return Err(Failure::input("F107", message, "write them into [drawing] of the block model file"));
+        return Err(Refusal::new("F107", message, "write them into [drawing] of the block model file"));
     }
     let mut inputs = vec![arguments.from.clone()];
     if bridge::is_block_file(&read_text(&arguments.from)?) {
@@ -108,7 +109,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
     Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))
 }
 
-fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
+fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal> {
     let bytes = read_file(&arguments.from, LONGEST_DRAWING)?;
     let length = |option: &str, text: &Option<String>, default: f64| match text {
         Some(text) => quantities::length(option, text),
@@ -135,16 +136,16 @@ fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure>
 }
 
 /// Refuses to replace an input, and any other file unless it was asked for.
-fn guard(arguments: &Convert, inputs: &[&Path]) -> Result<(), Failure> {
+fn guard(arguments: &Convert, inputs: &[&Path]) -> Result<(), Refusal> {
     let Ok(target) = arguments.to.canonicalize() else { return Ok(()) };
     let shown = arguments.to.display();
     if inputs.iter().any(|input| input.canonicalize().is_ok_and(|input| input == target)) {
         let message = format!("{shown} is an input of this conversion");
-        return Err(Failure::input("F119", message, "write to another file"));
+        return Err(Refusal::new("F119", message, "write to another file"));
     }
     if !arguments.overwrite {
         let help = "name another file, or add --overwrite to replace it";
-        return Err(Failure::input("F119", format!("{shown} exists"), help));
+        return Err(Refusal::new("F119", format!("{shown} exists"), help));
     }
     Ok(())
 }

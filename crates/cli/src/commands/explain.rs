@@ -1,9 +1,9 @@
 //! `extrados explain`: what a code or a status means.
 
-use crate::args::Explain;
-use crate::failure::{self, Failure};
+use crate::failure;
 use crate::report::Report;
 use crate::status::{self, Status};
+use extrados::Refusal;
 use findings::Card;
 use std::fmt::Write;
 
@@ -21,18 +21,18 @@ impl Entry {
 }
 
 /// Prints one card, or the list of all.
-pub(super) fn run(arguments: &Explain) -> Result<Report, Failure> {
-    match &arguments.code {
+pub(super) fn run(code: Option<&str>) -> Result<Report, Refusal> {
+    match code {
         Some(code) => one(code),
         None => Ok(list()),
     }
 }
 
-fn one(code: &str) -> Result<Report, Failure> {
+fn one(code: &str) -> Result<Report, Refusal> {
     let cards = all();
     let card = cards.iter().find(|card| card.code.eq_ignore_ascii_case(code)).ok_or_else(|| {
         let message = format!("there is no error, warning or status {code}");
-        Failure::input("F105", message, "extrados explain lists them all; extrados vehicles lists vehicles and rules")
+        Refusal::new("F105", message, "extrados explain lists them all; extrados vehicles lists vehicles and rules")
     })?;
     Ok(Report::new(Status::Completed)
         .with("code", card.code.as_str())

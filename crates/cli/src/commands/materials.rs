@@ -1,23 +1,22 @@
 //! `extrados materials`: what is usual of masonry, joints, fill and backing, and where that is from.
 
-use crate::args::Materials;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
+use extrados::Refusal;
 use extrados::materials;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Lists the library, one material, or those of one table.
-pub(super) fn run(arguments: &Materials) -> Result<Report, Failure> {
-    let asked = arguments.name.as_deref().map(|name| name.trim_matches(['[', ']']));
+pub(super) fn run(name: Option<&str>) -> Result<Report, Refusal> {
+    let asked = name.map(|name| name.trim_matches(['[', ']']));
     let mut listed = materials();
     listed.retain(|one| {
         asked.is_none_or(|name| one.code.eq_ignore_ascii_case(name) || one.tables.iter().any(|table| table == name))
     });
     if let Some(name) = asked.filter(|_| listed.is_empty()) {
         let message = format!("the library has no material \"{name}\", and no material of such a table");
-        return Err(Failure::input("F126", message, "extrados materials lists them all"));
+        return Err(Refusal::new("F126", message, "extrados materials lists them all"));
     }
     let mut page = String::new();
     for one in &listed {

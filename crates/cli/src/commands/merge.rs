@@ -2,9 +2,8 @@
 
 use super::answer::refused;
 use super::obey;
-use crate::args::{Arguments, Command, Merge};
+use crate::args::{Arguments, Command};
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::program;
 use crate::report::Report;
 use crate::shards::{Merged, Portion, Sharing};
@@ -16,8 +15,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Checks that the shards are all there and belong together, then lets their command find every piece finished.
-pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Report, Failure> {
-    let shards = match gathered(&arguments.dirs) {
+pub(super) fn run(desk: &mut Desk, dirs: &[PathBuf], whole: &Path) -> Result<Report, Refusal> {
+    let shards = match gathered(dirs) {
         Ok(shards) => shards,
         Err(refusals) => return Ok(refused(desk, Report::new(Status::UnusableInput), refusals)),
     };
@@ -28,7 +27,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Merge) -> Result<Report, Failure>
     let mut command = own.command;
     let (sharing, out) = part_of(&mut command).ok_or_else(|| not_a_shard(&shards[0].0))?;
     *sharing = Sharing { shard: None, merged: Some(Merged::new(identity, shards)) };
-    *out = Some(arguments.out.clone());
+    *out = Some(whole.to_owned());
     desk.words = words;
     obey(desk, &command)
 }

@@ -27,7 +27,7 @@ mod workbench;
 use crate::args::{Arguments, Command};
 use crate::clock::Clock;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::host::{self, Ended};
 use crate::render::{self, Paint};
 use crate::report::Report;
@@ -37,6 +37,7 @@ use crate::status::Status;
 use answer::{failed, speak};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
+use extrados::Refusal;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -76,14 +77,14 @@ pub(crate) fn run(words: Vec<OsString>) -> u8 {
         Ok(answer) => speak(&mut desk, &answer),
         Err(failure) => {
             desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-            if desk.screen.json { speak(&mut desk, &failed(&failure)) } else { failure.status.exit_code() }
+            if desk.screen.json { speak(&mut desk, &failed(&failure)) } else { failure::status(&failure).exit_code() }
         }
     };
     match desk.screen.failed() {
         Some(error) => {
-            let failure = Failure::not_written(Path::new("the standard output"), &error);
+            let failure = failure::not_written(Path::new("the standard output"), &error);
             desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-            code.max(failure.status.exit_code())
+            code.max(failure::status(&failure).exit_code())
         }
         None => code,
     }
@@ -92,9 +93,9 @@ pub(crate) fn run(words: Vec<OsString>) -> u8 {
 /// The exit code of a program that broke, as Rust's own.
 const BROKEN: u8 = 101;
 
-fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Failure> {
+fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
     match command {
-        Command::New(arguments) => new::run(arguments),
+        Command::New { dir, from } => new::run(dir, from),
         Command::Check(arguments) => check::run(desk, arguments),
         Command::Collapse(arguments) => collapse::run(desk, arguments),
         Command::Cases(arguments) => cases::run(desk, arguments),
@@ -105,10 +106,10 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Failure> {
         Command::Assess(arguments) => assess::run(desk, arguments),
         Command::Update(arguments) => update::run(desk, arguments),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments),
-        Command::Merge(arguments) => merge::run(desk, arguments),
-        Command::Explain(arguments) => explain::run(arguments),
-        Command::Vehicles(arguments) => vehicles::run(arguments),
-        Command::Materials(arguments) => materials::run(arguments),
+        Command::Merge { dirs, out } => merge::run(desk, dirs, out),
+        Command::Explain { code } => explain::run(code.as_deref()),
+        Command::Vehicles { name } => vehicles::run(name.as_deref()),
+        Command::Materials { name } => materials::run(name.as_deref()),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments),
         Command::Validate(arguments) => validate::run(desk, arguments),
@@ -132,10 +133,10 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     let plain = text.to_string();
     let lines: Vec<&str> = plain.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
     let message = lines.join(" ").trim_start_matches("error: ").to_owned();
-    let failure = Failure::input("F107", message, "extrados --help lists commands and options");
+    let failure = Refusal::new("F107", message, "extrados --help lists commands and options");
     if json {
         let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned(), words: Vec::new() };
         return speak(&mut desk, &failed(&failure));
     }
-    failure.status.exit_code()
+    failure::status(&failure).exit_code()
 }

@@ -3,7 +3,6 @@
 use crate::args::{Check, Collapse};
 use crate::checkpoint::Checkpoint;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::render::{self, Paint};
 use crate::report::Report;
@@ -11,7 +10,7 @@ use crate::results::{self, Written};
 use crate::status::Status;
 use crate::watcher::Watcher;
 use bridge::blocks::Role;
-use extrados::{Blocks, CollapseOptions, Disk, collapse_of_blocks};
+use extrados::{Blocks, CollapseOptions, Disk, Refusal, collapse_of_blocks};
 use findings::words::counted;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -24,7 +23,7 @@ pub(super) struct Model(pub Blocks);
 
 impl Model {
     /// Reads a file and its drawing, and shows what was found in them.
-    pub(super) fn open(desk: &mut Desk, path: &Path) -> Result<Model, Failure> {
+    pub(super) fn open(desk: &mut Desk, path: &Path) -> Result<Model, Refusal> {
         let blocks = Blocks::read(path, &Disk)?;
         if blocks.scene().is_none() || !desk.screen.quiet {
             let paint = Paint::for_stderr();
@@ -37,7 +36,7 @@ impl Model {
     }
 
     /// The folder for the results of a run of this kind.
-    fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
+    fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Refusal> {
         let inputs: Vec<PathBuf> = self.0.drawing().map(|(place, _)| place.to_owned()).into_iter().collect();
         Folder::prepare(path, Purpose::new(kind, Path::new(self.0.name()), &inputs))
     }
@@ -54,7 +53,7 @@ impl Model {
 }
 
 /// Reads the model and draws it.
-pub(super) fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
+pub(super) fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Refusal> {
     let model = Model::open(desk, &arguments.file)?;
     let (Some(scene), Some(picture)) = (model.0.scene(), model.0.as_built()) else {
         return Ok(model.report(Status::UnusableInput));
@@ -118,20 +117,20 @@ fn summary(scene: &Scene, out: &str) -> String {
 }
 
 /// Reads the model, makes the analysis, writes its results.
-pub(super) fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure> {
+pub(super) fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Refusal> {
     let model = Model::open(desk, &arguments.file)?;
     let Some(scene) = model.0.scene() else { return Ok(model.report(Status::UnusableInput)) };
     let arch = "this analysis needs an arch: a block model has no ring";
     let remedy = "leave the option out, or describe the arch in a bridge file";
     if arguments.sweep || arguments.choice.analysis.is_some_and(|analysis| analysis != bridge::Analysis::Load) {
-        return Err(Failure::input("F108", arch, remedy));
+        return Err(Refusal::new("F108", arch, remedy));
     }
     let choice = super::collapse::choice(scene.width, arguments)?;
     let scene = model.0.planned(&CollapseOptions { choice, resume: None })?;
     let out = folder::named(&arguments.out, &arguments.file);
     let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
     let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
-        Ok(collapse_of_blocks(&model.0, &CollapseOptions { choice, resume }, watcher)?)
+        collapse_of_blocks(&model.0, &CollapseOptions { choice, resume }, watcher)
     };
     let checkpoint = Checkpoint::of(&scene, &folder);
     super::collapse::analyse(desk, arguments, model.report(Status::Completed), checkpoint, &folder, run)

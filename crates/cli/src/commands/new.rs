@@ -1,10 +1,10 @@
 //! `extrados new`: a working example to edit.
 
-use crate::args::New;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
+use extrados::Refusal;
 use extrados::examples::{self, Example, File};
 use std::fmt::Write;
 use std::fs;
@@ -12,31 +12,31 @@ use std::io;
 use std::path::Path;
 
 /// Writes the example's files into a new or empty folder.
-pub(super) fn run(arguments: &New) -> Result<Report, Failure> {
-    let example = examples::named(&arguments.from).ok_or_else(|| unknown(&arguments.from))?;
-    write(example, &arguments.dir)?;
+pub(super) fn run(dir: &Path, from: &str) -> Result<Report, Refusal> {
+    let example = examples::named(from).ok_or_else(|| unknown(from))?;
+    write(example, dir)?;
     let names: Vec<&str> = example.files.iter().map(|file| file.name).collect();
-    let first = arguments.dir.join(example.main);
-    let mut summary = format!("{}: {}\n", arguments.dir.display(), example.about);
+    let first = dir.join(example.main);
+    let mut summary = format!("{}: {}\n", dir.display(), example.about);
     for file in example.files {
         let _ = writeln!(summary, "  {:<16} {}", file.name, file.about());
     }
     let _ = writeln!(summary, "next: extrados {} {}", example.command(), first.display());
     Ok(Report::new(Status::Completed)
         .with("example", example.name)
-        .with("folder", arguments.dir.display().to_string())
+        .with("folder", dir.display().to_string())
         .with("files", names)
         .saying(summary))
 }
 
 /// Writes the files into a folder beside the place, which then takes its name: it is there whole or not at all.
-fn write(example: &Example, dir: &Path) -> Result<(), Failure> {
-    let unwritable = |error: io::Error| Failure::unwritable(dir, &error);
+fn write(example: &Example, dir: &Path) -> Result<(), Refusal> {
+    let unwritable = |error: io::Error| failure::unwritable(dir, &error);
     match fs::read_dir(dir) {
         Ok(mut entries) => {
             if entries.next().is_some() {
                 let message = format!("{} exists and is not empty", dir.display());
-                return Err(Failure::input("F103", message, "name a folder that does not exist yet"));
+                return Err(Refusal::new("F103", message, "name a folder that does not exist yet"));
             }
             // The folder may be the current one, which nothing can take the place of.
             return fill(example, dir).map_err(unwritable);
@@ -60,11 +60,7 @@ fn fill(example: &Example, dir: &Path) -> io::Result<()> {
     example.files.iter().try_for_each(write)
 }
 
-fn unknown(name: &str) -> Failure {
+fn unknown(name: &str) -> Refusal {
     let names: Vec<&str> = examples::ALL.iter().map(|example| example.name).collect();
-    Failure::input(
-        "F104",
-        format!("there is no example called {name}"),
-        format!("the examples are {}", names.join(", ")),
-    )
+    Refusal::new("F104", format!("there is no example called {name}"), format!("the examples are {}", names.join(", ")))
 }

@@ -6,19 +6,18 @@ use self::record::Recorder;
 use super::source::Source;
 use crate::args::Respond as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::watched;
 use crate::{quantities, summary};
-use extrados::{RespondOptions, written};
+use extrados::{Refusal, RespondOptions, written};
 use outcome::passage::{Passage, PassageStatus};
 use serde_json::json;
 
 /// Reads the file, lets the train cross, writes the records.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));
@@ -41,7 +40,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
 }
 
 /// Writes the record of a train that has crossed; half a passage would pass for a whole one.
-fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(), Failure> {
+fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(), Refusal> {
     if found.status != PassageStatus::Completed {
         report.summary += "  no synthetic record was written: the train did not cross\n";
         return Ok(());
@@ -55,7 +54,7 @@ fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(),
 }
 
 /// What the command line says in place of the file.
-fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
+fn options(arguments: &Arguments) -> Result<RespondOptions, Refusal> {
     let speed = arguments.speed.as_ref().map(|text| quantities::speed("--speed", text));
     Ok(RespondOptions { speed: speed.transpose()?, analysis: arguments.analysis, path: arguments.path })
 }

@@ -1,13 +1,12 @@
 //! Bridge files that are read, and what was found in them shown.
 
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::status::Status;
 use extrados::files::{self, LONGEST_TEXT};
-use extrados::{Disk, Files, Project};
+use extrados::{Disk, Files, Project, Refusal};
 use std::path::Path;
 
 /// A bridge file that was read, with what it takes from other files.
@@ -17,12 +16,12 @@ pub(super) struct Source {
 
 impl Source {
     /// Reads a file and shows what was found in it.
-    pub(super) fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
+    pub(super) fn open(desk: &mut Desk, path: &Path) -> Result<Source, Refusal> {
         Source::open_from(desk, path, &Disk)
     }
 
     /// Reads a file, with pictures of a report from where these files have them, and shows what was found in it.
-    pub(super) fn open_from(desk: &mut Desk, path: &Path, files: &dyn Files) -> Result<Source, Failure> {
+    pub(super) fn open_from(desk: &mut Desk, path: &Path, files: &dyn Files) -> Result<Source, Refusal> {
         let source = Source::read(path, files)?;
         if source.bridge().is_none() || desk.screen.tells_each() {
             let (project, paint) = (&source.project, Paint::for_stderr());
@@ -32,7 +31,7 @@ impl Source {
     }
 
     /// Reads a file and says nothing.
-    pub(super) fn read(path: &Path, files: &dyn Files) -> Result<Source, Failure> {
+    pub(super) fn read(path: &Path, files: &dyn Files) -> Result<Source, Refusal> {
         Ok(Source { project: Project::read(path, files)? })
     }
 
@@ -42,7 +41,7 @@ impl Source {
     }
 
     /// The folder for the results of a run of this kind.
-    pub(super) fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
+    pub(super) fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Refusal> {
         Folder::prepare(path, Purpose::new(kind, Path::new(self.project.name()), self.project.inputs()))
     }
 
@@ -56,11 +55,11 @@ impl Source {
 
 /// The bytes of a file that somebody wrote by hand, in UTF-8 where it was UTF-16; one that is longer than such files are is cut, for its
 /// first bytes tell what it is.
-pub(super) fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
-    files::head(path, LONGEST_TEXT + 2).map(bridge::as_utf8).map_err(|error| Failure::unreadable(path, &error))
+pub(super) fn read_text(path: &Path) -> Result<Vec<u8>, Refusal> {
+    files::head(path, LONGEST_TEXT + 2).map(bridge::as_utf8).map_err(|error| Refusal::unreadable(path, &error))
 }
 
 /// The bytes of a file that is not longer than `most`; a folder is refused in words.
-pub(super) fn read_file(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    files::read_at_most(path, most).map_err(|error| Failure::unreadable(path, &error))
+pub(super) fn read_file(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
+    files::read_at_most(path, most).map_err(|error| Refusal::unreadable(path, &error))
 }

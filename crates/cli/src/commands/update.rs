@@ -3,7 +3,6 @@
 use super::source::Source;
 use crate::args::Update as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::log;
 use crate::program;
@@ -13,12 +12,12 @@ use crate::shelf::{FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::watched;
-use extrados::{Means, UpdateOptions, written};
+use extrados::{Means, Refusal, UpdateOptions, written};
 use outcome::update::{Update, UpdateStatus};
 use serde_json::json;
 
 /// Reads file and records, searches, writes what was found. Every evaluation is kept as soon as it is done.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));
@@ -30,13 +29,14 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
         return judged(desk, &source, &folder);
     }
     let shelf = FolderShelf::new(&folder, if arguments.resume { Resume::Asked } else { Resume::No });
-    let means = Means { shelf: &shelf, clock: &desk.clock, program: &program::hash() };
+    let clock = desk.clock;
+    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program: &program::hash() };
     let options = UpdateOptions { search: arguments.search, variant: arguments.variant, start: arguments.start };
     let project = &source.project;
     let found = watched(desk.screen.quiet, |spectator| extrados::update(project, &options, &means, spectator));
     let trouble = shelf.trouble();
-    // Where the log could not be opened, its own failure says more than the refusal.
-    let found = found.map_err(|refusal| trouble.clone().unwrap_or_else(|| refusal.into()))?;
+    // What kept evaluations from being kept says more than the refusal.
+    let found = found.map_err(|refusal| trouble.clone().unwrap_or(refusal))?;
     let mut report = source.report(Status::of(found.status.word()));
     if let Some(failure) = trouble {
         report.warn(&mut desk.screen, failure.code, &failure.message);
@@ -55,8 +55,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
 }
 
 /// The records alone, beside one passage of the start model. Exit code 1 where somebody should look at them.
-fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, Failure> {
-    let means = Means { clock: &desk.clock, ..Means::default() };
+fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, Refusal> {
+    let clock = desk.clock;
+    let means = Means { clock: &|| clock.seconds(), ..Means::default() };
     let found = watched(desk.screen.quiet, |spectator| extrados::judge(&source.project, &means, spectator))?;
     if found.status == UpdateStatus::Cancelled {
         return Ok(source.report(Status::Cancelled).saying("interrupted; nothing was written\n"));

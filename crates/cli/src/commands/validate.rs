@@ -2,7 +2,7 @@
 
 use crate::args::Validate;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::{Folder, Purpose};
 use crate::program;
 use crate::report::Report;
@@ -12,8 +12,8 @@ use crate::shelf::{self, FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::{self, Silent};
-use extrados::Means;
 use extrados::shard::Shard;
+use extrados::{Looking, Means, Refusal};
 use outcome::published;
 use outcome::validation::{Predictor, Validation};
 use rayon::prelude::*;
@@ -28,7 +28,7 @@ const METHODS: [Predictor; 5] =
     [Predictor::Weight, Predictor::Pressure, Predictor::Continuum, Predictor::Path, Predictor::Movement];
 
 /// Reads all tests, predicts them, writes table, figure and statistics.
-pub(super) fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Refusal> {
     let methods: Vec<Predictor> = match arguments.methods.as_slice() {
         [] => METHODS.to_vec(),
         named => Predictor::ALL.iter().copied().filter(|one| named.contains(one)).collect(),
@@ -49,18 +49,18 @@ pub(super) fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failu
     let all: Vec<(&Job, &String)> = jobs.iter().zip(&keys).collect();
     let own: Vec<&(&Job, &String)> = shards::own(&all, shard).collect();
     let bar = watcher::bar(desk.screen.quiet, own.iter().map(|(job, _)| job.effort()).sum());
-    let made: Vec<Result<Option<(Job, Answer)>, Failure>> = own
+    let made: Vec<Result<Option<(Job, Answer)>, Refusal>> = own
         .par_iter()
         .map(|(job, key)| {
             let answer = answered(&means, &corpus, job, key)
-                .map_err(|error| Failure::not_written(&shelf.runs(), &error))
+                .map_err(|error| failure::not_written(&shelf.runs(), &error))
                 .map(|answer| Some((**job, answer?)));
             watcher::counted_by(&bar, job.effort(), &corpus.tests[job.test].name);
             answer
         })
         .collect();
     bar.finish_and_clear();
-    let made: Vec<Option<(Job, Answer)>> = made.into_iter().collect::<Result<_, Failure>>()?;
+    let made: Vec<Option<(Job, Answer)>> = made.into_iter().collect::<Result<_, Refusal>>()?;
     let Some(answers) = made.into_iter().collect::<Option<Vec<(Job, Answer)>>>() else {
         return Ok(Report::new(Status::Cancelled).saying(shards::INTERRUPTED));
     };
@@ -86,7 +86,7 @@ fn answered(means: &Means<'_>, corpus: &Corpus, job: &Job, key: &str) -> io::Res
     if watcher::asked_to_stop() {
         return Ok(None);
     }
-    let answer = predict(corpus, job, &mut Silent);
+    let answer = predict(corpus, job, &mut Looking(&mut Silent));
     // One that was stopped on its way is no answer.
     if watcher::asked_to_stop() {
         return Ok(None);
@@ -103,19 +103,19 @@ fn purpose(root: &Path, corpus: &Corpus, shard: Option<Shard>) -> Purpose {
     Purpose::new(&shards::kind("validate", shard), root, &inputs)
 }
 
-fn unusable(error: CorpusError) -> Failure {
+fn unusable(error: CorpusError) -> Refusal {
     let message = error.to_string();
     match error {
         CorpusError::Absent(_) => {
             let help =
                 "the tests stand in validation/ of the source: run the command in a clone of it, or name their folder";
-            Failure::input("F131", message, help)
+            Refusal::new("F131", message, help)
         }
-        CorpusError::Wrong { help, .. } => Failure::input("F132", message, help),
+        CorpusError::Wrong { help, .. } => Refusal::new("F132", message, help),
     }
 }
 
-fn write(desk: &mut Desk, found: &Validation, folder: &Folder, root: &Path) -> Result<Report, Failure> {
+fn write(desk: &mut Desk, found: &Validation, folder: &Folder, root: &Path) -> Result<Report, Refusal> {
     let any = found.statistics.iter().any(|one| one.tests > 0);
     let mut report = Report::new(if any { Status::Completed } else { Status::Undetermined });
     report.fields = found.object();

@@ -7,7 +7,7 @@ use super::answer::refused;
 use super::source::Source;
 use crate::args::Vary as Arguments;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::Folder;
 use crate::program;
 use crate::report::Report;
@@ -19,14 +19,14 @@ use crate::status::Status;
 use crate::summary;
 use crate::watcher::watched;
 use extrados::shard::Shard;
-use extrados::{Means, Portion, Studied, VaryOptions, VaryPlan, written};
+use extrados::{Means, Portion, Refusal, Studied, VaryOptions, VaryPlan, written};
 use outcome::study::Study;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Reads the file, checks every run, makes those that were not made yet, writes the study.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let mut options = VaryOptions {
         sweep: arguments.sweep,
         grid: arguments.grid,
@@ -60,7 +60,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     signs::keeps("cache", &cache, kept);
     let own = plan.own();
     let clock = desk.clock;
-    let means = Means { shelf: &shelf, clock: &clock, program: &program::hash() };
+    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program: &program::hash() };
     if let Some(merged) = &arguments.sharing.merged {
         match plan.identity(&means) {
             Ok(identity) => merged.bring(&identity, &folder)?,
@@ -76,12 +76,12 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Fail
     let found = match watched(desk.screen.quiet, |spectator| plan.run(&means, spectator)) {
         Ok(found) => found,
         Err(mut refusals) if refusals.len() == 1 && ALONE.contains(&refusals[0].code) => {
-            return Err(refusals.remove(0).into());
+            return Err(refusals.remove(0));
         }
         Err(refusals) => return Ok(refused(desk, report, refusals)),
     };
     if let Some(error) = &found.trouble {
-        let failure = Failure::not_written(&cache, error);
+        let failure = failure::not_written(&cache, error);
         report.warn(&mut desk.screen, failure.code, &failure.message);
     }
     match found.study {
@@ -121,9 +121,9 @@ fn share(
     shard: Shard,
     found: Portion,
     folder: &Folder,
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     if let Some(error) = &found.trouble {
-        return Err(Failure::not_written(&folder.file("cache"), error));
+        return Err(failure::not_written(&folder.file("cache"), error));
     }
     if !found.finished {
         report.status = Status::Cancelled;
@@ -134,7 +134,7 @@ fn share(
     shards::publish(desk, report, folder, shard, found.identity, (BTreeMap::new(), files))
 }
 
-fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) -> Result<Report, Refusal> {
     if study.rows.iter().all(|row| study.number(row).is_none()) {
         report.status = Status::Undetermined;
     }

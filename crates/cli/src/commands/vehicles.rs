@@ -1,10 +1,9 @@
 //! `extrados vehicles`: the vehicles and rules that a bridge file can name in [sweep] and [assess].
 
-use crate::args::Vehicles;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use assess::vehicles::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
+use extrados::Refusal;
 use findings::words::counted;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -13,9 +12,8 @@ use std::fmt::Write;
 const GRAVITY: f64 = 9.81;
 
 /// Lists the library, or what bears one name.
-pub(super) fn run(arguments: &Vehicles) -> Result<Report, Failure> {
-    let library = library(GRAVITY).map_err(|unknown| Failure::input("F126", unknown.to_string(), "report this"))?;
-    let asked = arguments.name.as_deref();
+pub(super) fn run(asked: Option<&str>) -> Result<Report, Refusal> {
+    let library = library(GRAVITY).map_err(|unknown| Refusal::new("F126", unknown.to_string(), "report this"))?;
     let is = |code: &str| asked.is_none_or(|name| code.eq_ignore_ascii_case(name));
     // A name of a load model stands for all of its vehicles, as in a bridge file.
     let vehicles: Vec<(&LoadModel, &Vehicle)> =
@@ -23,7 +21,7 @@ pub(super) fn run(arguments: &Vehicles) -> Result<Report, Failure> {
     let rules: Vec<&Rule> = library.rules.iter().filter(|rule| is(&rule.code)).collect();
     if let Some(name) = asked.filter(|_| vehicles.is_empty() && rules.is_empty()) {
         let message = format!("the library has no vehicle, load model or rule \"{name}\"");
-        return Err(Failure::input("F126", message, "extrados vehicles lists them all"));
+        return Err(Refusal::new("F126", message, "extrados vehicles lists them all"));
     }
     let mut page = String::new();
     if !vehicles.is_empty() {

@@ -3,11 +3,12 @@
 
 use crate::args::Verify;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher;
+use extrados::Refusal;
 use extrados::files::head;
 use findings::words::counted;
 use rayon::prelude::*;
@@ -16,17 +17,8 @@ use std::fmt::Write;
 use std::path::Path;
 use verification::{Case, Class, Judged, Kind, TableRow, Verdict};
 
-/// Kinds of evidence; their counts are never added up.
-const KINDS: [(Kind, &str, &str); 5] = [
-    (Kind::Exact, "exact", "against closed forms"),
-    (Kind::Analytical, "analytical", "against approximate theory"),
-    (Kind::Benchmark, "benchmark", "against other programs and published numerical results"),
-    (Kind::Experiment, "experiment", "against tests"),
-    (Kind::Regression, "regression", "against this program's own past"),
-];
-
 /// Runs the cases below a folder.
-pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Refusal> {
     if let Some(path) = &arguments.manual {
         free(path)?;
     }
@@ -46,7 +38,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
     let complete = judged.iter().all(Option::is_some);
     let judged: Vec<Judged> = judged.into_iter().flatten().collect();
     let tables = verification::tables()
-        .map_err(|wrong| Failure::input("F112", wrong, "this program was built with a library that cannot be used"))?;
+        .map_err(|wrong| Refusal::new("F112", wrong, "this program was built with a library that cannot be used"))?;
     let well = judged.iter().all(|one| one.verdict.is_well()) && tables.iter().all(TableRow::agrees);
     let status = match (complete, well) {
         (false, _) => Status::Cancelled,
@@ -55,7 +47,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
     };
     if let Some(path) = arguments.manual.as_ref().filter(|_| complete) {
         let written = folder::write_whole(path, verification::manual(&judged).as_bytes());
-        written.map_err(|error| Failure::not_written(path, &error))?;
+        written.map_err(|error| failure::not_written(path, &error))?;
     }
     Ok(Report::new(status)
         .with("kinds", counts(&judged))
@@ -69,31 +61,31 @@ pub(super) fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure
 const MANUAL: &str = "# Verification manual";
 
 /// The manual replaces an earlier manual and no other file.
-fn free(path: &Path) -> Result<(), Failure> {
+fn free(path: &Path) -> Result<(), Refusal> {
     match head(path, MANUAL.len() as u64) {
         Ok(bytes) if !bytes.starts_with(MANUAL.as_bytes()) => {
             let message = format!("{} exists and is no verification manual", path.display());
-            Err(Failure::input("F119", message, "name another file with --manual FILE"))
+            Err(Refusal::new("F119", message, "name another file with --manual FILE"))
         }
         _ => Ok(()),
     }
 }
 
-fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
+fn read(folder: &Path) -> Result<Vec<Case>, Refusal> {
     if !folder.exists() {
         let message = format!("there is no folder {} here", folder.display());
         let help =
             "the cases stand in verification/ of the source: run the command in a clone of it, or name the folder";
-        return Err(Failure::input("F111", message, help));
+        return Err(Refusal::new("F111", message, help));
     }
-    let found = verification::discover(folder).map_err(|error| Failure::unreadable(folder, &error))?;
+    let found = verification::discover(folder).map_err(|error| Refusal::unreadable(folder, &error))?;
     if found.is_empty() {
         let message = format!("{} holds no folder with a case.toml", folder.display());
-        return Err(Failure::input("F111", message, "name the folder of the verification cases"));
+        return Err(Refusal::new("F111", message, "name the folder of the verification cases"));
     }
     let read = found.iter().map(|folder| Case::read(folder));
     read.collect::<Result<_, _>>().map_err(|error| {
-        Failure::input(
+        Refusal::new(
             "F112",
             error.to_string(),
             "repair the case, or name another folder; verification/README.md tells what a case holds",
@@ -103,8 +95,8 @@ fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
 
 fn counts(judged: &[Judged]) -> Map<String, Value> {
     let mut kinds = Map::new();
-    for (kind, word, _) in KINDS {
-        let of_kind = || judged.iter().filter(|one| one.case.kind == kind);
+    for kind in Kind::ALL {
+        let of_kind = || judged.iter().filter(|one| one.case.kind == *kind);
         let count = |test: fn(&Verdict) -> bool| of_kind().filter(|one| test(&one.verdict)).count();
         if of_kind().next().is_some() {
             let row = json!({
@@ -112,7 +104,7 @@ fn counts(judged: &[Judged]) -> Map<String, Value> {
                 "open": count(|verdict| matches!(verdict, Verdict::Open(_))),
                 "fails": count(|verdict| !verdict.is_well()),
             });
-            kinds.insert(word.to_owned(), row);
+            kinds.insert(kind.word().to_owned(), row);
         }
     }
     kinds
@@ -130,7 +122,7 @@ fn case(judged: &Judged) -> Value {
     let mut value = json!({
         "name": judged.case.name,
         "title": judged.case.title,
-        "kind": KINDS.iter().find(|(kind, ..)| *kind == judged.case.kind).map(|(_, word, _)| *word),
+        "kind": judged.case.kind.word(),
         "verdict": judged.verdict.word(),
         "seconds": judged.seconds,
         "findings": findings.collect::<Vec<Value>>(),
@@ -185,13 +177,13 @@ fn tables_in_words(tables: &[TableRow]) -> String {
 
 fn summary(judged: &[Judged], tables: &[TableRow], left: &[Case], status: Status) -> String {
     let mut page = String::new();
-    for (kind, _, words) in KINDS {
-        let of_kind: Vec<Judged> = judged.iter().filter(|one| one.case.kind == kind).cloned().collect();
+    for kind in Kind::ALL {
+        let of_kind: Vec<Judged> = judged.iter().filter(|one| one.case.kind == *kind).cloned().collect();
         if of_kind.is_empty() {
             continue;
         }
         let holds = of_kind.iter().filter(|one| one.verdict == Verdict::Holds).count();
-        let _ = writeln!(page, "{words}: {holds} of {} hold", of_kind.len());
+        let _ = writeln!(page, "against {}: {holds} of {} hold", kind.words(), of_kind.len());
         for line in verification::table(&of_kind).lines() {
             let _ = writeln!(page, "  {line}");
         }

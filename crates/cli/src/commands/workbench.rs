@@ -2,8 +2,8 @@
 
 use crate::args::Workbench;
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::report::Report;
+use extrados::Refusal;
 #[cfg(feature = "workbench")]
 use {
     crate::status::Status,
@@ -18,16 +18,16 @@ const BUILD: &str = "build the page and the program with `.ci/workbench build`, 
 
 /// This program was built without the page.
 #[cfg(not(feature = "workbench"))]
-pub(super) fn run(_: &mut Desk, _: &Workbench) -> Result<Report, Failure> {
-    Err(Failure::input("F140", "this program was built without the workbench", BUILD))
+pub(super) fn run(_: &mut Desk, _: &Workbench) -> Result<Report, Refusal> {
+    Err(Refusal::new("F140", "this program was built without the workbench", BUILD))
 }
 
 /// Serves the page until somebody stops it.
 #[cfg(feature = "workbench")]
-pub(super) fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Refusal> {
     if FILES.is_empty() {
         let message = "this program was built with the feature `workbench`, but before there was a page";
-        return Err(Failure::input("F140", message, BUILD));
+        return Err(Refusal::new("F140", message, BUILD));
     }
     let server = Server::bind(arguments.port, FILES).map_err(|error| taken(arguments.port, &error))?;
     let address = server.address();
@@ -43,10 +43,10 @@ pub(super) fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Fail
 
 /// A port that cannot be had.
 #[cfg(feature = "workbench")]
-fn taken(port: u16, error: &io::Error) -> Failure {
+fn taken(port: u16, error: &io::Error) -> Refusal {
     let message = match error.kind() {
         io::ErrorKind::AddrInUse => format!("port {port} is in use by another program"),
         _ => format!("port {port} cannot be had: {}", extrados::reason(error)),
     };
-    Failure::input("F141", message, "name another one with --port, or let the system choose with --port 0")
+    Refusal::new("F141", message, "name another one with --port, or let the system choose with --port 0")
 }

@@ -14,26 +14,28 @@ use findings::visible::one_line;
 use outcome::assessment::Assessment;
 use outcome::published;
 use outcome::warning::{self, Warning};
-use report::{Appendix, Figure, Material, Photograph, StageState};
+use report::{Appendix, Figure, Material, Photograph, StageLine, StageState};
+use serde_json::{Value, json};
 use stages::{Halt, Stages};
 
-/// A stage that can be left out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StageName {
-    /// Parameters from records.
-    Update,
-    /// Trains that cross.
-    Service,
-    /// Collapse under the loads of the file.
-    Collapse,
-    /// Vehicles moved over the bridge.
-    Vehicles,
-    /// Named cases of the file.
-    Cases,
-    /// Supports that move.
-    SupportMovement,
-    /// What the governing check depends on.
-    Sensitivity,
+bridge::choice! {
+    /// A stage that can be left out.
+    pub enum StageName {
+        /// Moduli from records; the file's own values count
+        Update = "update",
+        /// The train that crosses
+        Service = "service",
+        /// The loads of the file at collapse
+        Collapse = "collapse",
+        /// The vehicles of [sweep]
+        Vehicles = "vehicles",
+        /// The named cases of the file
+        Cases = "cases",
+        /// The support that moves
+        SupportMovement = "support-movement",
+        /// What would change the verdict
+        Sensitivity = "sensitivity",
+    }
 }
 
 /// What an assessment leaves out, and what its report says of how it was made.
@@ -127,6 +129,12 @@ impl Assessed {
     /// The answer for scripts.
     pub fn object(&self) -> published::Object {
         self.assessment.object()
+    }
+
+    /// The stages in their order: name, state, key.
+    pub fn stages(&self) -> Value {
+        let one = |stage: &StageLine| json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key });
+        self.appendix.stages.iter().map(one).collect()
     }
 
     /// The checks as a table (CSV).

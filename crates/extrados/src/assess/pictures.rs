@@ -72,9 +72,7 @@ pub(super) fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure>
 
 /// Factors of named cases, and the mechanism of the least.
 pub(super) fn cases(bridge: &str, found: &Cases) -> Vec<Figure> {
-    let factors: Vec<(String, f64)> =
-        found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
-    let bars = figures::case_factors(bridge, &factors);
+    let bars = figures::case_factors(bridge, &found.factors());
     let mut list: Vec<Figure> =
         figure("cases", "factors", "Factor on the loads of each named case.", bars).into_iter().collect();
     if let Some(least) = found.least() {

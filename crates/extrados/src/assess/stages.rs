@@ -29,7 +29,7 @@ use outcome::update::UpdateStatus;
 use report::{Figure, StageLine, StageState};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::fmt::Debug;
+use std::fmt::{Debug, Display};
 
 /// What the stages of one bridge are made from.
 pub(super) struct Stages<'a> {
@@ -47,15 +47,8 @@ pub(super) struct Stages<'a> {
     pub lines: Vec<StageLine>,
 }
 
-/// What became of a stage's run.
-enum Ran<T> {
-    /// Facts and drawings.
-    Made(T, Vec<Figure>),
-    /// Why it came to no end.
-    Failed(String),
-    /// Somebody asked to stop.
-    Cancelled,
-}
+/// What became of a stage's run: facts and drawings, none where somebody asked to stop, or why it came to no end.
+type Ran<T> = Result<Option<(T, Vec<Figure>)>, String>;
 
 /// Why there is no assessment.
 pub(super) enum Halt {
@@ -78,12 +71,9 @@ impl Stages<'_> {
         let asked = self.project.meaning().assess.clone().unwrap_or_default();
         let (update, bridge, document) = self.updated(&own)?;
         let built: Stage<Statics> = self.stage("built", &bridge, |_| {
-            match analysis::as_built(&bridge).and_then(|picture| Ok((picture, analysis::statics(&bridge)?))) {
-                Ok((picture, statics)) => {
-                    Ran::Made(statics, pictures::built(&picture, &analysis::ground_plan(&bridge, None)))
-                }
-                Err(error) => Ran::Failed(error.to_string()),
-            }
+            let picture = analysis::as_built(&bridge).map_err(told)?;
+            let statics = analysis::statics(&bridge).map_err(told)?;
+            Ok(Some((statics, pictures::built(&picture, &analysis::ground_plan(&bridge, None)))))
         })?;
         let service = self.service(&bridge, &asked)?;
         let ultimate = self.ultimate(&bridge)?;
@@ -117,21 +107,21 @@ impl Stages<'_> {
         if self.watch.look(&Progress { stage: part, fraction: None, steps: 0 }) == Wish::Stop {
             return Err(Halt::Stopped);
         }
-        let begun = self.means.clock.seconds();
+        let begun = (self.means.clock)();
         let ran = run(&mut self.watch);
-        let seconds = self.means.clock.seconds() - begun;
+        let seconds = (self.means.clock)() - begun;
         match ran {
             // What was cut short is no fact.
             _ if self.watch.stopped => Err(Halt::Stopped),
-            Ran::Cancelled => Err(Halt::Stopped),
-            Ran::Made(facts, figures) => {
+            Ok(None) => Err(Halt::Stopped),
+            Ok(Some((facts, figures))) => {
                 let finished = Finished { facts, figures, seconds };
                 kept::put(self.means, name, &key, &finished);
                 self.note(name, StageState::Made, Some(seconds), &key);
                 self.figures.extend(finished.figures);
                 Ok(Stage::Made(finished.facts))
             }
-            Ran::Failed(why) => {
+            Err(why) => {
                 self.note(name, StageState::Failed(why.clone()), Some(seconds), &key);
                 Ok(Stage::Failed(why))
             }
@@ -161,11 +151,18 @@ impl Stages<'_> {
         Stage::LeftOut { stage: name.to_owned(), why }
     }
 
-    /// A stage that is not made: for this reason, or since the command leaves it out.
-    fn unmade<T>(&mut self, stage: StageName, name: &str, why: Option<&str>) -> Option<Stage<T>> {
-        match why {
-            Some(why) => Some(self.not_asked(name, why)),
-            None => self.skipped(stage).then(|| self.left_out(name, "")),
+    /// A stage that is made unless the file does not ask for it, for this reason, or the command leaves it out.
+    fn asked<T: Serialize + DeserializeOwned>(
+        &mut self,
+        stage: StageName,
+        why_not: Option<&str>,
+        input: &impl Debug,
+        run: impl FnOnce(&mut Remembering<'_>) -> Ran<T>,
+    ) -> Result<Stage<T>, Halt> {
+        match why_not {
+            Some(why) => Ok(self.not_asked(stage.word(), why)),
+            None if self.skipped(stage) => Ok(self.left_out(stage.word(), "")),
+            None => self.stage(stage.word(), input, run),
         }
     }
 
@@ -202,89 +199,66 @@ impl Stages<'_> {
 
     fn service(&mut self, bridge: &Bridge, asked: &bridge::assess::Assess) -> Result<Stage<ServiceFacts>, Halt> {
         let why = bridge.passage.is_none().then_some("the file has no [train] that crosses");
-        if let Some(none) = self.unmade(StageName::Service, "service", why) {
-            return Ok(none);
-        }
         let limits = &asked.limits;
         let input = (bridge, &asked.service_loads, &limits.rule, limits.loaded_length, limits.cushion);
-        self.stage("service", &input, |watch| {
+        self.asked(StageName::Service, why, &input, |watch| {
             let found = chain::service(bridge, asked, chain::Scope::Everything, &mut Looking(watch));
-            let (facts, passages) = match found {
-                Err(error) => return Ran::Failed(error.to_string()),
-                Ok((facts, _)) if facts.loads.iter().any(|load| load.status == PassageStatus::Cancelled) => {
-                    return Ran::Cancelled;
-                }
-                Ok(found) => found,
-            };
+            let (facts, passages) = found.map_err(told)?;
+            if facts.loads.iter().any(|load| load.status == PassageStatus::Cancelled) {
+                return Ok(None);
+            }
             if let Some(load) = facts.loads.iter().find(|load| load.status != PassageStatus::Completed) {
                 let reason = passages.iter().find_map(|passage| passage.reason.clone()).unwrap_or_default();
-                return Ran::Failed(format!("the passage of {} ended with {}: {reason}", load.name, load.status));
+                return Err(format!("the passage of {} ended with {}: {reason}", load.name, load.status));
             }
             let names: Vec<String> = facts.loads.iter().map(|load| load.name.clone()).collect();
             let figures = pictures::service(&passages, &names);
-            Ran::Made(facts, figures)
+            Ok(Some((facts, figures)))
         })
     }
 
     fn ultimate(&mut self, bridge: &Bridge) -> Result<Stage<UltimateFacts>, Halt> {
         let why = bridge.loads.is_empty().then_some("the file describes no [[load]]");
-        if let Some(none) = self.unmade(StageName::Collapse, "collapse", why) {
-            return Ok(none);
-        }
-        self.stage("collapse", bridge, |watch| match chain::ultimate(bridge, &mut Looking(watch)) {
-            Err(error) => Ran::Failed(error.to_string()),
-            Ok(None) => Ran::Cancelled,
-            Ok(Some(found)) => {
-                let figures = pictures::ultimate(&found, &bridge.name);
-                Ran::Made(found.facts, figures)
-            }
+        self.asked(StageName::Collapse, why, bridge, |watch| {
+            let Some(found) = chain::ultimate(bridge, &mut Looking(watch)).map_err(told)? else { return Ok(None) };
+            let figures = pictures::ultimate(&found, &bridge.name);
+            Ok(Some((found.facts, figures)))
         })
     }
 
     fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
         let why = bridge.sweep.is_none().then_some("the file has no [sweep] of vehicles");
-        if let Some(none) = self.unmade(StageName::Vehicles, "vehicles", why) {
-            return Ok(none);
-        }
-        self.stage("vehicles", bridge, |watch| match chain::vehicles(bridge, &mut Looking(watch)) {
-            Err(error) => Ran::Failed(error.to_string()),
-            Ok((facts, found)) => {
-                let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
-                Ran::Made(facts, figures)
-            }
+        self.asked(StageName::Vehicles, why, bridge, |watch| {
+            let (facts, found) = chain::vehicles(bridge, &mut Looking(watch)).map_err(told)?;
+            let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
+            Ok(Some((facts, figures)))
         })
     }
 
     /// The file's named cases, with what an update found.
     fn cases(&mut self, document: &Document) -> Result<Stage<CasesFacts>, Halt> {
         let why = self.project.meaning().cases.is_empty().then_some("the file has no [[case]]");
-        if let Some(none) = self.unmade(StageName::Cases, "cases", why) {
-            return Ok(none);
-        }
-        let project = self.project.reworded(document.text().into_bytes());
-        self.stage("cases", &document.text(), |watch| match crate::cases(&project, Choice::default(), watch) {
-            Err(refusal) => Ran::Failed(refusal.message),
-            Ok(found) if found.answers.iter().any(|one| one.collapse.status == Status::Cancelled) => Ran::Cancelled,
-            Ok(found) => {
-                let name = project.meaning().bridge.as_ref().map_or("", |bridge| &bridge.name);
-                Ran::Made(found.facts(), pictures::cases(name, &found))
+        let (project, text) = (self.project, document.text());
+        self.asked(StageName::Cases, why, &text, |watch| {
+            let project = project.reworded(text.clone().into_bytes());
+            let found = crate::cases(&project, Choice::default(), watch).map_err(|refusal| refusal.message)?;
+            if found.answers.iter().any(|one| one.collapse.status == Status::Cancelled) {
+                return Ok(None);
             }
+            let name = project.meaning().bridge.as_ref().map_or("", |bridge| &bridge.name);
+            Ok(Some((found.facts(), pictures::cases(name, &found))))
         })
     }
 
     fn movement(&mut self, bridge: &Bridge) -> Result<Stage<MovementFacts>, Halt> {
-        const NAME: &str = "support-movement";
         let why = bridge.plan.support_movement.is_none().then_some("the file describes no [support_movement]");
-        if let Some(none) = self.unmade(StageName::SupportMovement, NAME, why) {
-            return Ok(none);
-        }
-        self.stage(NAME, bridge, |watch| match chain::movement(bridge, &mut Looking(watch)) {
-            Err(error) => Ran::Failed(error.to_string()),
-            Ok(found) if found.status == outcome::collapse::Status::Cancelled => Ran::Cancelled,
-            Ok(found) => {
-                let figures = pictures::movement(&found.picture);
-                Ran::Made(chain::movement_facts(bridge, found), figures)
+        self.asked(StageName::SupportMovement, why, bridge, |watch| {
+            let found = chain::movement(bridge, &mut Looking(watch)).map_err(told)?;
+            if found.status == Status::Cancelled {
+                return Ok(None);
             }
+            let figures = pictures::movement(&found.picture);
+            Ok(Some((chain::movement_facts(bridge, found), figures)))
         })
     }
 
@@ -294,24 +268,26 @@ impl Stages<'_> {
         evidence: &Evidence,
         checked: &[Checked],
     ) -> Result<Stage<SensitivityFacts>, Halt> {
-        const NAME: &str = "sensitivity";
-        if self.skipped(StageName::Sensitivity) {
-            return Ok(self.not_asked(NAME, "left out by --skip sensitivity"));
-        }
-        let Some((worst, _)) = governing(checked) else {
-            return Ok(self.not_asked(NAME, "no check could be made, so that none governs"));
+        let worst = governing(checked);
+        let why = match worst {
+            _ if self.skipped(StageName::Sensitivity) => Some("left out by --skip sensitivity"),
+            None => Some("no check could be made, so that none governs"),
+            Some((worst, _)) if CHECKS[worst].probe == Probe::Whole => {
+                Some("every value takes a whole analysis of the support movement: make them with extrados vary")
+            }
+            Some(_) => None,
         };
-        if CHECKS[worst].probe == Probe::Whole {
-            let why = "every value takes a whole analysis of the support movement: make them with extrados vary";
-            return Ok(self.not_asked(NAME, why));
-        }
-        let input = (document.text(), &evidence.bridge, &evidence.asked, governing(checked));
-        self.stage(NAME, &input, |watch| match chain::sensitivity(document, evidence, checked, &mut Looking(watch)) {
-            Err(error) => Ran::Failed(error.to_string()),
-            Ok(None) => Ran::Cancelled,
-            Ok(Some(facts)) => Ran::Made(facts, Vec::new()),
+        let input = (document.text(), &evidence.bridge, &evidence.asked, worst);
+        self.asked(StageName::Sensitivity, why, &input, |watch| {
+            let facts = chain::sensitivity(document, evidence, checked, &mut Looking(watch)).map_err(told)?;
+            Ok(facts.map(|facts| (facts, Vec::new())))
         })
     }
+}
+
+/// Why an analysis came to no end.
+fn told(error: impl Display) -> String {
+    error.to_string()
 }
 
 /// Doubtful values of the file.
@@ -322,22 +298,16 @@ fn doubts(project: &Project) -> Vec<Doubt> {
 
 /// The update of a stage.
 fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ran<UpdateFacts> {
-    let known = match means.shelf.evaluations(&task.identity()) {
-        Ok(known) => known,
-        Err(refusal) => return Ran::Failed(refusal.message),
-    };
+    let known = means.shelf.evaluations(&task.identity()).map_err(|refusal| refusal.message)?;
     let mut watch = Seeking { watch, shelf: means.shelf };
-    let clock = || means.clock.seconds();
-    let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: &clock };
-    match analysis::update::update(task, known, lent) {
-        Ok(found) if found.status == UpdateStatus::Cancelled => Ran::Cancelled,
-        Ok(found) if found.found().is_none() => {
-            Ran::Failed(found.reason.clone().unwrap_or_else(|| "no search came to an end".to_owned()))
-        }
-        Ok(found) => {
-            let figures = pictures::update(&found);
-            Ran::Made(chain::update_facts(found), figures)
-        }
-        Err(error) => Ran::Failed(error.to_string()),
+    let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: means.clock };
+    let found = analysis::update::update(task, known, lent).map_err(told)?;
+    if found.status == UpdateStatus::Cancelled {
+        return Ok(None);
     }
+    if found.found().is_none() {
+        return Err(found.reason.unwrap_or_else(|| "no search came to an end".to_owned()));
+    }
+    let figures = pictures::update(&found);
+    Ok(Some((chain::update_facts(found), figures)))
 }

@@ -178,9 +178,8 @@ impl<'a> VaryPlan<'a> {
     /// that no run found (F117).
     pub fn run(self, means: &Means<'_>, watch: &mut dyn Watch) -> Result<Studied, Vec<Refusal>> {
         let runs = self.runs(means, watch)?;
-        let found = Work { analysis: &self.analysis, means }.all(&runs, watch)?;
-        let study = found.rows.map(|rows| self.study(runs, rows)).transpose()?;
-        Ok(Studied { study, finished: found.finished, runs: found.runs, trouble: found.trouble })
+        let (rows, found) = Work { analysis: &self.analysis, means }.all(&runs, watch)?;
+        Ok(Studied { study: rows.map(|rows| self.study(runs, rows)).transpose()?, ..found })
     }
 
     /// Makes the runs of a shard that are not on the shelf yet. When all shards are there, [`run`](Self::run) finds every run on the shelf.
@@ -221,8 +220,8 @@ impl<'a> VaryPlan<'a> {
         let count = self.count().unwrap_or(usize::MAX);
         if count > self.most_runs {
             let own = self.source.alone(&self.analysis, means);
-            let found = Work { analysis: &self.analysis, means }.all(&own, watch)?;
-            let seconds = found.rows.and_then(|rows| rows.first().map(|row| row.seconds));
+            let (rows, _) = Work { analysis: &self.analysis, means }.all(&own, watch)?;
+            let seconds = rows.and_then(|rows| rows.first().map(|row| row.seconds));
             return Err(vec![too_many(count, self.most_runs, seconds.filter(|seconds| *seconds > 0.0))]);
         }
         self.source.runs(&self.varied, &self.analysis, means)

@@ -1,5 +1,6 @@
 //! Makes the runs, several at once, and keeps each as soon as it is finished.
 
+use super::Studied;
 use super::runs::{Job, Runs};
 use crate::means::Means;
 use crate::refusal::Refusal;
@@ -29,21 +30,9 @@ pub(super) struct Finished {
     pub cached: bool,
 }
 
-/// What came of the runs.
-pub(super) struct Found {
-    /// For each run, what it gave; nothing where the work was stopped.
-    pub rows: Option<Vec<Finished>>,
-    /// Runs that are finished.
-    pub finished: usize,
-    /// Runs there are.
-    pub runs: usize,
-    /// What kept a finished run from being kept.
-    pub trouble: Option<io::Error>,
-}
-
 impl Work<'_> {
-    /// All jobs, in any order; their answers in the order of the runs.
-    pub(super) fn all(&self, runs: &Runs, watch: &mut dyn Watch) -> Result<Found, Refusal> {
+    /// All jobs, in any order: for each run what it gave, nothing where the work was stopped; and what came of them.
+    pub(super) fn all(&self, runs: &Runs, watch: &mut dyn Watch) -> Result<(Option<Vec<Finished>>, Studied), Refusal> {
         let (made, trouble) = self.some(&runs.jobs.iter().collect::<Vec<_>>(), watch);
         let finished = runs.job_of.iter().filter(|job| made[**job].is_some()).count();
         let all: Option<Vec<Finished>> = made.into_iter().collect();
@@ -52,7 +41,7 @@ impl Work<'_> {
             return Err(Refusal::not_set_up(message));
         }
         let rows = all.map(|all| runs.job_of.iter().map(|job| all[*job].clone()).collect());
-        Ok(Found { rows, finished, runs: runs.list.len(), trouble })
+        Ok((rows, Studied { study: None, finished, runs: runs.list.len(), trouble }))
     }
 
     /// These jobs: what each gave, nothing where the work was stopped; and what kept a finished one from being kept.
@@ -80,8 +69,8 @@ impl Work<'_> {
         if crowd.stopped() {
             return None;
         }
-        let begun = self.means.clock.seconds();
-        let seconds = || self.means.clock.seconds() - begun;
+        let begun = (self.means.clock)();
+        let seconds = || (self.means.clock)() - begun;
         let outcome = match (self.analysis.run)(&job.bridge, &mut member) {
             Ok(outcome) => outcome,
             Err(error) => {

@@ -5,7 +5,7 @@ use super::{answer, assessed, command, pictures, pictures_left_out};
 use crate::args::Assess as Arguments;
 use crate::commands::source::{Source, read_text};
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::folder::{self, Folder, Purpose};
 use crate::program;
 use crate::report::Report;
@@ -16,9 +16,8 @@ use crate::status::Status;
 use crate::summary;
 use crate::watcher;
 use ::report::FleetRow;
-use bridge::Severity;
 use extrados::shard::Shard;
-use extrados::{Disk, Means};
+use extrados::{Disk, Means, Refusal};
 use findings::visible::{is_hidden, one_line};
 use findings::words::counted;
 use rayon::prelude::*;
@@ -28,7 +27,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every bridge file of the folder, in the order of their names.
-pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
     let paths = bridge_files(&arguments.file)?;
     let shard = arguments.sharing.shard;
     let out = arguments.out.clone().unwrap_or_else(|| shards::folder_of(default_for(&arguments.file), shard));
@@ -114,14 +113,14 @@ fn share(
     root: &Path,
     (own, all): (&[&PathBuf], &[PathBuf]),
     folder: &Folder,
-) -> Result<Report, Failure> {
+) -> Result<Report, Refusal> {
     let mut inputs = BTreeMap::new();
     let mut files = Vec::new();
     for path in own {
         // A file that cannot be used has no others beside it.
         let beside = Source::read(path, &Disk).map_or(Vec::new(), |source| source.project.inputs().to_vec());
         for input in beside.iter().filter(|input| input.is_file()).chain([*path]) {
-            let hash = folder::hash(input).map_err(|error| Failure::unreadable(input, &error))?;
+            let hash = folder::hash(input).map_err(|error| Refusal::unreadable(input, &error))?;
             inputs.insert(input.strip_prefix(root).unwrap_or(input).display().to_string(), hash);
         }
         let stages = format!("{}/stages", folder_of(path, all));
@@ -134,14 +133,14 @@ fn share(
 }
 
 /// Refuses bridge files that are not those of which the shards were made.
-fn unchanged(root: &Path, merged: &Merged) -> Result<(), Failure> {
+fn unchanged(root: &Path, merged: &Merged) -> Result<(), Refusal> {
     let changed = merged.inputs().filter(|(name, hash)| folder::hash(&root.join(name)).ok().as_ref() != Some(hash));
     let names: Vec<&str> = changed.map(|(name, _)| name.as_str()).collect();
     if names.is_empty() {
         return Ok(());
     }
     let message = format!("files have changed since the shards were made: {}", names.join(", "));
-    Err(Failure::input("F145", message, "run the commands of the shards again: only what changed is computed"))
+    Err(Refusal::new("F145", message, "run the commands of the shards again: only what changed is computed"))
 }
 
 /// The name of a file, without its folder.
@@ -163,8 +162,8 @@ fn default_for(folder: &Path) -> PathBuf {
 }
 
 /// Bridge files of a folder: every .toml that is no block model and no file of vehicles or rule, not looked for in folders below.
-fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let entries = fs::read_dir(folder).map_err(|error| Failure::unreadable(folder, &error))?;
+fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Refusal> {
+    let entries = fs::read_dir(folder).map_err(|error| Refusal::unreadable(folder, &error))?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.is_file() && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     files.retain(|path| {
@@ -174,7 +173,7 @@ fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     files.sort();
     if files.is_empty() {
         let message = format!("the folder {} holds no bridge file (.toml)", folder.display());
-        return Err(Failure::input("F101", message, "put one file for each bridge into it"));
+        return Err(Refusal::new("F101", message, "put one file for each bridge into it"));
     }
     Ok(files)
 }
@@ -198,8 +197,9 @@ fn folder_of(path: &Path, files: &[PathBuf]) -> String {
 
 /// One bridge, into a folder of this name; none where somebody asked to stop.
 fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &str) -> Option<FleetRow> {
-    let row = judged(path, stem, arguments, fleet, program)
-        .unwrap_or_else(|failure| Some(blank(failure.status, format!("{} ({})", failure.message, failure.code))));
+    let row = judged(path, stem, arguments, fleet, program).unwrap_or_else(|failure| {
+        Some(blank(failure::status(&failure), format!("{} ({})", failure.message, failure.code)))
+    });
     row.map(|row| FleetRow { file: one_line(&name_of(path)).into_owned(), ..row })
 }
 
@@ -215,15 +215,11 @@ fn judged(
     arguments: &Arguments,
     fleet: &Folder,
     program: &str,
-) -> Result<Option<FleetRow>, Failure> {
+) -> Result<Option<FleetRow>, Refusal> {
     let source = Source::read(path, pictures(arguments))?;
     if source.bridge().is_none() {
-        let errors = source.project.findings().iter().filter(|finding| finding.severity == Severity::Error);
-        let words = errors.map(|finding| {
-            let place = bridge::text::position(source.project.text(), finding.range.start);
-            format!("line {}: {} ({})", place.line, finding.message, finding.code)
-        });
-        return Ok(Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; "))));
+        let words: Vec<String> = source.project.errors().take(5).collect();
+        return Ok(Some(blank(Status::UnusableInput, words.join("; "))));
     }
     let folder = source.folder(&fleet.file(stem), "assess")?;
     let Some(done) = assessed(&source, &folder, program, arguments, true)? else { return Ok(None) };

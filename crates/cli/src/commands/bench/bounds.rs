@@ -3,11 +3,11 @@
 use super::of_example;
 use super::repeated::{Repeated, repeated};
 use crate::args::Bench;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use assess::analysis::engine::continuum;
 use bridge::Bridge;
+use extrados::Refusal;
 use mechanics::limit::continuum::Bounds;
 use mechanics::watch::CancelToken;
 
@@ -16,7 +16,7 @@ const CLOSE: (f64, usize) = (1.02, 12_000);
 
 /// Repeats the bounds and gives the least and the middle time, once more for close ones; pictures and the range of strength are not
 /// part of it.
-pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Bench) -> Result<Report, Refusal> {
     let bridge = of_example("bridgemill", "continuum.toml")?;
     let mut finer = bridge.clone();
     finer.continuum.iter_mut().for_each(|plan| (plan.bound_ratio, plan.elements) = CLOSE);
@@ -39,7 +39,7 @@ pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
         .saying(told(arguments, &wanted) + &told(arguments, &close)))
 }
 
-fn measured(arguments: &Bench, bridge: &Bridge) -> Result<Repeated<(Bounds, f64)>, Failure> {
+fn measured(arguments: &Bench, bridge: &Bridge) -> Result<Repeated<(Bounds, f64)>, Refusal> {
     repeated(arguments, || continuum::bounds_alone(bridge, &CancelToken::default()))
 }
 

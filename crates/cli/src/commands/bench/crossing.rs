@@ -3,11 +3,11 @@
 
 use super::repeated::{Repeated, repeated};
 use crate::args::Bench;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use assess::analysis::vehicle_sweep;
 use bridge::{Bridge, Method};
+use extrados::Refusal;
 use mechanics::watch::Unwatched;
 use outcome::vehicles::VehicleSweep;
 
@@ -17,7 +17,7 @@ const UNLIMITED: &str = "\"unlimited\"";
 const VEHICLE: &str = include_str!("crossing/vehicle.toml");
 
 /// Repeats each sweep and gives its least time, from the bridge to the envelope of every position; pictures and pages are not part of it.
-pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Bench) -> Result<Report, Refusal> {
     let mut report = Report::new(Status::Completed).with("name", "crossing").with("repeats", arguments.repeats);
     let mut page = String::new();
     for (strength, about, key) in
@@ -46,17 +46,17 @@ pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
 }
 
 /// The sweep by a method.
-fn swept(arguments: &Bench, bridge: &Bridge, method: Method) -> Result<Repeated<VehicleSweep>, Failure> {
+fn swept(arguments: &Bench, bridge: &Bridge, method: Method) -> Result<Repeated<VehicleSweep>, Refusal> {
     let mut own = bridge.clone();
     own.plan.method = method;
     repeated(arguments, || vehicle_sweep(&own, &mut Unwatched))
 }
 
 /// The bridge with its vehicle, of a masonry of this strength.
-fn bridge(strength: &str) -> Result<Bridge, Failure> {
+fn bridge(strength: &str) -> Result<Bridge, Refusal> {
     let read = bridge::read(BRIDGE.replace(UNLIMITED, strength).as_bytes()).bridge;
     let mut bridge =
-        read.ok_or_else(|| Failure::input("F104", "the bridge of the bench cannot be read", "report this"))?;
+        read.ok_or_else(|| Refusal::new("F104", "the bridge of the bench cannot be read", "report this"))?;
     bridge.sweep.iter_mut().for_each(|plan| plan.texts.push(("vehicle.toml".to_owned(), VEHICLE.to_owned())));
     Ok(bridge)
 }

@@ -4,11 +4,11 @@ use super::repeated::least_and_middle;
 use crate::args::Bench;
 use crate::checkpoint::Checkpoint;
 use crate::clock::Clock;
-use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop, watched};
+use crate::watcher::{asked_to_stop, watched};
+use extrados::{Looking, Refusal};
 use findings::words::counted;
 use mechanics::dem::{State, Workspace, begin, step};
 use mechanics::kept::digest;
@@ -31,19 +31,20 @@ struct Stepped {
 }
 
 /// One repeat after the other: the box on all threads and, where it is wanted, copies of it side by side.
-pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
     let count = arguments.count.unwrap_or(DISCS).max(LEAST) as usize;
     if let Some(steps) = arguments.steps {
-        return watched(quiet, |onlooker| from_the_packing(onlooker, arguments, count, u64::from(steps)));
+        return watched(quiet, |onlooker| from_the_packing(&mut Looking(onlooker), arguments, count, u64::from(steps)));
     }
     let built = watched(quiet, |onlooker| {
+        let onlooker = &mut Looking(onlooker);
         disks(count, onlooker).map(|disks| disks.settled(onlooker).map(|state| (disks, state)))
     });
     let (disks, (mut state, mut work)) = match built {
         Ok(Some(built)) => built,
         _ if asked_to_stop() => return Ok(Report::new(Status::Cancelled)),
         Ok(None) => return Ok(Report::new(Status::Cancelled)),
-        Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
+        Err(error) => return Err(Refusal::new("F108", error.to_string(), "extrados explain F108 tells more")),
     };
     let mut copies: Vec<(State, Workspace)> =
         (0..arguments.copies.unwrap_or(0)).map(|_| (state.clone(), work.clone())).collect();
@@ -116,13 +117,13 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Failure> {
 }
 
 /// So many steps from the expanded packing on, while friction and gravity bring it to rest.
-fn from_the_packing(onlooker: &mut Spectator, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Failure> {
+fn from_the_packing(onlooker: &mut dyn Watch, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Refusal> {
     const LOOK: u64 = 20;
     const KEEP_EVERY: f64 = 30.0;
     let disks = match disks(count, onlooker) {
         Ok(disks) => disks,
         Err(_) if asked_to_stop() => return Ok(Report::new(Status::Cancelled)),
-        Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
+        Err(error) => return Err(Refusal::new("F108", error.to_string(), "extrados explain F108 tells more")),
     };
     let (mut state, mut work, mut searches) = (begin(&disks.model, &settings()), Workspace::default(), 0);
     // An empty folder goes when it is let go of.
@@ -130,7 +131,7 @@ fn from_the_packing(onlooker: &mut Spectator, arguments: &Bench, count: usize, s
     let folder = folder.map(|path| Folder::prepare(path, Purpose::new("bench", path, &[]))).transpose()?;
     let checkpoint = folder.as_ref().map(|folder| Checkpoint::of(&("disks", count, steps), folder));
     if let Some(kept) = checkpoint.as_ref().map(Checkpoint::take_up).transpose()?.flatten() {
-        let foreign = |_| Failure::input("F110", "the checkpoint is of another box of discs", "name another folder");
+        let foreign = |_| Refusal::new("F110", "the checkpoint is of another box of discs", "name another folder");
         state = State::from_bytes(&disks.model, &kept).map_err(foreign)?;
     }
     let resumed = state.steps;
@@ -196,9 +197,9 @@ fn run_steps(disks: &Disks, (state, work): (&mut State, &mut Workspace), steps: 
 }
 
 /// Seconds until the last of the copies has made its steps, each on a thread of its own.
-fn side_by_side(disks: &Disks, copies: &mut [(State, Workspace)], steps: u64) -> Result<f64, Failure> {
+fn side_by_side(disks: &Disks, copies: &mut [(State, Workspace)], steps: u64) -> Result<f64, Refusal> {
     let no_thread =
-        |error: rayon::ThreadPoolBuildError| Failure::input("F108", error.to_string(), "ask for fewer copies");
+        |error: rayon::ThreadPoolBuildError| Refusal::new("F108", error.to_string(), "ask for fewer copies");
     let pool = |_| rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(no_thread);
     let pools: Vec<rayon::ThreadPool> = (0..copies.len()).map(pool).collect::<Result<_, _>>()?;
     let clock = Clock::start();

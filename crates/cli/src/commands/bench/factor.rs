@@ -2,9 +2,9 @@
 
 use super::repeated::timed;
 use crate::args::Bench;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
+use extrados::Refusal;
 use mechanics::fem::{Element, Pattern, State, Workspace};
 use verification::footing::{Footing, FootingError, Ground, footing};
 
@@ -15,9 +15,9 @@ const COLUMNS: u32 = 316;
 type Seconds = [f64; 5];
 
 /// Repeats all of it; each part's least time.
-pub(super) fn run(arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(arguments: &Bench) -> Result<Report, Refusal> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
-    let refused = |error: FootingError| Failure::input("F108", error.to_string(), "ask for fewer elements");
+    let refused = |error: FootingError| Refusal::new("F108", error.to_string(), "ask for fewer elements");
     let ground = footing(columns, Ground::Elastic, Element::Q4).map_err(refused)?;
     let (mut all, mut entries) = (Vec::new(), [0; 2]);
     for _ in 0..arguments.repeats {

@@ -1,13 +1,14 @@
 //! `extrados bench footing`: yielding ground under a rough footing, from the mesh to the last load step.
 
 use super::repeated::least_and_middle;
-use crate::args::{Bench, GROUNDS, word_for};
+use crate::args::Bench;
 use crate::clock::Clock;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop};
+use crate::watcher::asked_to_stop;
+use extrados::Refusal;
 use mechanics::fem;
+use mechanics::watch::Watch;
 use verification::footing::{FootingError, Ground, footing, prandtl, settings};
 
 /// Elements along the ground where `--count` does not say.
@@ -17,10 +18,10 @@ const COLUMNS: u32 = 142;
 const TOLERANCE: f64 = 1e-6;
 
 /// Repeats the push and gives the least and the middle time.
-pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report, Refusal> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
     let ground = arguments.material.unwrap_or(Ground::VonMises);
-    let refused = |error: FootingError| Failure::input("F108", error.to_string(), "ask for less");
+    let refused = |error: FootingError| Refusal::new("F108", error.to_string(), "ask for less");
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
         let clock = Clock::start();
@@ -48,7 +49,7 @@ pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report,
         .with("name", "footing")
         .with("size", columns * columns.div_ceil(2))
         .with("repeats", seconds.len())
-        .with("material", word_for(GROUNDS, ground))
+        .with("material", ground.word())
         .with("seconds", least)
         .with("seconds_median", middle)
         .with("iterations_total", pushed.outcome.iterations)
@@ -65,7 +66,7 @@ pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report,
              core\n{ended} at {:.1} % of the push in {kept} steps and {} iterations to {TOLERANCE:.0e}; mean pressure {pressure:.1} \
              kPa{beyond}; {} points flow\n",
             seconds.len(),
-            word_for(GROUNDS, ground),
+            ground.word(),
             columns.div_ceil(2),
             100.0 * pushed.outcome.reached,
             pushed.outcome.iterations,

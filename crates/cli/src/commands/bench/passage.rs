@@ -3,13 +3,13 @@
 use super::of_example;
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop, watched};
+use crate::watcher::{asked_to_stop, watched};
 use assess::analysis::passage::{Scope, Setup, Solution, setup, solve};
 use bridge::Bridge;
 use bridge::passage::PassagePath;
+use extrados::{Looking, Refusal};
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::PassageStatus;
 
@@ -20,7 +20,7 @@ const SIZE: f64 = 0.045;
 const COMPARED: usize = 50;
 
 /// Repeats the passage, then compares it with the plain path at some of its positions.
-pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
     let mut bridge = of_example("railway-arch", "passage.toml")?;
     // A count is one of elements along a metre.
     bridge.service.mesh.size = Some(arguments.count.map_or(SIZE, |count| 1.0 / f64::from(count)));
@@ -104,12 +104,12 @@ struct Compared {
 
 /// Both paths go through the same positions, for what has yielded and slid depends on the way: from the middle of the passage on, a
 /// quarter of a metre apart at 45 km/h.
-fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Failure> {
+fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Refusal> {
     const EVERY: usize = 4;
     let middle = setup.positions.len() / 2;
     let thinned = |all: &[f64]| all.iter().skip(middle).step_by(EVERY).take(COMPARED).copied().collect::<Vec<f64>>();
     let mut few = Setup { times: thinned(&setup.times), positions: thinned(&setup.positions), ..setup.clone() };
-    let go = |few: &Setup| -> Result<(Solution, f64), Failure> {
+    let go = |few: &Setup| -> Result<(Solution, f64), Refusal> {
         let clock = Clock::start();
         let (found, until_positions) = timed(quiet, clock, bridge, few)?;
         Ok((found, clock.seconds() - until_positions))
@@ -135,15 +135,15 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Fail
 
 /// An onlooker that notes when the positions begin.
 struct Timed<'a> {
-    spectator: &'a mut Spectator,
+    spectator: Looking<'a>,
     clock: Clock,
     until_positions: Option<f64>,
 }
 
 /// A passage, and what a clock says when its positions begin [s].
-fn timed(quiet: bool, clock: Clock, bridge: &Bridge, setup: &Setup) -> Result<(Solution, f64), Failure> {
+fn timed(quiet: bool, clock: Clock, bridge: &Bridge, setup: &Setup) -> Result<(Solution, f64), Refusal> {
     watched(quiet, |spectator| {
-        let mut onlooker = Timed { spectator, clock, until_positions: None };
+        let mut onlooker = Timed { spectator: Looking(spectator), clock, until_positions: None };
         let found = solve(bridge, setup, Scope::Sensors, &[], &mut onlooker)?;
         Ok((found, onlooker.until_positions.unwrap_or_default()))
     })

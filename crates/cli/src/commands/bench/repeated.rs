@@ -2,8 +2,8 @@
 
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::failure::Failure;
 use assess::analysis::AnalysisError;
+use extrados::Refusal;
 
 /// What was measured often.
 pub(super) struct Repeated<T> {
@@ -17,9 +17,9 @@ pub(super) struct Repeated<T> {
 pub(super) fn repeated<T>(
     arguments: &Bench,
     measure: impl Fn() -> Result<T, AnalysisError>,
-) -> Result<Repeated<T>, Failure> {
+) -> Result<Repeated<T>, Refusal> {
     let mut seconds = Vec::new();
-    let mut once = || -> Result<T, Failure> {
+    let mut once = || -> Result<T, Refusal> {
         let (found, taken) = timed(&measure);
         seconds.push(taken);
         Ok(found?)

@@ -4,11 +4,11 @@ use super::of_example;
 use super::repeated::least_and_middle;
 use crate::args::Bench;
 use crate::clock::Clock;
-use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use crate::watcher::{Spectator, asked_to_stop};
+use crate::watcher::asked_to_stop;
 use assess::analysis::passage::{WantedSlices, setup, slices};
+use extrados::Refusal;
 use mechanics::watch::{Progress, Unwatched, Watch};
 use outcome::passage::PassageStatus;
 
@@ -16,7 +16,7 @@ use outcome::passage::PassageStatus;
 const SLICES: usize = 6;
 
 /// Evaluates models whose fill and mortar differ a little from one another, and gives the time of one.
-pub(super) fn run(onlooker: &mut Spectator, arguments: &Bench) -> Result<Report, Failure> {
+pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report, Refusal> {
     let bridge = of_example("railway-arch", "passage.toml")?;
     let base = setup(&bridge)?;
     let count = base.positions.len();

@@ -4,9 +4,10 @@ use super::{Report, folder, guard};
 use crate::args::Convert;
 use crate::commands::source::read_file;
 use crate::desk::Desk;
-use crate::failure::Failure;
+use crate::failure;
 use crate::results;
 use crate::status::Status;
+use extrados::Refusal;
 use extrados::files::LONGEST;
 use findings::words::counted;
 use outcome::section::{Face, Section, Surveyed};
@@ -21,14 +22,14 @@ const NAMED: usize = 5;
 const GAP: f64 = 0.05;
 
 /// Reads the section, fits its curve and writes what the extension `to` asks for.
-pub(super) fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Failure> {
+pub(super) fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Refusal> {
     if arguments.chord_tolerance.is_some() || arguments.gap_tolerance.is_some() || arguments.cut_concave {
         let message = "--chord-tolerance, --gap-tolerance and --cut-concave are for drawings (.dxf)";
-        return Err(Failure::input("F107", message, "leave them out"));
+        return Err(Refusal::new("F107", message, "leave them out"));
     }
     let from = arguments.from.display().to_string();
     let refused = |error: section::SectionError| {
-        Failure::input("F133", format!("{from}: {error}"), "extrados explain F133 tells what a section is")
+        Refusal::new("F133", format!("{from}: {error}"), "extrados explain F133 tells what a section is")
     };
     let unit = arguments.unit.as_deref().and_then(LengthUnit::named);
     let table = bridge::as_utf8(read_file(&arguments.from, LONGEST)?);
@@ -45,7 +46,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Repo
         _ => section::deviations(&found).into_bytes(),
     };
     guard(arguments, &[&arguments.from])?;
-    folder::write_whole(&arguments.to, &bytes).map_err(|error| Failure::unwritable(&arguments.to, &error))?;
+    folder::write_whole(&arguments.to, &bytes).map_err(|error| failure::unwritable(&arguments.to, &error))?;
     let mut report = Report::new(Status::Completed);
     let overruled = read.overruled.zip(unit).map(|(headed, unit)| {
         format!("the heading says {}, --unit says {}, which is taken: correct the heading", headed.symbol, unit.symbol)

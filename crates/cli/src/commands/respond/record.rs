@@ -1,9 +1,10 @@
 //! `--records`: the passage as a logger would have written it.
 
 use crate::args::{Logger as Arguments, RecordNoise, Respond};
-use crate::failure::Failure;
+use crate::failure;
 use crate::{folder, quantities};
 use assess::analysis::passage::record::{Logger, Scatter, record};
+use extrados::Refusal;
 use extrados::files::{LONGEST, read_at_most};
 use outcome::passage::Passage;
 use records::{Dimension, ReadOptions, Recording};
@@ -20,7 +21,7 @@ pub(super) struct Recorder {
 
 impl Recorder {
     /// What the command line asks for; None without `--records`.
-    pub(super) fn new(arguments: &Respond) -> Result<Option<Recorder>, Failure> {
+    pub(super) fn new(arguments: &Respond) -> Result<Option<Recorder>, Refusal> {
         let Some(path) = &arguments.records else { return Ok(None) };
         let logger = logger(&arguments.logger)?;
         free(path)?;
@@ -29,21 +30,21 @@ impl Recorder {
     }
 
     /// Writes the record, named after its file.
-    pub(super) fn write(&self, passage: &Passage) -> Result<Recording, Failure> {
+    pub(super) fn write(&self, passage: &Passage) -> Result<Recording, Refusal> {
         let name = self.path.file_stem().unwrap_or_default().to_string_lossy();
         let made_by = format!("extrados respond {}", self.file);
         let run = record(passage, &name, &made_by, &self.logger);
         folder::write_whole(&self.path, records::write(&run).as_bytes())
-            .map_err(|error| Failure::not_written(&self.path, &error))?;
+            .map_err(|error| failure::not_written(&self.path, &error))?;
         Ok(run)
     }
 }
 
 /// A file may be written where none is, or where a synthetic record is: measured ones cannot be made again.
-fn free(path: &Path) -> Result<(), Failure> {
+fn free(path: &Path) -> Result<(), Refusal> {
     let refuse = |why: &str| {
         let help = "name a file of its own with --records FILE";
-        Err(Failure::input("F119", format!("{} {why}", path.display()), help))
+        Err(Refusal::new("F119", format!("{} {why}", path.display()), help))
     };
     if path.is_dir() {
         return refuse("is a folder");
@@ -53,7 +54,7 @@ fn free(path: &Path) -> Result<(), Failure> {
             Some(run) if run.synthetic.is_some() => Ok(()),
             _ => refuse("exists and is not labelled synthetic"),
         },
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::unreadable(path, &error)),
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(Refusal::unreadable(path, &error)),
         Err(_) => match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
             Some(folder) => refuse(&format!("has no folder: {} does not exist", folder.display())),
             None => Ok(()),
@@ -61,11 +62,11 @@ fn free(path: &Path) -> Result<(), Failure> {
     }
 }
 
-fn logger(arguments: &Arguments) -> Result<Logger, Failure> {
+fn logger(arguments: &Arguments) -> Result<Logger, Refusal> {
     let exact = arguments.noise == RecordNoise::None;
     if exact && !(arguments.least_count.is_empty() && arguments.deviation.is_empty()) {
         let message = "--noise none leaves no room for --least-count and --deviation";
-        return Err(Failure::input("F107", message, "leave --noise none away; --deviation \"0 mm\" rounds only"));
+        return Err(Refusal::new("F107", message, "leave --noise none away; --deviation \"0 mm\" rounds only"));
     }
     let mut logger = if exact { Logger::NONE } else { Logger::default() };
     if let Some(text) = &arguments.rate {
@@ -86,14 +87,14 @@ fn logger(arguments: &Arguments) -> Result<Logger, Failure> {
 }
 
 /// Sizes of displacements and of strains, told apart by their units [SI].
-fn both(option: &str, texts: &[String]) -> Result<[Option<f64>; 2], Failure> {
+fn both(option: &str, texts: &[String]) -> Result<[Option<f64>; 2], Refusal> {
     let mut sizes = [None; 2];
     for text in texts {
         let (kind, size) = quantities::of_records(option, text)?;
         let place = usize::from(kind == Dimension::Strain);
         if sizes[place].replace(size).is_some() {
             let message = format!("{option} is given twice for {}", ["displacements", "strains"][place]);
-            return Err(Failure::input(
+            return Err(Refusal::new(
                 "F107",
                 message,
                 format!("write {option} \"0.01 mm\" {option} \"0.05 microstrain\""),

@@ -3,7 +3,6 @@
 use super::Arguments;
 use crate::commands::source::{Source, read_file};
 use crate::desk::Desk;
-use crate::failure::Failure;
 use crate::render::{self, Paint};
 use crate::report::Report;
 use bridge::vary::Request;
@@ -17,7 +16,7 @@ pub(super) fn gather(
     arguments: &Arguments,
     source: &Source,
     report: &mut Report,
-) -> Result<Result<Vec<Request>, Vec<Refusal>>, Failure> {
+) -> Result<Result<Vec<Request>, Vec<Refusal>>, Refusal> {
     let Some(path) = &arguments.ranges else {
         return Ok(match arguments.set.is_empty() {
             true => Ok(source.project.meaning().vary.clone()),
