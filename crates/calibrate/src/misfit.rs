@@ -50,7 +50,7 @@ pub enum Sense {
 }
 
 /// How misfit is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Misfit {
     /// What is compared.
     pub compare: Compare,
@@ -62,18 +62,6 @@ pub struct Misfit {
     pub sense: Sense,
     /// Whether peaks are looked for at the places of a full passage's peaks and their neighbours alone.
     pub slices: bool,
-}
-
-impl Default for Misfit {
-    fn default() -> Self {
-        Self {
-            compare: Compare::Peaks,
-            scaling: Scaling::MeasuredPeak,
-            weights: Weights::ShapeCorrelation,
-            sense: Sense::Measured,
-            slices: false,
-        }
-    }
 }
 
 /// What is found once, at the start model, and held.
