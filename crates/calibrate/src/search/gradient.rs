@@ -16,11 +16,11 @@ use crate::search::modern::end;
 use crate::watch::Stopped;
 
 /// Goes downhill from a start, for at most so many iterations.
-pub fn search(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64) -> Outcome {
+pub fn search(evaluator: &mut Evaluator, basis: &Basis, start: Start, iterations: u64) -> Outcome {
     run(evaluator, basis, start, iterations).unwrap_or_else(Outcome::from)
 }
 
-fn run(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64) -> Result<Outcome, Halt> {
+fn run(evaluator: &mut Evaluator, basis: &Basis, start: Start, iterations: u64) -> Result<Outcome, Halt> {
     evaluator.begin(None);
     evaluator.stage("gradient search");
     let parameters = evaluator.problem.parameters();

@@ -156,7 +156,7 @@ fn from_the_poorer_valley_a_gradient_search_stays_and_the_papers_search_leaves()
     let problem = least_squares(parameters, &[1.0, 0.68]);
     let model = Function { channels: 2, length: 1, values: two_valleys };
     with(&problem, &model, |evaluator, basis| {
-        let downhill = gradient::search(evaluator, basis, &Start::Stated, 200).found.unwrap();
+        let downhill = gradient::search(evaluator, basis, Start::Stated, 200).found.unwrap();
         let paper = search(evaluator, basis, &Settings { start: Start::Stated, ..Settings::default() }).found.unwrap();
         let modern = modern::search(evaluator, basis, &modern::Settings::default()).found.unwrap();
         assert!((downhill.point()[0] - 0.2).abs() < 0.1 && downhill.norm > 0.09, "{downhill:?}");

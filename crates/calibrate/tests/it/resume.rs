@@ -67,7 +67,7 @@ fn searches() -> Vec<(&'static str, Search)> {
         ("hierarchical", |e, b| text(hierarchical::search(e, b, &hierarchical::Settings::default()))),
         ("modern", |e, b| text(modern::search(e, b, &modern::Settings::default()))),
         ("referee", |e, b| text(referee::search(e, b, &referee::Settings { generations: 12, ..Default::default() }))),
-        ("gradient", |e, b| text(gradient::search(e, b, &Start::Means, 30))),
+        ("gradient", |e, b| text(gradient::search(e, b, Start::Means, 30))),
     ]
 }
 

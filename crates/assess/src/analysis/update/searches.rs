@@ -69,7 +69,7 @@ impl Searches {
             });
         }
         if wants(update::Search::Gradient) {
-            for (from, start) in gradient_starts(plan.start) {
+            for &(from, start) in gradient_starts(plan.start) {
                 all.one(Search::Gradient, from, evaluator, clock, |all, evaluator| {
                     let outcome = gradient::search(evaluator, basis, start, 100);
                     let (end, found) = (of_status(&outcome.status), outcome.found.clone());
@@ -98,10 +98,10 @@ impl Searches {
             update::Variant::Both => &[hierarchical::Variant::Printed, hierarchical::Variant::AsPractised],
         };
         for &variant in variants {
-            for start in starts {
+            for &start in starts {
                 let settings = hierarchical::Settings {
                     variant,
-                    start: start.clone(),
+                    start,
                     sweep_points: plan.points as usize,
                     surface_points: plan.points as usize,
                     passes: plan.passes as usize,
@@ -124,7 +124,7 @@ impl Searches {
                         hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
                     };
                     let found = outcome.found.clone();
-                    all.paper.push(PaperSearch { variant, start: start.clone(), outcome });
+                    all.paper.push(PaperSearch { variant, start, outcome });
                     (end, found)
                 });
             }
