@@ -81,32 +81,31 @@ pub fn sensitivities(
     let problem = evaluator.problem;
     let values = |response: &Response| residuals(problem, &basis.held, response);
     let own = |response: &Response| residual_derivatives(problem, &basis.held, response);
-    columns(evaluator, basis, point, step, &values, &own)
+    columns(evaluator, basis, (&shares(problem.parameters(), point), point), step, &values, &own)
 }
 
-/// Derivatives of any numbers of a response with respect to shares, by parameter: from the model's own where it offers them
-/// (`own`), else by differences of the numbers.
+/// Derivatives of any numbers of a response with respect to shares, by parameter, at shares and their point: from the model's own where it
+/// offers them (`own`), else by differences of the numbers.
 pub(crate) fn columns(
     evaluator: &mut Evaluator,
     basis: &Basis,
-    point: &[f64],
+    (at, point): (&[f64], &[f64]),
     step: f64,
     numbers: &dyn Fn(&Response) -> Vec<f64>,
     own: &dyn Fn(&Response) -> Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, Halt> {
     let problem = evaluator.problem;
-    let at = shares(problem.parameters(), point);
     if evaluator.has_sensitivities(&basis.samples) {
         let response = answer(evaluator, point, &basis.request(true))?;
-        return Ok(by_shares(problem.parameters(), &at, own(&response)));
+        return Ok(by_shares(problem.parameters(), at, own(&response)));
     }
-    let wanted: Vec<Vec<f64>> = points(&at, step).iter().map(|at| values(problem.parameters(), at)).collect();
+    let wanted: Vec<Vec<f64>> = points(at, step).iter().map(|at| values(problem.parameters(), at)).collect();
     let answers = evaluator.respond(&wanted, &basis.request(false))?;
     let found = answers.iter().map(|answer| match answer.as_ref() {
         Ok(response) => Ok(numbers(response)),
         Err(failure) => Err(Halt::Failed(failure.clone())),
     });
-    Ok(by_differences(&at, step, found.collect::<Result<Vec<_>, _>>()?))
+    Ok(by_differences(at, step, found.collect::<Result<Vec<_>, _>>()?))
 }
 
 /// Judges columns of sensitivities, one for each of `names`.

@@ -81,7 +81,9 @@ impl Linearised {
         let problem = evaluator.problem;
         let numbers = |response: &Response| compared(problem, &basis.held, response).concat();
         let own = |response: &Response| compared_derivatives(problem, response).iter().map(|d| d.concat()).collect();
-        let flat = columns(evaluator, basis, point, step, &numbers, &own)?;
+        let parameters = problem.parameters().to_vec();
+        let at = shares(&parameters, point);
+        let flat = columns(evaluator, basis, (&at, point), step, &numbers, &own)?;
         let request = basis.request(evaluator.has_sensitivities(&basis.samples));
         let values = compared(problem, &basis.held, &answer(evaluator, point, &request)?);
         let by_channel = |column: Vec<f64>| {
@@ -89,8 +91,7 @@ impl Linearised {
             values.iter().map(|values| rest.by_ref().take(values.len()).collect()).collect()
         };
         let derivatives = flat.into_iter().map(by_channel).collect();
-        let parameters = problem.parameters().to_vec();
-        Ok(Self { at: shares(&parameters, point), parameters, values, derivatives })
+        Ok(Self { at, parameters, values, derivatives })
     }
 
     /// What the data leave open. Channels without an uncertainty take one in its place and are named.

@@ -5,7 +5,7 @@
 
 use std::collections::VecDeque;
 
-use crate::basis::{Basis, Halt};
+use crate::basis::{Basis, Halt, unless_failed};
 use crate::evaluator::Evaluator;
 use crate::forward::Failure;
 use crate::parameter::{Parameter, Scale};
@@ -141,8 +141,7 @@ impl<'e, 'a> Run<'e, 'a> {
 
     fn try_naive_combination(&mut self) -> Result<(), Halt> {
         let point: Vec<f64> = self.present().sweeps.iter().map(Sweep::best).collect();
-        let fits = self.basis.fits(self.evaluator, std::slice::from_ref(&point))?;
-        let norm = fits[0].as_ref().map(|fit| fit.norm);
+        let norm = self.norm_at(&point)?;
         self.present().naive = Some(Naive { point, norm });
         Ok(())
     }
@@ -216,11 +215,16 @@ impl<'e, 'a> Run<'e, 'a> {
 
     fn end_pass(&mut self) -> Result<(), Halt> {
         let point = self.model.clone();
-        let fits = self.basis.fits(self.evaluator, std::slice::from_ref(&point))?;
-        let norm = fits[0].as_ref().map_or(f64::INFINITY, |fit| fit.norm);
+        let norm = self.norm_at(&point)?.unwrap_or(f64::INFINITY);
         let pass = self.present();
         (pass.end, pass.norm) = (point, norm);
         Ok(())
+    }
+
+    /// The norm at a point; none where the model failed.
+    fn norm_at(&mut self, point: &[f64]) -> Result<Option<f64>, Halt> {
+        let fits = self.basis.fits(self.evaluator, &[point.to_vec()])?;
+        Ok(fits[0].as_ref().map(|fit| fit.norm))
     }
 
     fn sweep(&mut self, parameters: &[usize]) -> Result<Vec<Sweep>, Halt> {
@@ -231,10 +235,8 @@ impl<'e, 'a> Run<'e, 'a> {
     /// Looks for the peaks' places anew, by a full passage of the model at hand; where that passage fails, the places
     /// stay as they are.
     fn refresh(&mut self) -> Result<(), Halt> {
-        match self.basis.refreshed(self.evaluator, &self.model) {
-            Ok(basis) => self.basis = basis,
-            Err(Halt::Failed(_)) => {}
-            Err(Halt::Stopped) => return Err(Halt::Stopped),
+        if let Some(basis) = unless_failed(self.basis.refreshed(self.evaluator, &self.model))? {
+            self.basis = basis;
         }
         Ok(())
     }
