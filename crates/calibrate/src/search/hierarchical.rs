@@ -10,7 +10,7 @@ use crate::evaluator::Evaluator;
 use crate::forward::Failure;
 use crate::parameter::{Parameter, Scale};
 use crate::report::{Found, verify};
-pub use crate::search::record::{Naive, Outcome, Pass, Settings, Stage, Status, Step, Variant};
+pub use crate::search::record::{Outcome, Pass, Settings, Stage, Status, Step, Variant};
 use crate::search::surface::{Case, Minimum, surface};
 use crate::search::sweep::{Sweep, ranking, sweeps};
 
@@ -141,8 +141,7 @@ impl<'e, 'a> Run<'e, 'a> {
 
     fn try_naive_combination(&mut self) -> Result<(), Halt> {
         let point: Vec<f64> = self.present().sweeps.iter().map(Sweep::best).collect();
-        let norm = self.norm_at(&point)?;
-        self.present().naive = Some(Naive { point, norm });
+        self.present().naive_norm = self.norm_at(&point)?;
         Ok(())
     }
 

@@ -133,7 +133,7 @@ fn sweeps(page: &mut String, found: &Update) {
             parameter.unit
         );
     }
-    if let Some(norm) = pass.naive.as_ref().and_then(|naive| naive.norm) {
+    if let Some(norm) = pass.naive_norm {
         let _ = writeln!(page, "  all at the minimum of their own sweep: norm {norm:.4}");
     }
     page.push('\n');
