@@ -118,8 +118,6 @@ pub struct Posterior {
     pub effective_samples: f64,
     /// Largest R-hat over the same.
     pub r_hat: f64,
-    /// Share of the walkers' moves that was accepted.
-    pub acceptance: f64,
     /// Steps of a walker.
     pub steps: usize,
     /// Evaluations, each point once where the evaluator keeps a log.
@@ -234,7 +232,6 @@ impl Run {
             columns.iter().map(|a| columns.iter().map(|b| summary::correlation(a, b)).collect()).collect();
         let scales: Vec<f64> = self.scales.concat();
         let sought = settings.likelihood.extra() > 0 && !scales.is_empty();
-        let (accepted, tried) = self.ensembles.iter().fold((0, 0), |(a, t), e| (a + e.accepted.0, t + e.accepted.1));
         let stride = points.len().div_ceil(settings.keep.max(1)).max(1);
         let mut posterior = Posterior {
             status,
@@ -243,7 +240,6 @@ impl Run {
             log_evidence: self.evidence(),
             effective_samples: mixing.iter().map(|m| m.effective_samples).fold(f64::INFINITY, f64::min),
             r_hat: mixing.iter().map(|m| m.r_hat).fold(1.0, f64::max),
-            acceptance: accepted as f64 / (tried as f64).max(1.0),
             steps: self.ensembles.iter().map(|ensemble| ensemble.steps).min().unwrap_or(0),
             evaluations: evaluator.done(),
             samples: points.iter().step_by(stride).cloned().collect(),
