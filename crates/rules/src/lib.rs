@@ -25,7 +25,7 @@ mod vehicle;
 mod walk;
 
 pub use changed::{Base, ChangedFactor, based_on, changed_by_vehicles, changed_factors, changed_for};
-pub use check::{Checked, check};
+pub use check::{Checked, check, compared};
 pub use dispersal::{Dispersal, Pressure};
 pub use factor::Factor;
 pub use impact::{CoverReduction, FillReduction, Impact};
@@ -36,7 +36,7 @@ pub use pattern::{Axle, Pattern, Stretch};
 pub use plausible::{Doubt, doubts_of_rule, doubts_of_vehicles};
 pub use read::{Problem, read_load_model, read_rule};
 pub use rule::{Acting, Beside, EffectiveWidth, Factors, Loads, Overload, Required, Requirement, Rule};
-pub use simple_span::{Greatest, equivalent_uniform_load, greatest_bending, greatest_bending_at, greatest_shear};
+pub use simple_span::{equivalent_uniform_load, greatest_bending, greatest_bending_at, greatest_shear};
 pub use source::{Confidence, Source};
 pub use units::{RouteAvailability, Units, equivalent_units, greatest_of};
 pub use vehicle::{Extent, Spacing, Uniform, Vehicle};
