@@ -3,7 +3,8 @@
 use super::verdict::Open;
 use crate::evidence::Evidence;
 use crate::record;
-use outcome::checked::{Checked, Comparison};
+use outcome::checked::{Checked, Comparison, NotMade, Unit};
+use outcome::collapse::Status;
 
 /// The check of the loads of the file.
 pub(super) const CODE: &str = "C201";
@@ -40,9 +41,32 @@ pub(super) fn factor(a: &Evidence) -> Option<Open> {
         .then(|| Open::new("no source of adequacy_factor", "write adequacy_source = \"document, clause\" in [assess]"))
 }
 
-/// The model factor under the file's own factor on its loads.
-pub(super) fn model(a: &Evidence) -> f64 {
-    a.asked.limits.model_factor.unwrap_or_else(record::model_factor)
+/// What an analysis of loads of the file found, its factor and how it ended, beside the limit on it; none where no load makes a mechanism.
+/// Strength is shown where the factor is not met, or met by as much as the model factor asks for.
+pub(super) fn compared(
+    a: &Evidence,
+    limit: f64,
+    load: &str,
+    (found, status): (Option<f64>, Status),
+    what: &str,
+) -> Result<Option<Comparison>, NotMade> {
+    let value = match (found, status) {
+        (Some(factor), _) => factor,
+        (None, Status::Locks) => return Ok(None),
+        (None, Status::UnstableUnderSelfWeight) => 0.0,
+        (None, status) => return Err(NotMade::failed(format!("{what} ended with {status}"))),
+    };
+    let needed = limit * a.asked.limits.model_factor.unwrap_or_else(record::model_factor);
+    Ok(Some(Comparison {
+        load_model: load.to_owned(),
+        value,
+        limit,
+        unit: Unit::Ratio,
+        utilisation: if value > 0.0 { limit / value } else { f64::MAX },
+        strength: factor(a).is_none() && (value < limit || value >= needed),
+        needed: (needed > limit).then_some(needed),
+        ..Comparison::default()
+    }))
 }
 
 /// What meets its limit by less than the uncertainty of the method asks for; `key` is where another model factor is written.
