@@ -85,7 +85,7 @@ impl From<Unknown> for Refused {
 /// # Errors
 /// What is wrong with the files of the library.
 pub fn library(gravity: f64) -> Result<Library, Refused> {
-    let mut library = rules::library().map_err(|problems| Refused(of_files(problems).collect()))?;
+    let mut library = own_library()?;
     let vehicles = bridge::train::LIBRARY.iter().filter_map(|train| {
         let vehicles = bridge::train::read_toml(train.text.as_bytes()).vehicles?;
         let whole = bridge::train::Train { name: train.name.to_owned(), file: None, vehicles };
@@ -114,6 +114,11 @@ pub fn library(gravity: f64) -> Result<Library, Refused> {
         loading: String::new(),
     });
     Ok(library)
+}
+
+/// The library without them.
+pub(crate) fn own_library() -> Result<Library, Refused> {
+    rules::library().map_err(|problems| Refused(of_files(problems).collect()))
 }
 
 /// A vehicle that a sweep moves, the load model it belongs to, and what the rule does with its loads.

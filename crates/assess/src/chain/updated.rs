@@ -2,6 +2,7 @@
 
 use bridge::edit::Document;
 use bridge::update::Parameter;
+use calibrate::channel::largest;
 use outcome::facts::{FitFacts, ParameterFacts, UpdateFacts};
 use outcome::update::Update;
 
@@ -23,9 +24,6 @@ pub fn facts(update: Update) -> UpdateFacts {
             limited_by_gain: update.limited_by_gain(k),
             interval_95: update.summary(k).map(|summary| summary.interval_95),
         }
-    };
-    let largest = |values: &[f64]| {
-        values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
     };
     let fit = |(k, histories): (usize, &outcome::update::Histories)| {
         let end = found.and_then(|found| found.channels.get(k));

@@ -246,11 +246,11 @@ impl Stages<'_> {
         if let Some(none) = self.unmade(StageName::Vehicles, "vehicles", why) {
             return Ok(none);
         }
-        self.stage("vehicles", bridge, |watch| match chain::vehicles(bridge, &mut Looking(watch)) {
+        self.stage("vehicles", bridge, |watch| match analysis::vehicle_sweep(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
-            Ok((facts, found)) => {
+            Ok(found) => {
                 let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
-                Ran::Made(facts, figures)
+                Ran::Made(chain::vehicle_facts(bridge, &found), figures)
             }
         })
     }
