@@ -80,7 +80,7 @@ fn published_numbers_that_no_vehicle_gives_are_still_read() {
 fn dynamic_augment_falls_with_fill() {
     let library = library().unwrap();
     let rule = library.rule("irs-bridge-rules").unwrap();
-    let at = |depth: f64| rule.impact_of("25t-2008").unwrap().design_augment(6.0, depth).unwrap();
+    let at = |depth: f64| rule.impact_of("25t-2008").unwrap().factors(6.0, depth)[0] - 1.0;
     let total = 0.15 + 8.0 / 12.0;
     assert!((at(0.0) - total).abs() < 1e-12);
     assert!((at(0.45) - 0.75 * total).abs() < 1e-12, "half of (2 - d / 0.9)");
