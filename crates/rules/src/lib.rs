@@ -24,7 +24,7 @@ mod units;
 mod vehicle;
 mod walk;
 
-pub use changed::{Base, ChangedFactor, based_on, changed_by_vehicles, changed_factors, changed_for};
+pub use changed::{Base, ChangedFactor, based_on, changed_by_vehicles, changed_for};
 pub use check::{Checked, check, compared};
 pub use dispersal::{Dispersal, Pressure};
 pub use factor::Factor;
