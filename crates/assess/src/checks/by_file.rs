@@ -11,15 +11,16 @@ pub(super) const CODE: &str = "C201";
 
 /// Everything that is open.
 pub(super) fn open(a: &Evidence, checked: &[Checked]) -> Vec<Open> {
-    let mut list: Vec<Open> = factor(a).into_iter().collect();
-    match checked.iter().find(|one| one.code == CODE).map(|one| &one.outcome) {
-        Some(Ok(found)) => list.extend(within(found, "model_factor in [assess]")),
-        Some(Err(why)) if why.left_out.is_none() && !why.failed => {
-            list.push(Open::new("loads of the file not compared", why.why.clone()));
-        }
-        _ => {}
+    let of_check = of_check(checked, CODE, "loads of the file not compared", "model_factor in [assess]");
+    factor(a).into_iter().chain(of_check).collect()
+}
+
+/// What a check leaves open: that it was not made, or too little margin; `key` is where another model factor is written.
+pub(super) fn of_check(checked: &[Checked], code: &str, not_made: &str, key: &str) -> Option<Open> {
+    match &checked.iter().find(|one| one.code == code)?.outcome {
+        Ok(found) => within(found, key),
+        Err(why) => (why.left_out.is_none() && !why.failed).then(|| Open::new(not_made, why.why.clone())),
     }
-    list
 }
 
 /// Why the factor of the file shows no strength; none where it does.
@@ -70,7 +71,7 @@ pub(super) fn compared(
 }
 
 /// What meets its limit by less than the uncertainty of the method asks for; `key` is where another model factor is written.
-pub(super) fn within(found: &[Comparison], key: &str) -> Option<Open> {
+fn within(found: &[Comparison], key: &str) -> Option<Open> {
     let short =
         found.iter().filter_map(|one| Some((one, one.needed.filter(|needed| one.met() && one.value < *needed)?)));
     let list: Vec<String> =
