@@ -192,15 +192,14 @@ pub fn service(
                 let standing: Vec<f64> = axles.iter().map(|axle| first_axle - axle.offset).collect();
                 loaded(&ranges, &coefficient, own, &standing)
             }),
-            joints: [(Reading::Design, 0), (Reading::Total, 1)]
-                .into_iter()
-                .map(|(reading, which)| {
-                    joints(&found.moments, reading, [coefficient.design, coefficient.total][which], |span, moment| {
+            joints: [(Reading::Design, coefficient.design), (Reading::Total, coefficient.total)]
+                .map(|(reading, augment)| {
+                    joints(&found.moments, reading, augment, |span, moment| {
                         let standing: Vec<f64> = moment.axles.iter().map(|axle| axle.0).collect();
-                        coefficient.on(loaded(&ranges, &coefficient, span + 1, &standing))[which]
+                        coefficient.on(loaded(&ranges, &coefficient, span + 1, &standing))[reading as usize]
                     })
                 })
-                .collect(),
+                .to_vec(),
         });
         if facts.assumptions.is_empty() {
             facts.assumptions.clone_from(&found.assumptions);
