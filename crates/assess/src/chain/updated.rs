@@ -30,7 +30,9 @@ pub fn facts(update: Update) -> UpdateFacts {
         FitFacts {
             name: histories.name.clone(),
             unit: histories.quantity.unit().to_owned(),
-            measured: end.and_then(|end| end.measured_peak).or_else(|| largest(&histories.measured)),
+            measured: end
+                .and_then(|_| update.problem.channels()[k].measured_peak())
+                .or_else(|| largest(&histories.measured)),
             start: largest(&histories.start),
             updated: end.map(|end| end.model_peak),
             shape: end.and_then(|end| end.shape_correlation),
