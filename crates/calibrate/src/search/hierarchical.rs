@@ -45,12 +45,11 @@ impl<'e, 'a> Run<'e, 'a> {
         let ranges = evaluator.problem.parameters().to_vec();
         let model = settings.start.point(&ranges);
         let mut settings = settings.clone();
-        settings.sweep_points = settings.sweep_points.max(3);
-        settings.surface_points = settings.surface_points.max(3);
+        settings.points = settings.points.max(3);
         settings.passes = settings.passes.max(1);
         // At the most: sweeps, a surface for every parameter after the first, a last sweep, refreshes and a yardstick.
         let n = ranges.len();
-        let pass = (n + 1) * settings.sweep_points + (n - 1) * settings.surface_points.pow(2) + n + 1;
+        let pass = (n + 1) * settings.points + (n - 1) * settings.points.pow(2) + n + 1;
         evaluator.begin(Some(settings.passes * pass + 2));
         let basis = basis.clone();
         Self { evaluator, settings, basis, ranges, model, done: Vec::new(), path: Vec::new(), found: None }
@@ -157,7 +156,7 @@ impl<'e, 'a> Run<'e, 'a> {
     fn vary_pair(&mut self, number: usize, primary: usize, secondary: usize) -> Result<Option<usize>, Halt> {
         let names = [primary, secondary].map(|parameter| self.ranges[parameter].name.clone());
         self.evaluator.stage(format!("pass {number}: {} with {}", names[0], names[1]));
-        let (count, trough) = (self.settings.surface_points, self.settings.trough);
+        let (count, trough) = (self.settings.points, self.settings.trough);
         let pair = [primary, secondary];
         let surface = surface(self.evaluator, &self.basis, (&self.ranges, &self.model), pair, count, &trough)?;
         let Some(surface) = surface else {
@@ -227,7 +226,7 @@ impl<'e, 'a> Run<'e, 'a> {
     }
 
     fn sweep(&mut self, parameters: &[usize]) -> Result<Vec<Sweep>, Halt> {
-        let (count, trough) = (self.settings.sweep_points, self.settings.trough);
+        let (count, trough) = (self.settings.points, self.settings.trough);
         sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, count, &trough)
     }
 

@@ -36,10 +36,8 @@ pub struct Settings {
     pub variant: Variant,
     /// Where it begins.
     pub start: Start,
-    /// Points of a single sweep, at least 3.
-    pub sweep_points: usize,
-    /// Points of a surface along each parameter, at least 3.
-    pub surface_points: usize,
+    /// Points of a single sweep, and of a surface along each parameter, at least 3.
+    pub points: usize,
     /// Passes, at least 1; fewer are made where a pass ends where it began.
     pub passes: usize,
     /// When a trough is decided.
@@ -53,8 +51,7 @@ impl Default for Settings {
         Self {
             variant: Variant::Printed,
             start: Start::Means,
-            sweep_points: 11,
-            surface_points: 11,
+            points: 11,
             passes: 2,
             trough: Trough::default(),
             widened: None,

@@ -45,12 +45,7 @@ impl Searches {
             all.papers(plan, evaluator, basis, clock);
         }
         if wants(update::Search::Modern) {
-            let settings = modern::Settings {
-                starts: plan.starts as usize,
-                seed: plan.seed,
-                step: STEP,
-                ..modern::Settings::default()
-            };
+            let settings = modern::Settings { starts: plan.starts as usize, seed: plan.seed, step: STEP };
             all.one(Search::Modern, "", evaluator, clock, |all, evaluator| {
                 let outcome = modern::search(evaluator, basis, &settings);
                 let end = of_status(&outcome.status);
@@ -102,8 +97,7 @@ impl Searches {
                 let settings = hierarchical::Settings {
                     variant,
                     start,
-                    sweep_points: plan.points as usize,
-                    surface_points: plan.points as usize,
+                    points: plan.points as usize,
                     passes: plan.passes as usize,
                     ..hierarchical::Settings::default()
                 };
@@ -219,7 +213,7 @@ pub(super) fn linearised(
     problem: &Problem,
 ) -> Result<LinearReport, Halt> {
     let line = Linearised::at(evaluator, basis, point, STEP)?;
-    let settings = linearised::Settings { likelihood: likelihood(plan), seed: plan.seed, ..Default::default() };
+    let settings = linearised::Settings { likelihood: likelihood(plan), seed: plan.seed };
     let sweeps = line.sweeps(evaluator.problem, &basis.held, &basis.start, LINE_POINTS);
     let ranking = ranking(&sweeps, Sweep::range);
     Ok(LinearReport { left: line.left(problem, &settings), sweeps, ranking })
@@ -234,12 +228,7 @@ pub(super) fn posterior(
     clock: &dyn Fn() -> f64,
 ) -> Result<Result<PosteriorReport, String>, Halt> {
     let begun = clock();
-    let settings = surrogate::Settings {
-        training: SURROGATE[0],
-        held_out: SURROGATE[1],
-        seed: plan.seed,
-        ..surrogate::Settings::default()
-    };
+    let settings = surrogate::Settings { training: SURROGATE[0], held_out: SURROGATE[1], seed: plan.seed };
     let polynomial = surrogate::build(evaluator, basis, &settings)?;
     let problem = polynomial.widen(noise);
     let likelihood = likelihood(plan);
