@@ -5,13 +5,10 @@
 use outcome::given::{FieldTest, Record};
 use std::sync::LazyLock;
 
-static TESTS: LazyLock<Vec<FieldTest>> = LazyLock::new(|| {
-    // The text is part of the program, and a test reads it.
-    FieldTest::all(include_str!("../data/record.json"))
-});
-
 /// Every test of `validation/`.
 pub fn tests() -> &'static [FieldTest] {
+    // The text is part of the program, and a test reads it.
+    static TESTS: LazyLock<Vec<FieldTest>> = LazyLock::new(|| FieldTest::all(include_str!("../data/record.json")));
     &TESTS
 }
 

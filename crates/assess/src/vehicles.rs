@@ -85,7 +85,7 @@ impl From<Unknown> for Refused {
 /// # Errors
 /// What is wrong with the files of the library.
 pub fn library(gravity: f64) -> Result<Library, Refused> {
-    let mut library = rules::library().map_err(|problems| Refused(of_files(problems).collect()))?;
+    let mut library = own_library()?;
     let vehicles = bridge::train::LIBRARY.iter().filter_map(|train| {
         let vehicles = bridge::train::read_toml(train.text.as_bytes()).vehicles?;
         let whole = bridge::train::Train { name: train.name.to_owned(), file: None, vehicles };
@@ -114,6 +114,11 @@ pub fn library(gravity: f64) -> Result<Library, Refused> {
         loading: String::new(),
     });
     Ok(library)
+}
+
+/// The library without them.
+pub(crate) fn own_library() -> Result<Library, Refused> {
+    rules::library().map_err(|problems| Refused(of_files(problems).collect()))
 }
 
 /// A vehicle that a sweep moves, the load model it belongs to, and what the rule does with its loads.
@@ -196,33 +201,14 @@ pub(crate) struct Read {
 
 pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
     let library = library(bridge.gravity)?;
-    let mut wrong = Vec::new();
-    let mut texts = plan.texts.iter();
-    let rule = match &plan.rule_file {
-        Some(_) => match texts.next().map(|(name, text)| rules::read_rule(name, text)) {
-            Some(Ok(rule)) => {
-                if !rule.based_on.is_empty() && library.rule(&rule.based_on).is_none() {
-                    wrong.push(no_rule(&library, &rule.based_on));
-                }
-                Some(rule)
-            }
-            Some(Err(problems)) => {
-                wrong.extend(of_files(problems));
-                None
-            }
-            None => {
-                wrong.push(Unknown::File("the file of the rule was not read".into()));
-                None
-            }
-        },
-        None => {
-            let found = library.rule(&plan.rule).cloned();
-            if found.is_none() {
-                wrong.push(no_rule(&library, &plan.rule));
-            }
-            found
-        }
-    };
+    let (mut wrong, mut texts) = (Vec::new(), plan.texts.iter());
+    let text = plan.rule_file.as_ref().and_then(|_| texts.next());
+    let rule = rule_of(&library, plan, text).map_err(|found| wrong = found).ok();
+    if let Some(base) = rule.as_ref().map(|rule| &rule.based_on).filter(|base| !base.is_empty())
+        && library.rule(base).is_none()
+    {
+        wrong.push(no_rule(&library, base));
+    }
     let mut read = Read { rule, own: library.models.len(), library, whole: true, wrong };
     for (name, text) in texts {
         match rules::read_load_model(name, text) {
@@ -240,6 +226,16 @@ pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
         }
     }
     Ok(read)
+}
+
+/// The rule of a plan: of its own file, where it names one, or of the library.
+fn rule_of(library: &Library, plan: &SweepPlan, text: Option<&(String, String)>) -> Result<Rule, Vec<Unknown>> {
+    if plan.rule_file.is_none() {
+        return library.rule(&plan.rule).cloned().ok_or_else(|| vec![no_rule(library, &plan.rule)]);
+    }
+    let unread = || vec![Unknown::File("the file of the rule was not read".into())];
+    let (name, text) = text.ok_or_else(unread)?;
+    rules::read_rule(name, text).map_err(|problems| of_files(problems).collect())
 }
 
 /// Nothing in the library bears this rule's name.

@@ -99,6 +99,15 @@ impl Basis {
     }
 }
 
+/// What was found; none where the model failed.
+pub(crate) fn unless_failed<T>(found: Result<T, Halt>) -> Result<Option<T>, Stopped> {
+    match found {
+        Ok(found) => Ok(Some(found)),
+        Err(Halt::Failed(_)) => Ok(None),
+        Err(Halt::Stopped) => Err(Stopped),
+    }
+}
+
 /// A full passage at one point.
 pub(crate) fn full_passage(evaluator: &mut Evaluator, point: &[f64]) -> Result<Response, Halt> {
     answer(evaluator, point, &Request::all())

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::forward::{Evaluation, Failure, Forward, Map, Request, Response, STOPPED, Samples};
 use crate::log::Log;
 use crate::problem::Problem;
-use crate::watch::{Progress, Stopped, Watch, Wish};
+use crate::watch::{Progress, Stopped, Watch};
 
 /// A problem, its model and all that is known of it.
 pub struct Evaluator<'a> {
@@ -140,13 +140,11 @@ impl<'a> Evaluator<'a> {
     fn evaluate(&mut self, points: &[Vec<f64>], request: &Request) -> Result<Vec<Evaluation>, Stopped> {
         let to_come = self.planned.map(|planned| planned.saturating_sub(self.done));
         let progress = Progress { stage: self.stage.clone(), done: self.done, to_come };
-        if self.watch.look(&progress) == Wish::Stop {
-            return Err(Stopped);
-        }
+        self.watch.look(&progress)?;
         let (problem, forward, watch) = (self.problem, self.forward, &mut *self.watch);
         let mut stopped = false;
         let mut look = || {
-            if !stopped && watch.look(&progress) == Wish::Stop {
+            if !stopped && watch.look(&progress).is_err() {
                 stopped = true;
                 forward.stop();
             }

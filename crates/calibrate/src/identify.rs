@@ -28,10 +28,6 @@ pub struct Collinearity {
 pub struct Identifiability {
     /// Derivatives of the residuals with respect to shares of the ranges, by parameter.
     pub sensitivities: Vec<Vec<f64>>,
-    /// Change of the norm's residuals when a parameter moves over its range, at the rate found here: length of its column.
-    pub strengths: Vec<f64>,
-    /// Singular values, largest first.
-    pub singular_values: Vec<f64>,
     /// How many combinations of parameters are seen: singular values above a millionth of the largest, which is what
     /// differences resolve.
     pub rank: usize,
@@ -39,8 +35,6 @@ pub struct Identifiability {
     pub condition: f64,
     /// Collinearity of every set of two and more parameters, worst first.
     pub collinearities: Vec<Collinearity>,
-    /// Parameters at a bound.
-    pub at_bound: Vec<bool>,
     /// Whether a parameter is identifiable: it is not at a bound, it shows, and it is in no collinear pair.
     pub identifiable: Vec<bool>,
     /// All of it in words, one sentence each.
@@ -81,38 +75,38 @@ pub fn sensitivities(
     let problem = evaluator.problem;
     let values = |response: &Response| residuals(problem, &basis.held, response);
     let own = |response: &Response| residual_derivatives(problem, &basis.held, response);
-    columns(evaluator, basis, point, step, &values, &own)
+    columns(evaluator, basis, (&shares(problem.parameters(), point), point), step, &values, &own)
 }
 
-/// Derivatives of any numbers of a response with respect to shares, by parameter: from the model's own where it offers them
-/// (`own`), else by differences of the numbers.
+/// Derivatives of any numbers of a response with respect to shares, by parameter, at shares and their point: from the model's own where it
+/// offers them (`own`), else by differences of the numbers.
 pub(crate) fn columns(
     evaluator: &mut Evaluator,
     basis: &Basis,
-    point: &[f64],
+    (at, point): (&[f64], &[f64]),
     step: f64,
     numbers: &dyn Fn(&Response) -> Vec<f64>,
     own: &dyn Fn(&Response) -> Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, Halt> {
     let problem = evaluator.problem;
-    let at = shares(problem.parameters(), point);
     if evaluator.has_sensitivities(&basis.samples) {
         let response = answer(evaluator, point, &basis.request(true))?;
-        return Ok(by_shares(problem.parameters(), &at, own(&response)));
+        return Ok(by_shares(problem.parameters(), at, own(&response)));
     }
-    let wanted: Vec<Vec<f64>> = points(&at, step).iter().map(|at| values(problem.parameters(), at)).collect();
+    let wanted: Vec<Vec<f64>> = points(at, step).iter().map(|at| values(problem.parameters(), at)).collect();
     let answers = evaluator.respond(&wanted, &basis.request(false))?;
     let found = answers.iter().map(|answer| match answer.as_ref() {
         Ok(response) => Ok(numbers(response)),
         Err(failure) => Err(Halt::Failed(failure.clone())),
     });
-    Ok(by_differences(&at, step, found.collect::<Result<Vec<_>, _>>()?))
+    Ok(by_differences(at, step, found.collect::<Result<Vec<_>, _>>()?))
 }
 
 /// Judges columns of sensitivities, one for each of `names`.
 pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]) -> Identifiability {
     let n = sensitivities.len();
     let length = |column: &Vec<f64>| column.iter().map(|value| value * value).sum::<f64>().sqrt();
+    // Change of the residuals when a parameter moves over its range, at the rate found here.
     let strengths: Vec<f64> = sensitivities.iter().map(length).collect();
     let mut singular_values = singular_values(&sensitivities);
     singular_values.resize(n, 0.0);
@@ -127,19 +121,8 @@ pub fn judge(sensitivities: Vec<Vec<f64>>, at_bound: Vec<bool>, names: &[String]
         pairs.flat_map(|set| &set.parameters).any(|parameter| *parameter == k)
     };
     let identifiable: Vec<bool> = (0..n).map(|k| !at_bound[k] && shows(k) && !paired(k)).collect();
-    let mut found = Identifiability {
-        sensitivities,
-        strengths,
-        singular_values,
-        rank,
-        condition,
-        collinearities,
-        at_bound,
-        identifiable,
-        words: Vec::new(),
-    };
-    found.words = words(&found, names);
-    found
+    let words = words(rank, &strengths, &at_bound, &collinearities, names);
+    Identifiability { sensitivities, rank, condition, collinearities, identifiable, words }
 }
 
 /// Singular values of a matrix given by columns, largest first; none where it is empty or not finite.
@@ -179,33 +162,39 @@ fn collinearities(columns: &[Vec<f64>], strengths: &[f64]) -> Vec<Collinearity> 
     all
 }
 
-fn words(found: &Identifiability, names: &[String]) -> Vec<String> {
+fn words(
+    rank: usize,
+    strengths: &[f64],
+    at_bound: &[bool],
+    collinearities: &[Collinearity],
+    names: &[String],
+) -> Vec<String> {
     let mut words = Vec::new();
     let n = names.len();
     for k in 0..n {
-        if found.at_bound[k] {
+        if at_bound[k] {
             words.push(format!("{} stands on a bound of its range and has not converged.", names[k]));
         }
-        if !(found.strengths[k] >= HARDLY_SHOWS) {
-            let strength = 100.0 * found.strengths[k];
+        if !(strengths[k] >= HARDLY_SHOWS) {
+            let strength = 100.0 * strengths[k];
             words.push(format!(
                 "{} hardly shows: over its whole range, at the rate found here, it moves the residuals by {strength:.2} %.",
                 names[k]
             ));
         }
     }
-    for set in found.collinearities.iter().filter(|set| set.parameters.len() == 2 && set.index >= COLLINEAR) {
+    for set in collinearities.iter().filter(|set| set.parameters.len() == 2 && set.index >= COLLINEAR) {
         let [a, b] = [set.parameters[0], set.parameters[1]].map(|k| &names[k]);
         words.push(format!(
             "{a} and {b} act alike (collinearity {:.0}): the data determine a combination of them and neither alone.",
             set.index
         ));
     }
-    if found.rank < n {
-        words.push(format!("The data determine {} of {n} combinations of the parameters.", found.rank));
+    if rank < n {
+        words.push(format!("The data determine {rank} of {n} combinations of the parameters."));
     }
-    let all = found.collinearities.iter().find(|set| set.parameters.len() == n && n > 2 && set.index >= COLLINEAR);
-    if let Some(all) = all.filter(|_| found.rank == n) {
+    let all = collinearities.iter().find(|set| set.parameters.len() == n && n > 2 && set.index >= COLLINEAR);
+    if let Some(all) = all.filter(|_| rank == n) {
         words.push(format!(
             "Taken all together the parameters are collinear ({:.0}): changes of some can be compensated by others.",
             all.index

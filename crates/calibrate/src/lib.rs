@@ -44,4 +44,4 @@ pub use misfit::Misfit;
 pub use parameter::{Parameter, Scale, Start};
 pub use problem::{Flaw, Problem};
 pub use report::{Found, FoundChannel, FoundParameter};
-pub use watch::{Progress, Stopped, Unwatched, Watch, Wish};
+pub use watch::{Progress, Stopped, Unwatched, Watch};

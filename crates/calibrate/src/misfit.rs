@@ -5,6 +5,7 @@ use crate::channel::shape_correlation;
 use crate::forward::Response;
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// What is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -50,7 +51,7 @@ pub enum Sense {
 }
 
 /// How misfit is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Misfit {
     /// What is compared.
     pub compare: Compare,
@@ -64,18 +65,6 @@ pub struct Misfit {
     pub slices: bool,
 }
 
-impl Default for Misfit {
-    fn default() -> Self {
-        Self {
-            compare: Compare::Peaks,
-            scaling: Scaling::MeasuredPeak,
-            weights: Weights::ShapeCorrelation,
-            sense: Sense::Measured,
-            slices: false,
-        }
-    }
-}
-
 /// What is found once, at the start model, and held.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Held {
@@ -86,6 +75,12 @@ pub struct Held {
     /// By channel, what a full passage is known to give beyond the model's slices [unit of the channel]; it is added to every value that
     /// is compared. Empty where slices count as they are.
     pub beyond: Vec<f64>,
+}
+
+impl Held {
+    fn beyond(&self, channel: usize) -> f64 {
+        self.beyond.get(channel).copied().unwrap_or(0.0)
+    }
 }
 
 /// What one channel says of a model.
@@ -150,20 +145,9 @@ fn divisor(problem: &Problem, channel: usize) -> f64 {
 type Differences = Vec<(usize, f64)>;
 
 fn differences(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Differences {
-    let beyond = held.beyond.get(channel).copied().unwrap_or(0.0);
-    let measured = &problem.channels()[channel];
-    let divisor = divisor(problem, channel);
-    match problem.misfit().compare {
-        Compare::Peaks => peak_place(problem, channel, values)
-            .zip(measured.measured_peak())
-            .map(|(place, peak)| (place, (values[place] + beyond - peak) / divisor))
-            .into_iter()
-            .collect(),
-        Compare::Histories => {
-            let history = measured.history.as_deref().unwrap_or(&[]);
-            values.iter().zip(history).map(|(u, v)| (u + beyond - v) / divisor).enumerate().collect()
-        }
-    }
+    let (beyond, divisor, record) = (held.beyond(channel), divisor(problem, channel), record(problem, channel));
+    let pairs = places(problem, channel, values).into_iter().zip(record.iter());
+    pairs.map(|(place, v)| (place, (values[place] + beyond - v) / divisor)).collect()
 }
 
 /// The norm of a response, and what each channel says.
@@ -216,11 +200,22 @@ pub fn residual_count(problem: &Problem, held: &Held, length: impl Fn(usize) -> 
 
 /// What the model gives of each channel that is compared [unit of the channel]: its peak, or its whole history.
 pub fn compared(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
-    let of = |(k, values): (usize, &Vec<f64>)| {
-        let beyond = held.beyond.get(k).copied().unwrap_or(0.0);
-        places(problem, k, values).into_iter().map(|place| values[place] + beyond).collect()
-    };
-    response.values.iter().enumerate().map(of).collect()
+    response.values.iter().enumerate().map(|(k, values)| compared_of(problem, held, k, values)).collect()
+}
+
+/// The same of one channel.
+pub(crate) fn compared_of(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Vec<f64> {
+    let beyond = held.beyond(channel);
+    places(problem, channel, values).into_iter().map(|place| values[place] + beyond).collect()
+}
+
+/// What was measured of a channel that is compared: its peak, or its whole history; empty where it has none.
+pub(crate) fn record(problem: &Problem, channel: usize) -> Cow<'_, [f64]> {
+    let measured = &problem.channels()[channel];
+    match problem.misfit().compare {
+        Compare::Peaks => measured.measured_peak().into_iter().collect(),
+        Compare::Histories => measured.history.as_deref().unwrap_or_default().into(),
+    }
 }
 
 /// Derivatives of [`compared`] with respect to each parameter, from those of the response: by parameter and channel.

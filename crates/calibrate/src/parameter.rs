@@ -91,7 +91,7 @@ impl Parameter {
 }
 
 /// Where a search begins.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Start {
     /// At the start values of the parameters.
     #[default]
@@ -102,34 +102,28 @@ pub enum Start {
     LowerBounds,
     /// At every upper bound.
     UpperBounds,
-    /// At given values, brought into their ranges.
-    Values(Vec<f64>),
 }
 
 impl Start {
     /// The word that files and scripts read.
-    pub fn word(&self) -> &'static str {
+    pub fn word(self) -> &'static str {
         match self {
             Start::Stated => "stated",
             Start::Means => "means",
             Start::LowerBounds => "lower-bounds",
             Start::UpperBounds => "upper-bounds",
-            Start::Values(_) => "values",
         }
     }
 
     /// The values it stands for.
-    pub fn point(&self, parameters: &[Parameter]) -> Vec<f64> {
-        let value = |(k, parameter): (usize, &Parameter)| match self {
+    pub fn point(self, parameters: &[Parameter]) -> Vec<f64> {
+        let value = |parameter: &Parameter| match self {
             Start::Stated => parameter.start,
             Start::Means => 0.5 * (parameter.lower + parameter.upper),
             Start::LowerBounds => parameter.lower,
             Start::UpperBounds => parameter.upper,
-            Start::Values(values) => {
-                values.get(k).copied().unwrap_or(parameter.start).clamp(parameter.lower, parameter.upper)
-            }
         };
-        parameters.iter().enumerate().map(value).collect()
+        parameters.iter().map(value).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::basis::{Basis, Halt, full_passage, wandered};
 use crate::evaluator::Evaluator;
-use crate::misfit;
+use crate::misfit::{self, ChannelError};
 use crate::parameter::Parameter;
 use serde::{Deserialize, Serialize};
 
@@ -19,23 +19,15 @@ pub struct FoundParameter {
     pub converged: bool,
 }
 
-/// One channel at the end of a search.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// One channel of the problem at the end of a search.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FoundChannel {
-    /// Its name.
-    pub name: String,
-    /// Signed measured peak [unit of the channel].
-    pub measured_peak: Option<f64>,
     /// Signed peak of the model in a full passage [unit of the channel].
     pub model_peak: f64,
     /// Shape correlation of that passage with the record (eq. 4).
     pub shape_correlation: Option<f64>,
-    /// Weight that was held.
-    pub weight: f64,
     /// Error (eq. 3, or as the misfit has it).
     pub error: f64,
-    /// Why it took no part, if it did not.
-    pub left_out: Option<String>,
 }
 
 /// Where a search ended, verified by a full passage.
@@ -47,8 +39,6 @@ pub struct Found {
     pub norm: f64,
     /// Norm as the search saw it, from its slices.
     pub norm_in_search: f64,
-    /// Norm of the start model.
-    pub initial_norm: f64,
     /// Channels, in order.
     pub channels: Vec<FoundChannel>,
     /// Channels whose peak lies outside the slices of the search.
@@ -86,22 +76,17 @@ pub fn verify(
         let converged = converged.get(k).copied().unwrap_or(false) && !at_bound;
         FoundParameter { name: problem.parameters()[k].name.clone(), value: *value, at_bound, converged }
     };
-    let channel = |k: usize| FoundChannel {
-        name: problem.channels()[k].name.clone(),
-        measured_peak: problem.channels()[k].measured_peak(),
-        model_peak: fit.channels[k].peak,
-        shape_correlation: shapes[k],
-        weight: basis.held.weights[k],
-        error: fit.channels[k].error,
-        left_out: problem.channels()[k].left_out.clone(),
+    let channel = |(channel, shape_correlation): (&ChannelError, Option<f64>)| FoundChannel {
+        model_peak: channel.peak,
+        shape_correlation,
+        error: channel.error,
     };
     let strays = wandered(problem, &basis.samples, &response);
     Ok(Found {
         parameters: point.iter().enumerate().map(parameter).collect(),
         norm: fit.norm,
         norm_in_search,
-        initial_norm: basis.start.norm,
-        channels: (0..problem.channels().len()).map(channel).collect(),
+        channels: fit.channels.iter().zip(shapes).map(channel).collect(),
         wandered: strays.into_iter().map(|k| problem.channels()[k].name.clone()).collect(),
         evaluations: evaluator.done(),
     })

@@ -13,7 +13,7 @@ use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::forward::{Evaluation, Failure, Forward, Request, Response, Samples};
 use crate::misfit::{Compare, peak_place};
-use crate::parameter::{Parameter, Scale, shares, values};
+use crate::parameter::{Parameter, shares, values};
 use crate::posterior::draw::latin_hypercube;
 use crate::problem::Problem;
 
@@ -24,17 +24,18 @@ pub struct Settings {
     pub training: usize,
     /// Points that it never sees and is judged by.
     pub held_out: usize,
-    /// Highest total degree that is tried.
-    pub degree: usize,
     /// Seed of the places of the points.
     pub seed: u64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { training: 300, held_out: 40, degree: 4, seed: 1 }
+        Self { training: 300, held_out: 40, seed: 1 }
     }
 }
+
+/// Highest total degree that is tried.
+const DEGREE: usize = 4;
 
 /// The polynomial and its error.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,7 +108,8 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
     let n = problem.parameters().len();
     let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
     let drawn = [settings.training.max(2 * n + 2), settings.held_out.max(2)].map(|k| latin_hypercube(&mut rng, k, n));
-    let parameters: Vec<Parameter> = problem.parameters().iter().map(logarithmic).collect();
+    let by_logarithm = |own: Parameter| if own.lower > 0.0 { own.logarithmic() } else { own };
+    let parameters: Vec<Parameter> = problem.parameters().iter().cloned().map(by_logarithm).collect();
     let points: Vec<Vec<f64>> = drawn.concat().iter().map(|z| values(&parameters, z)).collect();
     let answers = evaluator.respond(&points, &basis.request(false))?;
     let known = |range: std::ops::Range<usize>| -> Vec<(Vec<f64>, &Response)> {
@@ -122,7 +124,7 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
     }
     let lengths: Vec<usize> = (0..problem.channels().len()).map(|k| evaluator.length(k)).collect();
     let mut best: Option<Surrogate> = None;
-    for degree in 1..=settings.degree.clamp(1, 12) {
+    for degree in 1..=DEGREE {
         let exponents = exponents(n, degree);
         // Two points for every coefficient: with fewer, the fit follows its points and nothing between.
         if degree > 1 && training.len() < 2 * exponents.len() {
@@ -149,11 +151,6 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
         }
     }
     best.ok_or_else(|| Halt::Failed(Failure::new("no-surrogate", "no polynomial could be fitted")))
-}
-
-fn logarithmic(parameter: &Parameter) -> Parameter {
-    let scale = if parameter.lower > 0.0 { Scale::Logarithmic } else { parameter.scale };
-    Parameter { scale, ..parameter.clone() }
 }
 
 /// Exponents of all monomials up to a total degree.

@@ -11,19 +11,13 @@ pub struct Progress {
     pub to_come: Option<usize>,
 }
 
-/// What the onlooker wants.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wish {
-    /// Go on.
-    GoOn,
-    /// Stop after the lot of evaluations at hand.
-    Stop,
-}
-
 /// Someone who looks on.
 pub trait Watch {
     /// Called between lots of evaluations.
-    fn look(&mut self, progress: &Progress) -> Wish;
+    ///
+    /// # Errors
+    /// The wish that the search ends after the lot of evaluations at hand.
+    fn look(&mut self, progress: &Progress) -> Result<(), Stopped>;
 
     /// A finished evaluation as one line of the log, without its line break; whoever appends these lines to a file can
     /// resume from it.
@@ -40,8 +34,8 @@ pub trait Watch {
 pub struct Unwatched;
 
 impl Watch for Unwatched {
-    fn look(&mut self, _: &Progress) -> Wish {
-        Wish::GoOn
+    fn look(&mut self, _: &Progress) -> Result<(), Stopped> {
+        Ok(())
     }
 }
 

@@ -55,7 +55,7 @@ pub(crate) struct Seeking<'a> {
 }
 
 impl Searching for Seeking<'_> {
-    fn look(&mut self, progress: &calibrate::Progress) -> calibrate::Wish {
+    fn look(&mut self, progress: &calibrate::Progress) -> Result<(), calibrate::Stopped> {
         let left = progress.to_come.map_or(String::new(), |left| format!(", at most {left} to come"));
         let whole = progress.to_come.map(|left| (progress.done + left).max(1) as f64);
         let told = Progress {
@@ -64,8 +64,8 @@ impl Searching for Seeking<'_> {
             steps: 0,
         };
         match self.watch.look(&told) {
-            Wish::GoOn => calibrate::Wish::GoOn,
-            Wish::Stop => calibrate::Wish::Stop,
+            Wish::GoOn => Ok(()),
+            Wish::Stop => Err(calibrate::Stopped),
         }
     }
 

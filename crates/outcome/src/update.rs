@@ -257,7 +257,7 @@ published! {
         /// Stages of the paper's search: `parameters`, `case`, `frozen` and so on.
         = stages: Vec<Object> = stages(update),
         /// Error norm of the values that single sweeps give, of the paper's search.
-        = naive_error_norm: Option<f64> = update.first_pass().and_then(|pass| pass.naive.as_ref()?.norm),
+        = naive_error_norm: Option<f64> = update.first_pass().and_then(|pass| pass.naive_norm),
         /// The paper's search, by reading and start.
         pub paper: Vec<PaperSearch> [kept],
         /// Trust-region least squares from many starts.

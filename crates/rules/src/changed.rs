@@ -39,7 +39,8 @@ pub fn based_on<'a>(own: &Rule, library: &'a Library) -> Option<Base<'a>> {
         let names = [letters(&rule.code), letters(rule.title.split(',').next().unwrap_or_default())];
         names.iter().any(|name| said.iter().any(|said| said.contains(name.as_str())))
     };
-    let nearest = |rules: Vec<&'a Rule>| rules.into_iter().min_by_key(|rule| changed_factors(own, rule).len());
+    let nearest =
+        |rules: Vec<&'a Rule>| rules.into_iter().min_by_key(|rule| changed_for(own, rule, &own.models()).len());
     let rules = || library.rules.iter().filter(standard);
     let named = nearest(rules().filter(is_named).collect()).map(|rule| Base { rule, named: true });
     let for_ways = |rule: &&Rule| rule.ways.iter().any(|way: &Ways| own.ways.contains(way));
@@ -52,12 +53,6 @@ const WITHOUT_SAFETY: &str = "characteristic";
 /// A text's letters and digits, small.
 fn letters(text: &str) -> String {
     text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
-}
-
-/// Every factor of a rule that differs from another's.
-pub fn changed_factors(own: &Rule, base: &Rule) -> Vec<ChangedFactor> {
-    let models = own.models();
-    changed_for(own, base, &models)
 }
 
 /// Every factor of a rule that differs from another's, of those on load models the ones of these models alone. A factor of the same value that

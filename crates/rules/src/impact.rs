@@ -87,38 +87,22 @@ impl Impact {
         }
     }
 
-    /// The coefficient of dynamic augment over a loaded length under fill of a depth above the crown [m].
-    pub fn design_augment(&self, length: f64, depth: f64) -> Option<f64> {
-        let total = self.total_augment(length)?;
-        match self {
-            Impact::Augment { fill: Some(fill), .. } => Some(total * fill.share_at(depth)),
-            _ => Some(total),
-        }
-    }
-
     /// Factor on all axles, and further factor on the critical one, over a loaded length under fill of a depth [m].
     pub fn factors(&self, length: f64, depth: f64) -> [f64; 2] {
+        let left = |fill: &Option<FillReduction>| fill.as_ref().map_or(1.0, |fill| fill.share_at(depth));
         match self {
-            Impact::Augment { .. } => [1.0 + self.design_augment(length, depth).unwrap_or(0.0), 1.0],
-            Impact::AllAxles { factor, fill } => {
-                let share = fill.as_ref().map_or(1.0, |fill| fill.share_at(depth));
-                [1.0 + share * (factor.value - 1.0), 1.0]
-            }
+            Impact::Augment { fill, .. } => [1.0 + self.total_augment(length).unwrap_or(0.0) * left(fill), 1.0],
+            Impact::AllAxles { factor, fill } => [1.0 + left(fill) * (factor.value - 1.0), 1.0],
             Impact::CriticalAxle { factor } => [1.0, factor.value],
-            Impact::Root { cover, .. } => {
+            Impact::Root { numerator, subtrahend, constant, share, least, most, cover, .. } => {
+                let below = (share * length).sqrt() - subtrahend;
+                // So short a length that the formula has no value: its largest factor.
+                let bare = if below > 0.0 { (numerator / below + constant).clamp(*least, *most) } else { *most };
                 let off = cover.as_ref().map_or(0.0, |cover| cover.per_m * (depth - cover.from_m).max(0.0));
-                [(self.root(length) - off).max(1.0), 1.0]
+                [(bare - off).max(1.0), 1.0]
             }
             Impact::Included { .. } => [1.0, 1.0],
         }
-    }
-
-    /// The factor of [`Impact::Root`] without cover.
-    fn root(&self, length: f64) -> f64 {
-        let Impact::Root { numerator, subtrahend, constant, share, least, most, .. } = self else { return 1.0 };
-        let below = (share * length).sqrt() - subtrahend;
-        // So short a length that the formula has no value: its largest factor.
-        if below > 0.0 { (numerator / below + constant).clamp(*least, *most) } else { *most }
     }
 
     /// Where it is from: every source of it.

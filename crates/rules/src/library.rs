@@ -41,21 +41,18 @@ pub fn library() -> Result<Library, Vec<Problem>> {
 }
 
 fn read() -> Result<Library, Vec<Problem>> {
-    let (mut library, mut problems) = (Library::default(), Vec::new());
-    for (name, text) in FILES[0] {
-        match read_load_model(&format!("{name}.toml"), text) {
-            Ok(model) => library.models.push(model),
-            Err(mut found) => problems.append(&mut found),
-        }
-    }
-    for (name, text) in FILES[1] {
-        match read_rule(&format!("{name}.toml"), text) {
-            Ok(rule) => library.rules.push(rule),
-            Err(mut found) => problems.append(&mut found),
-        }
-    }
+    let mut problems = Vec::new();
+    let models = read_all(FILES[0], read_load_model, &mut problems);
+    let mut library = Library { models, rules: read_all(FILES[1], read_rule, &mut problems) };
     problems.append(&mut library.join_levels());
     if problems.is_empty() { Ok(library) } else { Err(problems) }
+}
+
+/// What can be read of some files; what is wrong with the others joins the problems.
+fn read_all<T>(files: &[File], read: fn(&str, &str) -> Result<T, Vec<Problem>>, problems: &mut Vec<Problem>) -> Vec<T> {
+    let one =
+        |(name, text): &File| read(&format!("{name}.toml"), text).map_err(|mut found| problems.append(&mut found));
+    files.iter().flat_map(one).collect()
 }
 
 impl Library {

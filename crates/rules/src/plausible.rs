@@ -32,11 +32,6 @@ const fn range(code: &'static str, usual: [f64; 2], possible: [f64; 2], says: &'
 }
 
 impl Range {
-    /// Whether a value is possible at all.
-    pub(crate) fn allows(&self, value: f64) -> bool {
-        (self.possible[0]..=self.possible[1]).contains(&value)
-    }
-
     fn doubt(&self, at: &str, value: f64, list: &mut Vec<Doubt>) {
         if !(self.usual[0]..=self.usual[1]).contains(&value) {
             list.push(Doubt { code: self.code, at: at.to_owned(), message: format!("{value}: {}", self.says) });

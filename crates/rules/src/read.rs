@@ -214,7 +214,7 @@ impl Complaints<'_> {
     fn within(&mut self, key: &str, range: Range, value: f64) {
         let [least, most] = range.possible;
         let message = format!("{value} is impossible: {}; write a number from {least} to {most}", range.says);
-        self.need(range.allows(value), key, &message);
+        self.need((least..=most).contains(&value), key, &message);
     }
 
     /// What a rule does with the loads of models.
@@ -267,29 +267,20 @@ impl Complaints<'_> {
     /// A table of numbers over spans.
     fn table(&mut self, at: &str, table: &Published, model: &LoadModel) {
         self.source(&format!("{at}.source"), &table.source);
-        self.need(
-            model.vehicle(&table.vehicle).is_some(),
-            &format!("{at}.vehicle"),
-            "no vehicle of this file has this code",
-        );
+        let known = model.vehicle(&table.vehicle).is_some();
         let paired = table.spans_m.len() == table.values.len() && !table.spans_m.is_empty();
-        self.need(paired, &format!("{at}.values"), "give as many values as spans, one at least");
-        self.need(
-            table.spans_m.iter().chain(&table.values).all(|v| v.is_finite() && *v > 0.0),
-            &format!("{at}.spans_m"),
-            "spans and values are positive numbers",
-        );
-        self.need(
-            table.tolerance > 0.0 && table.tolerance < 1.0,
-            &format!("{at}.tolerance"),
-            "the tolerance is a share between 0 and 1, as 2e-4",
-        );
+        let positive = table.spans_m.iter().chain(&table.values).all(|v| v.is_finite() && *v > 0.0);
+        let close = table.tolerance > 0.0 && table.tolerance < 1.0;
         let inside = table.section.is_none_or(|x| x > 0.0 && x < 1.0) && (0.0..1.0).contains(&table.above);
-        self.need(
-            inside,
-            &format!("{at}.section"),
-            "a section is a share of the span between 0 and 1, and so is above",
-        );
+        for (holds, key, message) in [
+            (known, "vehicle", "no vehicle of this file has this code"),
+            (paired, "values", "give as many values as spans, one at least"),
+            (positive, "spans_m", "spans and values are positive numbers"),
+            (close, "tolerance", "the tolerance is a share between 0 and 1, as 2e-4"),
+            (inside, "section", "a section is a share of the span between 0 and 1, and so is above"),
+        ] {
+            self.need(holds, &format!("{at}.{key}"), message);
+        }
     }
 
     fn vehicle(&mut self, at: &str, vehicle: &Vehicle) {

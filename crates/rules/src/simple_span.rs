@@ -7,23 +7,10 @@
 
 use crate::{Axle, Pattern, Stretch};
 
-/// A greatest value and where it occurs.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Greatest {
-    /// Bending moment [N m] or shear [N].
-    pub value: f64,
-    /// Section, from the left support [m].
-    pub section: f64,
-    /// Position of the first axle, from the left support [m]; the pattern drives to the right.
-    pub first_axle: f64,
-}
-
-const NOTHING: Greatest = Greatest { value: 0.0, section: 0.0, first_axle: 0.0 };
-
-/// The greatest bending moment in a simply supported span [m].
-pub fn greatest_bending(pattern: &Pattern, span: f64) -> Greatest {
+/// The greatest bending moment in a simply supported span [m], in [N m].
+pub fn greatest_bending(pattern: &Pattern, span: f64) -> f64 {
     let load = Load { pattern, span };
-    let mut best = NOTHING;
+    let mut best = 0.0_f64;
     for (k, axle) in pattern.axles.iter().enumerate() {
         // The axle stands at x: a place of the first axle.
         let mut breaks = vec![0.0, span];
@@ -34,62 +21,43 @@ pub fn greatest_bending(pattern: &Pattern, span: f64) -> Greatest {
         }
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
-        for pair in breaks.windows(2) {
-            for x in peaks(pair[0], pair[1], |x| load.moment(x, x + axle.offset, Some(k))) {
-                let value = load.moment(x, x + axle.offset, Some(k));
-                keep(&mut best, Greatest { value, section: x, first_axle: x + axle.offset });
-            }
-        }
+        best = most(best, &breaks, |x| load.moment(x, x + axle.offset, Some(k)));
     }
     if pattern.stretches.iter().any(|s| s.from.is_finite() || s.to.is_finite()) || pattern.axles.is_empty() {
-        under_uniform_loads(&load, &mut best);
+        return under_uniform_loads(&load, best);
     }
     best
 }
 
-/// The greatest bending moment at one section, a share of a simply supported span [m] from its left support.
-pub fn greatest_bending_at(pattern: &Pattern, span: f64, share: f64) -> Greatest {
-    let mut best = NOTHING;
+/// The greatest bending moment at one section, a share of a simply supported span [m] from its left support, in [N m].
+pub fn greatest_bending_at(pattern: &Pattern, span: f64, share: f64) -> f64 {
     let x = share * span;
-    for (mirrored, pattern) in [(false, pattern.clone()), (true, pattern.reversed())] {
-        let load = Load { pattern: &pattern, span };
-        let breaks = load.breaks_of_passage(&[0.0, x, span]);
-        for pair in breaks.windows(2) {
-            for s in peaks(pair[0], pair[1], |s| load.moment(x, s, None)) {
-                let first_axle = if mirrored { s - pattern.length() } else { s };
-                keep(&mut best, Greatest { value: load.moment(x, s, None), section: x, first_axle });
-            }
-        }
-    }
-    best
+    over_passages(pattern, span, &[0.0, x, span], |load, s| load.moment(x, s, None))
 }
 
-/// The greatest shear: a reaction of a simply supported span [m].
-pub fn greatest_shear(pattern: &Pattern, span: f64) -> Greatest {
-    let mut best = NOTHING;
-    for (right, pattern) in [(false, pattern.clone()), (true, pattern.reversed())] {
-        let load = Load { pattern: &pattern, span };
-        let breaks = load.breaks_of_passage(&[0.0, span]);
-        for pair in breaks.windows(2) {
-            for s in peaks(pair[0], pair[1], |s| load.reaction(s)) {
-                let section = if right { span } else { 0.0 };
-                let first_axle = if right { span - s + pattern.length() } else { s };
-                keep(&mut best, Greatest { value: load.reaction(s), section, first_axle });
-            }
-        }
-    }
-    best
+/// The greatest shear: a reaction of a simply supported span [m], in [N].
+pub fn greatest_shear(pattern: &Pattern, span: f64) -> f64 {
+    over_passages(pattern, span, &[0.0, span], |load, s| load.reaction(s))
+}
+
+/// The greatest effect of a pattern that drives over the span either way, by the place of its first axle: smooth while nothing crosses one of
+/// `sections`.
+fn over_passages(pattern: &Pattern, span: f64, sections: &[f64], effect: impl Fn(&Load, f64) -> f64) -> f64 {
+    [pattern, &pattern.reversed()].into_iter().fold(0.0, |best, pattern| {
+        let load = Load { pattern, span };
+        most(best, &load.breaks_of_passage(sections), |s| effect(&load, s))
+    })
+}
+
+/// The greatest value of a function between breaks where it is above `best`.
+fn most(best: f64, breaks: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+    let places = breaks.windows(2).flat_map(|pair| peaks(pair[0], pair[1], &f));
+    places.map(&f).fold(best, f64::max)
 }
 
 /// The uniform load, as a total [N], that gives a span [m] the same greatest bending moment and the same greatest shear.
 pub fn equivalent_uniform_load(pattern: &Pattern, span: f64) -> [f64; 2] {
-    [8.0 * greatest_bending(pattern, span).value / span, 2.0 * greatest_shear(pattern, span).value]
-}
-
-fn keep(best: &mut Greatest, found: Greatest) {
-    if found.value > best.value {
-        *best = found;
-    }
+    [8.0 * greatest_bending(pattern, span) / span, 2.0 * greatest_shear(pattern, span)]
 }
 
 struct Load<'a> {
@@ -185,7 +153,7 @@ fn peaks(a: f64, b: f64, f: impl Fn(f64) -> f64) -> Vec<f64> {
 
 /// Searches sections that no axle stands at: for each place of the pattern the greatest moment over the sections is concave
 /// between axles, and over places the greatest one is sought between the places where something enters or leaves.
-fn under_uniform_loads(load: &Load, best: &mut Greatest) {
+fn under_uniform_loads(load: &Load, mut best: f64) -> f64 {
     let l = load.span;
     let mut breaks: Vec<f64> = load.edges().flat_map(|place| [place, l + place]).collect();
     breaks.push(0.0);
@@ -199,16 +167,17 @@ fn under_uniform_loads(load: &Load, best: &mut Greatest) {
         let over = |s: f64| golden(0.0, l, 64, |x| load.moment(x, s, None));
         for part in 0..PARTS {
             let at = |k: usize| pair[0] + (pair[1] - pair[0]) * k as f64 / PARTS as f64;
-            let (s, value) = golden(at(part), at(part + 1), 48, |s| over(s).1);
-            if value > best.value * (1.0 + 1e-12) {
-                *best = Greatest { value, section: over(s).0, first_axle: s };
+            let value = golden(at(part), at(part + 1), 48, over);
+            if value > best * (1.0 + 1e-12) {
+                best = value;
             }
         }
     }
+    best
 }
 
 /// The greatest value of a function with one peak on [a, b], by golden sections.
-fn golden(mut a: f64, mut b: f64, steps: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
+fn golden(mut a: f64, mut b: f64, steps: usize, f: impl Fn(f64) -> f64) -> f64 {
     const SHARE: f64 = 0.618_033_988_749_894_8;
     let (mut x1, mut x2) = (b - SHARE * (b - a), a + SHARE * (b - a));
     let (mut y1, mut y2) = (f(x1), f(x2));
@@ -223,5 +192,5 @@ fn golden(mut a: f64, mut b: f64, steps: usize, f: impl Fn(f64) -> f64) -> (f64,
             y1 = f(x1);
         }
     }
-    if y1 > y2 { (x1, y1) } else { (x2, y2) }
+    if y1 > y2 { y1 } else { y2 }
 }

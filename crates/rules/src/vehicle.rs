@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 table! {
     /// A vehicle as its standard describes it.
+    #[derive(Default)]
     pub struct Vehicle = "vehicle" {
         must code: String, "its name in bridge files";
         must title: String, "its name in reports";
@@ -114,18 +115,13 @@ impl Vehicle {
         Vehicle {
             code: code.to_owned(),
             title: title.to_owned(),
-            grade: String::new(),
             axle_loads_kn: axles.iter().map(|a| 1e-3 * a.0).collect(),
             spacings_m: axles.windows(2).map(|pair| Spacing::Fixed(pair[1].1 - pair[0].1)).collect(),
-            lift_off: Vec::new(),
-            uniform: Vec::new(),
             axles_may_be_dropped: true,
             wheel_track_m: wheel_track,
             contact_length_m: contact_length,
-            lanes: 1,
-            with: Vec::new(),
-            level: Vec::new(),
-            source: None,
+            lanes: one(),
+            ..Vehicle::default()
         }
     }
 

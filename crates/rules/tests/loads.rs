@@ -71,8 +71,7 @@ fn every_vehicle_on_twenty_spans_is_that_of_a_second_calculation() {
         for pattern in vehicle.patterns() {
             for span in SPANS {
                 let tried = by_trial(&pattern, span);
-                let found =
-                    [rules::greatest_bending(&pattern, span).value, rules::greatest_shear(&pattern, span).value];
+                let found = [rules::greatest_bending(&pattern, span), rules::greatest_shear(&pattern, span)];
                 for (k, (tried, found)) in tried.iter().zip(found).enumerate() {
                     let over = found / tried - 1.0;
                     assert!(

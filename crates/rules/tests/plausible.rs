@@ -1,8 +1,14 @@
 //! What is doubtful and what is refused in files of vehicles and rules, and what they change of the library.
 
 use rules::{
-    Doubt, Required, based_on, changed_factors, doubts_of_rule, doubts_of_vehicles, library, read_load_model, read_rule,
+    ChangedFactor, Doubt, Required, Rule, based_on, changed_for, doubts_of_rule, doubts_of_vehicles, library,
+    read_load_model, read_rule,
 };
+
+/// Every factor of a rule that differs from another's.
+fn changed_factors(own: &Rule, base: &Rule) -> Vec<ChangedFactor> {
+    changed_for(own, base, &own.models())
+}
 
 const RULE: &str = include_str!("../data/rules/cs-454.toml");
 

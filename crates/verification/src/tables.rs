@@ -50,12 +50,11 @@ pub fn tables() -> Result<Vec<TableRow>, String> {
     let mut list = Vec::new();
     for model in &library.models {
         for (k, table) in model.tables().enumerate() {
-            let one = rules::LoadModel { published: vec![table.clone()], checked: Vec::new(), ..model.clone() };
-            let compared = rules::check(&one, rule);
+            let compared = rules::compared(model, table, rule);
             // Each difference as a share of what is allowed on its side.
             let share = |row: &rules::Checked| match row.difference() {
-                short if short < 0.0 => -short / row.tolerance,
-                over => over / row.tolerance.max(row.above),
+                short if short < 0.0 => -short / table.tolerance,
+                over => over / table.tolerance.max(table.above),
             };
             let worst = compared.iter().max_by(|a, b| share(a).total_cmp(&share(b)));
             let source = &table.source;

@@ -1,7 +1,9 @@
 //! What would change the verdict: the governing utilisation with a tenth less and a tenth more of every quantity that may
 //! matter, by the cheapest analysis that shows it.
 
-use super::{Scope, at_position, service, window};
+use super::Scope;
+use super::service::{service, window};
+use super::ultimate::at_position;
 use crate::analysis::parallel;
 use crate::analysis::state::{self, Change};
 use crate::analysis::vehicles::vehicle_sweep;

@@ -2,6 +2,7 @@
 
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::{self, PassageError, Scope};
+use crate::vehicles::{Refused, Unknown, own_library};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
 use bridge::passage::{Direction, Face, GAUGE_LENGTH, Sensor, SensorKind, SensorPosition, default_sensors};
@@ -13,14 +14,11 @@ use outcome::facts::{
 };
 use outcome::passage::{Moment, Pair, Passage, PassageStatus, RowKind, SensorRecord};
 use structure::discretise::springings::springings;
-use thiserror::Error;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
-/// Without a rule nothing is added. What stands beside the list of spans is that of the longest.
-///
-/// # Errors
-/// A rule that the library does not have.
-pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> {
+/// Without a rule nothing is added. What stands beside the list of spans is that of the longest. A rule that the library does not have is
+/// refused.
+fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, Refused> {
     let longest = bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max);
     let length = asked.limits.loaded_length.unwrap_or(longest);
     let cushion = asked.limits.cushion.unwrap_or(bridge.cover.depth).max(0.0);
@@ -29,10 +27,10 @@ pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> 
         facts.source = "none: the file names no rule, and nothing is added to loads at rest".to_owned();
         return Ok(facts);
     };
-    let library = rules::library().map_err(|_| NoRule { code: code.clone(), known: String::new() })?;
-    let rule = library.rule(code).ok_or_else(|| NoRule {
-        code: code.clone(),
-        known: library.rules.iter().map(|rule| rule.code.as_str()).collect::<Vec<_>>().join(", "),
+    let library = own_library()?;
+    let rule = library.rule(code).ok_or_else(|| {
+        let known: Vec<&str> = library.rules.iter().map(|rule| rule.code.as_str()).collect();
+        Unknown::File(format!("there is no rule \"{code}\": write rule in [assess] as one of {}", known.join(", ")))
     })?;
     // The train of a passage is one of its library, or of that kind.
     let Some(impact) = rule.impact_of("trains") else { return Ok(facts) };
@@ -73,36 +71,15 @@ fn ranges(bridge: &Bridge) -> Vec<[f64; 2]> {
     springings(bridge).into_iter().map(|ends| ends.map(|springing| springing.x)).collect()
 }
 
-/// The file names a rule that the library does not have.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("there is no rule \"{code}\": write rule in [assess] as one of {known}")]
-pub struct NoRule {
-    /// The rule.
-    pub code: String,
-    /// Those that there are.
-    pub known: String,
-}
-
-/// Why loads in service cannot be analysed.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum ServiceError {
-    /// The rule.
-    #[error(transparent)]
-    Rule(#[from] NoRule),
-    /// The passage.
-    #[error(transparent)]
-    Analysis(#[from] AnalysisError),
-}
-
 /// A sensor of the assessment's own: where it sits, and what is made of its values.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Probe {
-    pub sensor: Sensor,
-    pub place: facts::RingSection,
+struct Probe {
+    sensor: Sensor,
+    place: facts::RingSection,
     /// Span, from 1.
-    pub span: usize,
+    span: usize,
     /// From the sensor's value [SI] to millimetres or megapascals.
-    pub scale: f64,
+    scale: f64,
 }
 
 /// How names of probes begin: no sensor of a file is called so by chance.
@@ -121,7 +98,7 @@ const MOST_SPANS: usize = 6;
 /// Crowns and springings of the first spans: the crown's deflection, and strains on the stones of both faces at crown and
 /// springings. At the free intrados the stress along the ring is E / (1 - nu^2) times the strain, exactly; on the extrados
 /// the pressure of the fill adds nu / (1 - nu) of itself, which is left out.
-pub fn probes(bridge: &Bridge) -> Vec<Probe> {
+fn probes(bridge: &Bridge) -> Vec<Probe> {
     let modulus = bridge.masonry.elastic_modulus.unwrap_or(0.0);
     let poisson = bridge.masonry.poisson_ratio.unwrap_or(0.0);
     let scale = 1e-6 * modulus / (1.0 - poisson * poisson);
@@ -171,7 +148,7 @@ fn prepared(bridge: &Bridge, load: &ServiceLoad, probes: &[Probe]) -> Result<(Br
 }
 
 /// Cuts the passage to a stretch about these places of the first axle [m]: what is needed to see one peak again.
-pub fn window(bridge: &mut Bridge, at: f64) {
+pub(super) fn window(bridge: &mut Bridge, at: f64) {
     if let Some(passage) = &mut bridge.passage {
         let step = passage.plan.speed * passage.plan.time_step;
         passage.plan.from = Some(at - 2.0 * step);
@@ -188,7 +165,7 @@ pub fn service(
     asked: &Assess,
     wanted: Scope,
     watch: &mut dyn Watch,
-) -> Result<(ServiceFacts, Vec<Passage>), ServiceError> {
+) -> Result<(ServiceFacts, Vec<Passage>), AnalysisError> {
     let probes = probes(bridge);
     let coefficient = augment(bridge, asked)?;
     let ranges = ranges(bridge);
@@ -215,15 +192,14 @@ pub fn service(
                 let standing: Vec<f64> = axles.iter().map(|axle| first_axle - axle.offset).collect();
                 loaded(&ranges, &coefficient, own, &standing)
             }),
-            joints: [(Reading::Design, 0), (Reading::Total, 1)]
-                .into_iter()
-                .map(|(reading, which)| {
-                    joints(&found.moments, reading, [coefficient.design, coefficient.total][which], |span, moment| {
+            joints: [(Reading::Design, coefficient.design), (Reading::Total, coefficient.total)]
+                .map(|(reading, augment)| {
+                    joints(&found.moments, reading, augment, |span, moment| {
                         let standing: Vec<f64> = moment.axles.iter().map(|axle| axle.0).collect();
-                        coefficient.on(loaded(&ranges, &coefficient, span + 1, &standing))[which]
+                        coefficient.on(loaded(&ranges, &coefficient, span + 1, &standing))[reading as usize]
                     })
                 })
-                .collect(),
+                .to_vec(),
         });
         if facts.assumptions.is_empty() {
             facts.assumptions.clone_from(&found.assumptions);

@@ -49,10 +49,7 @@ fn method(bridge: &Bridge) -> Method {
 
 /// The factor on the run of axles that governs, at one position [m] of the first load, with the parts of uniform loads that govern: what is
 /// needed to see it change.
-///
-/// # Errors
-/// No load, one that stands on a loading block, or a bridge that cannot be analysed.
-pub fn at_position(
+pub(super) fn at_position(
     bridge: &Bridge,
     position: f64,
     parts: &[ShortenedFacts],

@@ -2,6 +2,7 @@
 
 use bridge::edit::Document;
 use bridge::update::Parameter;
+use calibrate::channel::largest;
 use outcome::facts::{FitFacts, ParameterFacts, UpdateFacts};
 use outcome::update::Update;
 
@@ -24,15 +25,14 @@ pub fn facts(update: Update) -> UpdateFacts {
             interval_95: update.summary(k).map(|summary| summary.interval_95),
         }
     };
-    let largest = |values: &[f64]| {
-        values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
-    };
     let fit = |(k, histories): (usize, &outcome::update::Histories)| {
         let end = found.and_then(|found| found.channels.get(k));
         FitFacts {
             name: histories.name.clone(),
             unit: histories.quantity.unit().to_owned(),
-            measured: end.and_then(|end| end.measured_peak).or_else(|| largest(&histories.measured)),
+            measured: end
+                .and_then(|_| update.problem.channels()[k].measured_peak())
+                .or_else(|| largest(&histories.measured)),
             start: largest(&histories.start),
             updated: end.map(|end| end.model_peak),
             shape: end.and_then(|end| end.shape_correlation),

@@ -1,27 +1,15 @@
 //! Vehicles of the file's [sweep], as facts.
 
-use crate::analysis::AnalysisError;
-use crate::analysis::vehicles::{by_acting, vehicle_sweep};
+use crate::analysis::vehicles::by_acting;
 use crate::plan_facts::of_plan;
 use bridge::Bridge;
-use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::facts::{SafetyFacts, SweptFacts, ThrustFacts, VehicleFacts};
 use outcome::help::Help;
 use outcome::statics::pressure;
-use outcome::vehicles::{ByDiscreteElements, Swept, VehicleSweep};
-use outcome::vehicles::{Extreme, Of, SectionEnvelope};
+use outcome::vehicles::{ByDiscreteElements, Extreme, Of, SectionEnvelope, Swept, VehicleSweep};
 use outcome::warning::{self, Warning};
 use rules::{Confidence, Rule};
-
-/// Moves the vehicles of the file's [sweep] over the bridge.
-///
-/// # Errors
-/// A vehicle or a rule that is not known, or a bridge that cannot be analysed.
-pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts, VehicleSweep), AnalysisError> {
-    let found = vehicle_sweep(bridge, watch)?;
-    Ok((vehicle_facts(bridge, &found), found))
-}
 
 /// The facts of a sweep of vehicles.
 pub fn vehicle_facts(bridge: &Bridge, found: &VehicleSweep) -> VehicleFacts {

@@ -3,8 +3,7 @@
 use super::by_file;
 use super::check::{Check, Probe, limit, of};
 use crate::evidence::Evidence;
-use outcome::checked::{Comparison, NotMade, Unit};
-use outcome::collapse::Status;
+use outcome::checked::{Comparison, NotMade};
 
 /// The check.
 pub(super) const CHECK: Check = Check {
@@ -29,29 +28,17 @@ pub(super) const CHECK: Check = Check {
 fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
     let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
     let facts = of(&a.facts.ultimate)?;
-    let value = match (facts.load_factor, facts.status) {
-        (Some(factor), _) => factor,
-        (None, Status::Locks) => {
-            return Err(NotMade::because("no load turns the bridge into a mechanism: the factor is unbounded"));
-        }
-        (None, Status::UnstableUnderSelfWeight) => 0.0,
-        (None, status) => return Err(NotMade::failed(format!("limit analysis ended with {status}"))),
-    };
-    let needed = limit * by_file::model(a);
+    let made = (facts.load_factor, facts.status);
+    let found = by_file::compared(a, limit, &facts.load, made, "limit analysis")?;
+    let none = || NotMade::because("no load turns the bridge into a mechanism: the factor is unbounded");
+    let found = found.ok_or_else(none)?;
     Ok(vec![Comparison {
-        load_model: facts.load.clone(),
-        value,
-        limit,
-        unit: Unit::Ratio,
-        utilisation: if value > 0.0 { limit / value } else { f64::MAX },
-        basis: match (value > 0.0, facts.position_m) {
+        basis: match (found.value > 0.0, facts.position_m) {
             (false, _) => "the bridge does not stand under its own weight as rigid blocks".to_owned(),
             (true, Some(x)) => format!("{}; worst of {} positions at {x:.2} m", facts.method, facts.positions),
             (true, None) => facts.method.clone(),
         },
         position: facts.position_m,
-        strength: by_file::factor(a).is_none() && (value < limit || value >= needed),
-        needed: (needed > limit).then_some(needed),
-        columns: None,
+        ..found
     }])
 }

@@ -14,18 +14,9 @@ pub(super) const CODE: &str = "C204";
 
 /// Everything that is open.
 pub(super) fn open(a: &Evidence, checked: &[Checked]) -> Vec<Open> {
-    let mut list = Vec::new();
-    let check = checked.iter().find(|one| one.code == CODE);
-    match check.map(|one| &one.outcome) {
-        Some(Err(why)) if why.left_out.is_none() && !why.failed => {
-            list.push(Open::new("vehicles not compared", why.why.clone()));
-        }
-        Some(Ok(found)) => {
-            list.extend(by_file::within(found, "a model factor that was read in its source, in rule_file of [sweep]"))
-        }
-        _ => {}
-    }
-    list.extend(assumed_loads(a));
+    let key = "a model factor that was read in its source, in rule_file of [sweep]";
+    let of_check = by_file::of_check(checked, CODE, "vehicles not compared", key);
+    let mut list: Vec<Open> = of_check.into_iter().chain(assumed_loads(a)).collect();
     let Some(found) = coverage::of(a) else { return list };
     if !found.left_out.is_empty() {
         list.push(Open::new(

@@ -3,8 +3,7 @@
 use super::by_file;
 use super::check::{Check, Probe, limit, of, unless_empty};
 use crate::evidence::Evidence;
-use outcome::checked::{Comparison, NotMade, Unit};
-use outcome::collapse::Status;
+use outcome::checked::{Comparison, NotMade};
 
 /// The check.
 pub(super) const CHECK: Check = Check {
@@ -24,28 +23,11 @@ pub(super) const CHECK: Check = Check {
 fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
     let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
     let facts = of(&a.facts.cases)?;
-    let needed = limit * by_file::model(a);
     let mut list = Vec::new();
     for case in &facts.cases {
-        let value = match (case.load_factor, case.status) {
-            (Some(factor), _) => factor,
-            (None, Status::Locks) => continue,
-            (None, Status::UnstableUnderSelfWeight) => 0.0,
-            (None, status) => {
-                return Err(NotMade::failed(format!("case {} ended with {status}", case.name)));
-            }
-        };
-        list.push(Comparison {
-            load_model: case.name.clone(),
-            value,
-            limit,
-            unit: Unit::Ratio,
-            utilisation: if value > 0.0 { limit / value } else { f64::MAX },
-            basis: format!("{}; {}", case.method, case.acts),
-            strength: by_file::factor(a).is_none() && (value < limit || value >= needed),
-            needed: (needed > limit).then_some(needed),
-            ..Comparison::default()
-        });
+        let made = (case.load_factor, case.status);
+        let found = by_file::compared(a, limit, &case.name, made, &format!("case {}", case.name))?;
+        list.extend(found.map(|found| Comparison { basis: format!("{}; {}", case.method, case.acts), ..found }));
     }
     unless_empty(list, "no case becomes a mechanism: every factor is unbounded")
 }

@@ -1,10 +1,10 @@
 //! Deflection of crowns in service.
 
 use super::check::{Check, Probe, limit, of, unless_empty, used};
-use super::stress::{READINGS, columns, told};
+use super::stress::{columns, told};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
-use outcome::facts::Watched;
+use outcome::facts::{Reading, SectionFacts, Watched};
 
 /// The check.
 pub(super) const CHECK: Check = Check {
@@ -30,21 +30,21 @@ fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
     let facts = of(&a.facts.service)?;
     let mut list = Vec::new();
     for load in &facts.loads {
-        for (word, which) in READINGS {
-            let on = |place: &outcome::facts::SectionFacts| facts.augment.on(place.minimum_span)[which];
+        for &reading in Reading::ALL {
+            let on = |place: &SectionFacts| facts.augment.on(place.minimum_span)[reading as usize];
             let places = load.places.iter().filter(|place| place.quantity == Watched::Deflection);
-            let down = |place: &&outcome::facts::SectionFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
-            let Some(place) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
-            let value = down(&place);
+            let down = |place: &&SectionFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
+            let Some(at) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
+            let value = down(&at);
             list.push(Comparison {
-                load_model: format!("{}, {}", load.name, told(word, on(place))),
+                load_model: format!("{}, {}", load.name, told(reading, on(at))),
                 value: -value,
                 limit: -limit,
                 unit: Unit::Millimetre,
                 utilisation: used(value, limit),
-                basis: format!("{}; first axle at {:.2} m", place.about, place.minimum_at_m),
-                position: Some(place.minimum_at_m),
-                columns: Some(columns(facts, (&load.name, word), place.minimum_span, place.self_weight, place.minimum)),
+                basis: format!("{}; first axle at {:.2} m", at.about, at.minimum_at_m),
+                position: Some(at.minimum_at_m),
+                columns: Some(columns(facts, (&load.name, reading), at.minimum_span, at.self_weight, at.minimum)),
                 ..Comparison::default()
             });
         }

@@ -41,10 +41,7 @@ fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
             unit: Unit::OfTheDepth,
             utilisation: used(value, limit),
             basis: format!("{}, {eccentricity:.3} m from the middle of {depth:.3} m{outside}", foot.place),
-            position: None,
-            columns: None,
-            strength: false,
-            needed: None,
+            ..Comparison::default()
         })
     });
     Ok(found.collect())

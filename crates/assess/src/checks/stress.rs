@@ -44,9 +44,6 @@ pub(super) const PIER: Check = Check {
     ..CROWN
 };
 
-/// Both readings of the augment: the word, and which of [`outcome::published::AugmentFacts::on`] it is.
-pub(super) const READINGS: [(Reading, usize); 2] = [(Reading::Design, 0), (Reading::Total, 1)];
-
 pub(super) fn told(word: Reading, augment: f64) -> String {
     format!("{word} CDA {augment:.3}")
 }
@@ -72,9 +69,9 @@ fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
     let facts = of(&a.facts.service)?;
     let mut list = Vec::new();
     for load in &facts.loads {
-        for (reading, which) in READINGS {
+        for &reading in Reading::ALL {
             let here = || load.places.iter().filter(|at| at.quantity == Watched::Stress && at.place == place);
-            let on = |span: usize| facts.augment.on(span)[which];
+            let on = |span: usize| facts.augment.on(span)[reading as usize];
             let pressed = |at: &&SectionFacts| -(at.self_weight + (1.0 + on(at.minimum_span)) * at.minimum);
             let pulled = |at: &&SectionFacts| at.self_weight + (1.0 + on(at.maximum_span)) * at.maximum;
             let sides = [

@@ -33,12 +33,14 @@ pub(super) const CHECK: Check = Check {
 fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
     let facts = of(&a.facts.vehicles)?;
     let strength = has_safety(&facts.safety);
-    let needed = Needed { least: by_rule::needed(a), as_limit: a.asked.limits.model_factor_of_tests };
+    let needed = by_rule::needed(a);
+    // What a verdict needs is the limit itself where the file makes it so.
+    let limit = if a.asked.limits.model_factor_of_tests { needed } else { 1.0 };
     let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != Status::Locks);
     let all: Vec<Comparison> = bounded
         .clone()
         .filter(|one| one.adequacy.is_some() || one.status != OPEN || fails_all_the_same(one))
-        .map(|one| finding(facts, one, strength, needed))
+        .map(|one| finding(facts, one, strength, [limit, needed]))
         .collect();
     let (met, broken): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|finding| finding.met());
     // What fails at some position fails; what passes at the others passes only where no position is left open.
@@ -72,13 +74,6 @@ fn has_safety(safety: &SafetyFacts) -> bool {
     safety.live_load > 1.0 && safety.live_load_confidence != Confidence::Assumed
 }
 
-/// The adequacy factor that a verdict needs, and whether the file makes it the limit itself.
-#[derive(Debug, Clone, Copy)]
-struct Needed {
-    least: f64,
-    as_limit: bool,
-}
-
 /// What is said where a rule without safety is carried.
 fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
     let least = met.iter().map(|finding| finding.value).fold(f64::INFINITY, f64::min);
@@ -95,7 +90,7 @@ fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
 /// The method of deformable joints, in words.
 const GIVES: &str = "equilibrium path on deformable joints";
 
-fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, needed: Needed) -> Comparison {
+fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, [limit, needed]: [f64; 2]) -> Comparison {
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);
     let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
@@ -116,7 +111,6 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, needed: Needed) -
         false if gives.is_finite() => format!("limit analysis ({GIVES} {gives:.3})"),
         false => "limit analysis".to_owned(),
     };
-    let limit = if needed.as_limit { needed.least } else { 1.0 };
     Comparison {
         load_model: one.code.clone(),
         value,
@@ -133,7 +127,7 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, needed: Needed) -
         position: one.position_m,
         columns: None,
         // What fails is settled; what passes must pass with what a verdict needs, under loads that have a source.
-        strength: safe && (value < limit || value >= needed.least && one.loads_confidence != Confidence::Assumed),
-        needed: (needed.least > limit).then_some(needed.least),
+        strength: safe && (value < limit || value >= needed && one.loads_confidence != Confidence::Assumed),
+        needed: (needed > limit).then_some(needed),
     }
 }

@@ -58,17 +58,13 @@ pub struct Left {
 pub struct Settings {
     /// Noise and model error. The local part is left out.
     pub likelihood: Likelihood,
-    /// Uncertainty of a channel that states none, as a share of its measured peak.
-    pub unstated: f64,
-    /// Draws; their chance disturbs intervals by about one part in the root of a quarter of them.
-    pub draws: usize,
     /// Seed.
     pub seed: u64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { likelihood: Likelihood::default(), unstated: 0.01, draws: 20_000, seed: 1 }
+        Self { likelihood: Likelihood::default(), seed: 1 }
     }
 }
 
@@ -81,7 +77,9 @@ impl Linearised {
         let problem = evaluator.problem;
         let numbers = |response: &Response| compared(problem, &basis.held, response).concat();
         let own = |response: &Response| compared_derivatives(problem, response).iter().map(|d| d.concat()).collect();
-        let flat = columns(evaluator, basis, point, step, &numbers, &own)?;
+        let parameters = problem.parameters().to_vec();
+        let at = shares(&parameters, point);
+        let flat = columns(evaluator, basis, (&at, point), step, &numbers, &own)?;
         let request = basis.request(evaluator.has_sensitivities(&basis.samples));
         let values = compared(problem, &basis.held, &answer(evaluator, point, &request)?);
         let by_channel = |column: Vec<f64>| {
@@ -89,13 +87,12 @@ impl Linearised {
             values.iter().map(|values| rest.by_ref().take(values.len()).collect()).collect()
         };
         let derivatives = flat.into_iter().map(by_channel).collect();
-        let parameters = problem.parameters().to_vec();
-        Ok(Self { at: shares(&parameters, point), parameters, values, derivatives })
+        Ok(Self { at, parameters, values, derivatives })
     }
 
     /// What the data leave open. Channels without an uncertainty take one in its place and are named.
     pub fn left(&self, problem: &Problem, settings: &Settings) -> Left {
-        let (problem, mut words) = stated(problem, settings.unstated);
+        let (problem, mut words) = stated(problem);
         let drawn = draws::draw(self, &problem, settings);
         let column = |k: usize| drawn.shares.iter().map(|place| self.parameters[k].at(place[k])).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = (0..self.parameters.len()).map(column).collect();
@@ -134,22 +131,25 @@ impl Linearised {
     }
 }
 
+/// Uncertainty of a channel that states none, as a share of its measured peak.
+const UNSTATED: f64 = 0.01;
+
 /// The problem with an uncertainty for every channel that counts, and which were not stated.
-fn stated(problem: &Problem, share: f64) -> (Problem, Vec<String>) {
+fn stated(problem: &Problem) -> (Problem, Vec<String>) {
     let mut silent = Vec::new();
     let uncertainty = |channel: &crate::Channel| {
         channel.uncertainty.unwrap_or_else(|| {
             if channel.counts() {
                 silent.push(channel.name.clone());
             }
-            share * channel.measured_peak().unwrap_or(0.0).abs()
+            UNSTATED * channel.measured_peak().unwrap_or(0.0).abs()
         })
     };
     let all: Vec<f64> = problem.channels().iter().map(uncertainty).collect();
     let words = format!(
         "No uncertainty is stated for {}: {} % of the measured peak is taken for one value.",
         silent.join(", "),
-        100.0 * share
+        100.0 * UNSTATED
     );
     (problem.with_uncertainties(&all), if silent.is_empty() { Vec::new() } else { vec![words] })
 }

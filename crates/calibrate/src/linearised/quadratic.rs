@@ -1,7 +1,7 @@
 //! The logarithm of the likelihood of a straight line: a quadratic in the shares for every size of the model's error.
 
 use super::Linearised;
-use crate::misfit::Compare;
+use crate::misfit::record;
 use crate::parameter::Parameter;
 use crate::posterior::gain::{Gain, Sums};
 use crate::posterior::likelihood::Noise;
@@ -141,18 +141,13 @@ impl Likelihoods {
 }
 
 fn channel(model: &Linearised, problem: &Problem, k: usize) -> Option<Channel> {
-    let measured = &problem.channels()[k];
-    let (noise, record) = match problem.misfit().compare {
-        Compare::Peaks => (Noise::of(measured).single(), vec![measured.measured_peak()?]),
-        Compare::Histories => (Noise::of(measured), measured.history.clone()?),
-    };
-    let (n, factor) = (model.parameters.len(), 1.0 / noise.each());
+    let (n, factor) = (model.parameters.len(), 1.0 / Noise::of(problem, k).each());
     if !factor.is_finite() {
         return None;
     }
     let (mut squares, mut response) = (Quadratic::zero(n), 0.0);
     let mut along = Line::zero(n);
-    for (place, (value, record)) in model.values[k].iter().zip(record).enumerate() {
+    for (place, (value, record)) in model.values[k].iter().zip(&*record(problem, k)).enumerate() {
         let row: Vec<f64> = model.derivatives.iter().map(|derivatives| derivatives[k][place]).collect();
         squares.add_square(&row, value - record, factor);
         along.add(&row, value - record, factor * value);

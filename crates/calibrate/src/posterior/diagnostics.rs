@@ -75,14 +75,6 @@ fn variance(values: &[f64]) -> f64 {
     values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (values.len() as f64 - 1.0)
 }
 
-/// Variance within chains, and the estimate of that of the whole.
-fn variances(chains: &[Vec<f64>]) -> (f64, f64) {
-    let n = chains[0].len() as f64;
-    let within = mean(&chains.iter().map(|chain| variance(chain)).collect::<Vec<_>>());
-    let between = if chains.len() > 1 { variance(&chains.iter().map(|c| mean(c)).collect::<Vec<_>>()) } else { 0.0 };
-    (within, within * (n - 1.0) / n + between)
-}
-
 /// Nested R-hat: the variance between groups beside that within them.
 fn r_hat(groups: &[Vec<f64>]) -> f64 {
     let within = mean(&groups.iter().map(|group| variance(group)).collect::<Vec<_>>());
@@ -93,7 +85,9 @@ fn r_hat(groups: &[Vec<f64>]) -> f64 {
 /// By the sum of the autocorrelations, broken off after Geyer's monotone positive pairs; not a number for fewer than two values.
 pub(crate) fn effective_samples(chains: &[Vec<f64>]) -> f64 {
     let (m, n) = (chains.len(), chains[0].len());
-    let (within, whole) = variances(chains);
+    let within = mean(&chains.iter().map(|chain| variance(chain)).collect::<Vec<_>>());
+    let between = if m > 1 { variance(&chains.iter().map(|c| mean(c)).collect::<Vec<_>>()) } else { 0.0 };
+    let whole = within * (n as f64 - 1.0) / n as f64 + between;
     if n < 2 || !(whole > 0.0) {
         return f64::NAN;
     }

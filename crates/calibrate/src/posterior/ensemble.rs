@@ -31,14 +31,12 @@ pub(super) struct Ensemble {
     pub steps: usize,
     /// Steps from one place of a chain to the next.
     every: usize,
-    /// Moves accepted and tried.
-    pub accepted: (usize, usize),
 }
 
 impl Ensemble {
     /// Walkers at their beginnings; an even number of them.
     pub(super) fn new(walkers: Vec<Draw>) -> Self {
-        Self { chains: vec![Vec::new(); walkers.len()], walkers, steps: 0, every: 1, accepted: (0, 0) }
+        Self { chains: vec![Vec::new(); walkers.len()], walkers, steps: 0, every: 1 }
     }
 
     /// All walkers make so many steps.
@@ -81,10 +79,8 @@ impl Ensemble {
         let draws = target.draws(places)?;
         for ((walker, draw), factor) in self.walkers[moving..moving + count].iter_mut().zip(draws).zip(factors) {
             let gain = factor + draw.prior + draw.likelihood - walker.prior - walker.likelihood;
-            self.accepted.1 += 1;
             if even(rng).ln() < gain {
                 *walker = draw;
-                self.accepted.0 += 1;
             }
         }
         Ok(())

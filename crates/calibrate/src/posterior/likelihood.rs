@@ -14,9 +14,8 @@
 //! Where $\tau$ values of a record tell as much as one, its noise counts with $\tau$ times its variance: exact for responses that are
 //! slow beside the correlation of the noise, as those that a low pass lets through.
 
-use crate::channel::Channel;
 use crate::forward::Response;
-use crate::misfit::{Compare, Held, peak_place};
+use crate::misfit::{Compare, Held, compared_of, peak_place, record};
 use crate::posterior::gain::{Gain, Sums};
 use crate::problem::{Flaw, Problem};
 use serde::{Deserialize, Serialize};
@@ -110,24 +109,15 @@ impl Likelihood {
     pub(crate) fn log(&self, problem: &Problem, held: &Held, response: &Response, scale: f64) -> (f64, Gain) {
         let mut all = Sums::default();
         for (k, values) in response.values.iter().enumerate().filter(|(k, _)| problem.channels()[*k].counts()) {
-            let channel = &problem.channels()[k];
-            let beyond = held.beyond.get(k).copied().unwrap_or(0.0);
-            let noise = Noise::of(channel);
-            let model: Vec<f64> = values.iter().map(|value| value + beyond).collect();
-            let own_peak = peak_place(problem, k, values).map_or(f64::NAN, |place| model[place]);
-            let channel = match problem.misfit().compare {
-                Compare::Peaks => {
-                    let difference = own_peak - channel.measured_peak().unwrap_or(0.0);
-                    sums(&[difference], &[own_peak], noise.single(), 0.0, 1)
-                }
-                Compare::Histories => {
-                    let history = channel.history.as_deref().unwrap_or(&[]);
-                    let differences: Vec<f64> = model.iter().zip(history).map(|(u, v)| u - v).collect();
-                    let local = self.block.map_or(0.0, |_| scale * own_peak);
-                    sums(&differences, &model, noise, local, self.block.unwrap_or(usize::MAX))
-                }
+            let model = compared_of(problem, held, k, values);
+            let differences: Vec<f64> = model.iter().zip(&*record(problem, k)).map(|(u, v)| u - v).collect();
+            let peak = || peak_place(problem, k, values).map_or(f64::NAN, |place| model[place]);
+            let local = match (problem.misfit().compare, self.block) {
+                (Compare::Histories, Some(_)) => scale * peak(),
+                _ => 0.0,
             };
-            all.add(channel.with_gain(scale));
+            let noise = Noise::of(problem, k);
+            all.add(sums(&differences, &model, noise, local, self.block.unwrap_or(usize::MAX)).with_gain(scale));
         }
         (all.with_gain(self.common_gain).log_density(), all.gain(self.common_gain))
     }
@@ -143,15 +133,15 @@ pub(crate) struct Noise {
 }
 
 impl Noise {
-    /// As the channel states it; not a number where it does not.
-    pub(crate) fn of(channel: &Channel) -> Self {
+    /// As the channel states it, a peak being one value alone; not a number where it does not.
+    pub(crate) fn of(problem: &Problem, channel: usize) -> Self {
+        let channel = &problem.channels()[channel];
         let deviation = channel.uncertainty.unwrap_or(f64::NAN);
-        Self { variance: deviation * deviation, over: channel.correlated_over.unwrap_or(1.0).max(1.0) }
-    }
-
-    /// That of one value alone.
-    pub(crate) fn single(self) -> Self {
-        Self { over: 1.0, ..self }
+        let over = match problem.misfit().compare {
+            Compare::Peaks => 1.0,
+            Compare::Histories => channel.correlated_over.unwrap_or(1.0).max(1.0),
+        };
+        Self { variance: deviation * deviation, over }
     }
 
     /// Variance with which every value counts.

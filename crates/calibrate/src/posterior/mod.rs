@@ -50,8 +50,6 @@ pub struct Settings {
     pub effective_samples: f64,
     /// Most steps of a walker.
     pub steps: usize,
-    /// Most samples that are handed back, for pictures.
-    pub keep: usize,
     /// Seed.
     pub seed: u64,
 }
@@ -66,7 +64,6 @@ impl Default for Settings {
             walkers: 40,
             effective_samples: 10_000.0,
             steps: 200_000,
-            keep: 5_000,
             seed: 1,
         }
     }
@@ -118,8 +115,6 @@ pub struct Posterior {
     pub effective_samples: f64,
     /// Largest R-hat over the same.
     pub r_hat: f64,
-    /// Share of the walkers' moves that was accepted.
-    pub acceptance: f64,
     /// Steps of a walker.
     pub steps: usize,
     /// Evaluations, each point once where the evaluator keeps a log.
@@ -130,6 +125,8 @@ pub struct Posterior {
     pub words: Vec<String>,
 }
 
+/// Most samples that are handed back, for pictures.
+const KEEP: usize = 5_000;
 /// R-hat below which runs are said to agree (Vehtari et al. 2021).
 const AGREE: f64 = 1.01;
 
@@ -169,12 +166,12 @@ impl Run {
         for number in 0..settings.runs.max(2) {
             let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
             rng.set_stream(number as u64);
-            let tempered = tempering::temper(target, &mut rng, particles, settings.moves.max(1))?;
-            self.evidences.push(tempered.log_evidence);
-            if tempered.log_evidence == f64::NEG_INFINITY {
+            let (tempered, log_evidence) = tempering::temper(target, &mut rng, particles, settings.moves.max(1))?;
+            self.evidences.push(log_evidence);
+            if log_evidence == f64::NEG_INFINITY {
                 return Ok(Status::NoLikelihood);
             }
-            self.ensembles.push(Ensemble::new(tempering::beginnings(&mut rng, &tempered.particles, walkers)));
+            self.ensembles.push(Ensemble::new(tempering::beginnings(&mut rng, &tempered, walkers)));
             rngs.push(rng);
         }
         let (mut steps, mut more) = (0, 50);
@@ -234,8 +231,7 @@ impl Run {
             columns.iter().map(|a| columns.iter().map(|b| summary::correlation(a, b)).collect()).collect();
         let scales: Vec<f64> = self.scales.concat();
         let sought = settings.likelihood.extra() > 0 && !scales.is_empty();
-        let (accepted, tried) = self.ensembles.iter().fold((0, 0), |(a, t), e| (a + e.accepted.0, t + e.accepted.1));
-        let stride = points.len().div_ceil(settings.keep.max(1)).max(1);
+        let stride = points.len().div_ceil(KEEP).max(1);
         let mut posterior = Posterior {
             status,
             model_error: sought.then(|| summary::summary(&scales, None)),
@@ -243,7 +239,6 @@ impl Run {
             log_evidence: self.evidence(),
             effective_samples: mixing.iter().map(|m| m.effective_samples).fold(f64::INFINITY, f64::min),
             r_hat: mixing.iter().map(|m| m.r_hat).fold(1.0, f64::max),
-            acceptance: accepted as f64 / (tried as f64).max(1.0),
             steps: self.ensembles.iter().map(|ensemble| ensemble.steps).min().unwrap_or(0),
             evaluations: evaluator.done(),
             samples: points.iter().step_by(stride).cloned().collect(),

@@ -8,25 +8,17 @@ use crate::posterior::draw::{even, normal, place};
 use crate::posterior::target::{Draw, Target};
 use crate::watch::Stopped;
 
-/// What the particles ended as.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tempered {
-    /// Particles of the posterior, all of the same weight.
-    pub particles: Vec<Draw>,
-    /// Logarithm of the evidence; minus infinity where no particle had a likelihood.
-    pub log_evidence: f64,
-}
-
 /// Most powers; with the half of the particles kept at each, 200 would do for a likelihood of e^-130 in the prior's mean.
 const STAGES: usize = 200;
 
-/// Brings `count` particles from the prior to the posterior, each moved `moves` times at each power.
+/// Brings `count` particles from the prior to the posterior, each moved `moves` times at each power. Gives them, all of the same weight, and
+/// the logarithm of the evidence; minus infinity where no particle had a likelihood.
 pub(super) fn temper(
     target: &mut Target,
     rng: &mut ChaCha8Rng,
     count: usize,
     moves: usize,
-) -> Result<Tempered, Stopped> {
+) -> Result<(Vec<Draw>, f64), Stopped> {
     let first = target.prior_places(rng, count);
     let mut particles = target.draws(first)?;
     let (mut power, mut log_evidence, mut stages, mut stride) = (0.0, 0.0, 0, 1.0);
@@ -34,7 +26,7 @@ pub(super) fn temper(
         target.evaluator.stage(format!("from prior to posterior, power {power:.3}"));
         let step = next_step(&particles, power);
         let Some((weights, log_mean)) = weights(&particles, step) else {
-            return Ok(Tempered { particles, log_evidence: f64::NEG_INFINITY });
+            return Ok((particles, f64::NEG_INFINITY));
         };
         log_evidence += log_mean;
         power = if power + step >= 1.0 { 1.0 } else { power + step };
@@ -45,7 +37,7 @@ pub(super) fn temper(
         }
         stages += 1;
     }
-    Ok(Tempered { particles, log_evidence })
+    Ok((particles, log_evidence))
 }
 
 /// Largest rise of the power at which half of the particles still count.

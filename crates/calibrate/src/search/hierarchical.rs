@@ -5,12 +5,12 @@
 
 use std::collections::VecDeque;
 
-use crate::basis::{Basis, Halt};
+use crate::basis::{Basis, Halt, unless_failed};
 use crate::evaluator::Evaluator;
 use crate::forward::Failure;
 use crate::parameter::{Parameter, Scale};
 use crate::report::{Found, verify};
-pub use crate::search::record::{Naive, Outcome, Pass, Settings, Stage, Status, Step, Variant};
+pub use crate::search::record::{Outcome, Pass, Settings, Stage, Status, Step, Variant};
 use crate::search::surface::{Case, Minimum, surface};
 use crate::search::sweep::{Sweep, ranking, sweeps};
 
@@ -45,12 +45,11 @@ impl<'e, 'a> Run<'e, 'a> {
         let ranges = evaluator.problem.parameters().to_vec();
         let model = settings.start.point(&ranges);
         let mut settings = settings.clone();
-        settings.sweep_points = settings.sweep_points.max(3);
-        settings.surface_points = settings.surface_points.max(3);
+        settings.points = settings.points.max(3);
         settings.passes = settings.passes.max(1);
         // At the most: sweeps, a surface for every parameter after the first, a last sweep, refreshes and a yardstick.
         let n = ranges.len();
-        let pass = (n + 1) * settings.sweep_points + (n - 1) * settings.surface_points.pow(2) + n + 1;
+        let pass = (n + 1) * settings.points + (n - 1) * settings.points.pow(2) + n + 1;
         evaluator.begin(Some(settings.passes * pass + 2));
         let basis = basis.clone();
         Self { evaluator, settings, basis, ranges, model, done: Vec::new(), path: Vec::new(), found: None }
@@ -141,9 +140,7 @@ impl<'e, 'a> Run<'e, 'a> {
 
     fn try_naive_combination(&mut self) -> Result<(), Halt> {
         let point: Vec<f64> = self.present().sweeps.iter().map(Sweep::best).collect();
-        let fits = self.basis.fits(self.evaluator, std::slice::from_ref(&point))?;
-        let norm = fits[0].as_ref().map(|fit| fit.norm);
-        self.present().naive = Some(Naive { point, norm });
+        self.present().naive_norm = self.norm_at(&point)?;
         Ok(())
     }
 
@@ -159,7 +156,7 @@ impl<'e, 'a> Run<'e, 'a> {
     fn vary_pair(&mut self, number: usize, primary: usize, secondary: usize) -> Result<Option<usize>, Halt> {
         let names = [primary, secondary].map(|parameter| self.ranges[parameter].name.clone());
         self.evaluator.stage(format!("pass {number}: {} with {}", names[0], names[1]));
-        let (count, trough) = (self.settings.surface_points, self.settings.trough);
+        let (count, trough) = (self.settings.points, self.settings.trough);
         let pair = [primary, secondary];
         let surface = surface(self.evaluator, &self.basis, (&self.ranges, &self.model), pair, count, &trough)?;
         let Some(surface) = surface else {
@@ -216,25 +213,28 @@ impl<'e, 'a> Run<'e, 'a> {
 
     fn end_pass(&mut self) -> Result<(), Halt> {
         let point = self.model.clone();
-        let fits = self.basis.fits(self.evaluator, std::slice::from_ref(&point))?;
-        let norm = fits[0].as_ref().map_or(f64::INFINITY, |fit| fit.norm);
+        let norm = self.norm_at(&point)?.unwrap_or(f64::INFINITY);
         let pass = self.present();
         (pass.end, pass.norm) = (point, norm);
         Ok(())
     }
 
+    /// The norm at a point; none where the model failed.
+    fn norm_at(&mut self, point: &[f64]) -> Result<Option<f64>, Halt> {
+        let fits = self.basis.fits(self.evaluator, &[point.to_vec()])?;
+        Ok(fits[0].as_ref().map(|fit| fit.norm))
+    }
+
     fn sweep(&mut self, parameters: &[usize]) -> Result<Vec<Sweep>, Halt> {
-        let (count, trough) = (self.settings.sweep_points, self.settings.trough);
+        let (count, trough) = (self.settings.points, self.settings.trough);
         sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, count, &trough)
     }
 
     /// Looks for the peaks' places anew, by a full passage of the model at hand; where that passage fails, the places
     /// stay as they are.
     fn refresh(&mut self) -> Result<(), Halt> {
-        match self.basis.refreshed(self.evaluator, &self.model) {
-            Ok(basis) => self.basis = basis,
-            Err(Halt::Failed(_)) => {}
-            Err(Halt::Stopped) => return Err(Halt::Stopped),
+        if let Some(basis) = unless_failed(self.basis.refreshed(self.evaluator, &self.model))? {
+            self.basis = basis;
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::forward::{Failure, Samples};
-use crate::parameter::{Start, shares, values};
+use crate::parameter::{shares, values};
 use crate::posterior::draw::latin_hypercube;
 use crate::report::{Found, verify};
 use crate::search::jacobian::STEP;
@@ -18,21 +18,17 @@ use serde::{Deserialize, Serialize};
 /// What the search may do.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// The first start.
-    pub start: Start,
-    /// How many starts in all; those after the first fill the ranges evenly.
+    /// How many starts in all; those after the first, which is the stated one, fill the ranges evenly.
     pub starts: usize,
     /// Seed of their places.
     pub seed: u64,
-    /// Most iterations of a run.
-    pub iterations: u64,
     /// Step of differences as a share of the range, where the model offers no derivatives.
     pub step: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { start: Start::Stated, starts: 8, seed: 1, iterations: 100, step: STEP }
+        Self { starts: 8, seed: 1, step: STEP }
     }
 }
 
@@ -96,6 +92,9 @@ pub struct Outcome {
     pub found: Option<Found>,
 }
 
+/// Most iterations of a run.
+const ITERATIONS: u64 = 100;
+
 /// Stopping tolerances: relative reduction of the squared norm by a step, and relative size of the step. Synthetic records are asked for to half a
 /// per cent; measured ones do not justify less.
 const ENOUGH: [f64; 2] = [1e-7, 1e-6];
@@ -127,8 +126,7 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &
     evaluator.stage("trust region, all starts");
     let starts = starts(evaluator, settings);
     let slices = basis.samples != Samples::All;
-    let first = settings.start.point(evaluator.problem.parameters());
-    let searched = basis.corrected(evaluator, &first)?;
+    let searched = basis.corrected(evaluator, &starts[0])?;
     outcome.runs = solve(evaluator, &searched, settings, &starts)?;
     // The best end by slices is not yet one by full passages.
     if let Some(best) = outcome.runs.first().filter(|run| slices && run.norm.is_finite()).cloned() {
@@ -161,7 +159,7 @@ fn starts(evaluator: &Evaluator, settings: &Settings) -> Vec<Vec<f64>> {
     let parameters = evaluator.problem.parameters();
     let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
     let rest = latin_hypercube(&mut rng, settings.starts.max(1) - 1, parameters.len());
-    std::iter::once(settings.start.point(parameters)).chain(rest.iter().map(|z| values(parameters, z))).collect()
+    std::iter::once(evaluator.problem.start()).chain(rest.iter().map(|z| values(parameters, z))).collect()
 }
 
 /// Runs from all starts together; the best end first.
@@ -181,10 +179,8 @@ pub(super) fn solve(
             .with_relative_cost_change_tolerance(enough)
             .with_relative_step_tolerance::<Vec<f64>, f64>(nowhere)
             .with_max_inner_attempts(ATTEMPTS);
-        let ended = Executor::from_start(Sought::new(known), solver, begin)
-            .max_iter(settings.iterations)
-            .run()
-            .map_err(broken_off)?;
+        let ended =
+            Executor::from_start(Sought::new(known), solver, begin).max_iter(ITERATIONS).run().map_err(broken_off)?;
         let code = ended.report.code();
         let ends_at_kink = code == TerminationCode::SolverFailed && ended.cost().is_finite();
         let converged =

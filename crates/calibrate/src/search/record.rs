@@ -36,10 +36,8 @@ pub struct Settings {
     pub variant: Variant,
     /// Where it begins.
     pub start: Start,
-    /// Points of a single sweep, at least 3.
-    pub sweep_points: usize,
-    /// Points of a surface along each parameter, at least 3.
-    pub surface_points: usize,
+    /// Points of a single sweep, and of a surface along each parameter, at least 3.
+    pub points: usize,
     /// Passes, at least 1; fewer are made where a pass ends where it began.
     pub passes: usize,
     /// When a trough is decided.
@@ -53,8 +51,7 @@ impl Default for Settings {
         Self {
             variant: Variant::Printed,
             start: Start::Means,
-            sweep_points: 11,
-            surface_points: 11,
+            points: 11,
             passes: 2,
             trough: Trough::default(),
             widened: None,
@@ -90,15 +87,6 @@ pub struct Stage {
     pub set_aside: Option<usize>,
 }
 
-/// The naive combination: every parameter at the minimum of its own sweep (the paper's yardstick, norm 0.24).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Naive {
-    /// The values.
-    pub point: Vec<f64>,
-    /// Their norm; none where the model failed.
-    pub norm: Option<f64>,
-}
-
 /// Once through Fig. 4.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Pass {
@@ -110,8 +98,9 @@ pub struct Pass {
     pub ranking: Vec<usize>,
     /// Parameters by the mean range of the channels' errors, largest first (last row of Table 5).
     pub ranking_by_channels: Vec<usize>,
-    /// The yardstick.
-    pub naive: Option<Naive>,
+    /// Norm of the naive combination, every parameter at the minimum of its own sweep (the paper's yardstick, norm 0.24); none where the model
+    /// failed.
+    pub naive_norm: Option<f64>,
     /// Surfaces, in order (Fig. 7 to 9).
     pub stages: Vec<Stage>,
     /// Last single sweeps (Fig. 10).

@@ -18,21 +18,22 @@ use serde::{Deserialize, Serialize};
 /// What the search may do.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Points of a generation, at least 4.
-    pub population: usize,
     /// Most generations.
     pub generations: u64,
     /// Seed.
     pub seed: u64,
-    /// Widest axis of the distribution at which it ends, as a share of the ranges.
-    pub width: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { population: 16, generations: 150, seed: 1, width: 1e-4 }
+        Self { generations: 150, seed: 1 }
     }
 }
+
+/// Points of a generation.
+const POPULATION: usize = 16;
+/// Widest axis of the distribution at which it ends, as a share of the ranges.
+const WIDTH: f64 = 1e-4;
 
 /// Searches the whole of the ranges.
 pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
@@ -40,9 +41,7 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> 
 }
 
 fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Outcome, Halt> {
-    let population = settings.population.max(4);
-    let width = if settings.width.is_finite() { settings.width.max(0.0) } else { 0.0 };
-    evaluator.begin(usize::try_from(settings.generations).ok().map(|g| g.saturating_mul(population + 1)));
+    evaluator.begin(usize::try_from(settings.generations).ok().map(|g| g.saturating_mul(POPULATION + 1)));
     evaluator.stage("evolution");
     let parameters = evaluator.problem.parameters();
     let costs = Costs::default();
@@ -55,15 +54,15 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<
         // A generation is drawn before any of its costs is looked at: all its points are learnt of at once.
         let known = Known::new(evaluator, basis, STEP);
         let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(settings.seed, 0.3)
-            .with_lambda(population)
-            .with_absolute_distribution_size_tolerance(width);
+            .with_lambda(POPULATION)
+            .with_absolute_distribution_size_tolerance(WIDTH);
         let begin = PopulationProgress::from_point(middle.clone());
-        let sought = Sought::drawing(&known, &costs, population);
+        let sought = Sought::drawing(&known, &costs, POPULATION);
         let ended = Executor::new(sought, solver, begin).max_iter(generation).run();
         all_used.extend(known.used.take());
         let missing = known.missing.take();
         if !missing.is_empty() {
-            supply(evaluator, basis, &missing[..missing.len().min(population)])?;
+            supply(evaluator, basis, &missing[..missing.len().min(POPULATION)])?;
             continue;
         }
         let Ok(ended) = ended else {

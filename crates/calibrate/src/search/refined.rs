@@ -7,7 +7,7 @@
 
 use basin::{BoxBounds, Constraints, DenseMatrix, Executor, Jacobian, Residual, TrustRegionReflective};
 
-use crate::basis::{Basis, Halt, full_passage};
+use crate::basis::{Basis, Halt, full_passage, unless_failed};
 use crate::evaluator::Evaluator;
 use crate::forward::Samples;
 use crate::identify::sensitivities;
@@ -41,12 +41,12 @@ pub(super) fn settle(evaluator: &mut Evaluator, basis: &Basis, from: &RunEnd) ->
     let mut ask = |at: &[f64], wanted: Wanted| -> Result<Vec<Vec<f64>>, Halt> {
         let point = values(parameters, at);
         match wanted {
-            Wanted::Residuals => match full_passage(evaluator, &point) {
-                Ok(response) => Ok(vec![residuals(evaluator.problem, &basis.held, &response)]),
+            Wanted::Residuals => {
+                let found = unless_failed(full_passage(evaluator, &point))?;
                 // A step to where the model has no answer was too long.
-                Err(Halt::Failed(_)) => Ok(vec![vec![f64::INFINITY]]),
-                Err(halt) => Err(halt),
-            },
+                let none = || vec![f64::INFINITY];
+                Ok(vec![found.map_or_else(none, |response| residuals(evaluator.problem, &basis.held, &response))])
+            }
             Wanted::Derivatives => sensitivities(evaluator, &whole, &point, STEP),
         }
     };

@@ -31,7 +31,7 @@ fn every_search_finds_the_end_of_rosenbrocks_valley() {
         assert!(found.norm < 1e-8 && found.point().iter().all(|x| (x - 1.0).abs() < 1e-6), "{found:?}");
         assert!(found.parameters.iter().all(|parameter| parameter.converged && !parameter.at_bound));
 
-        let downhill = gradient::search(evaluator, basis, &Start::Stated, 500).found.unwrap();
+        let downhill = gradient::search(evaluator, basis, Start::Stated, 500).found.unwrap();
         assert!(downhill.norm < 1e-4, "{downhill:?}");
         assert!(downhill.evaluations > found.evaluations / 3, "least squares is the cheaper per start");
 
@@ -71,7 +71,7 @@ fn a_minimum_outside_the_range_ends_on_the_bound_and_is_not_converged() {
     with(&problem, &model, |evaluator, basis| {
         for found in [
             modern::search(evaluator, basis, &modern::Settings::default()).found.unwrap(),
-            gradient::search(evaluator, basis, &Start::Means, 200).found.unwrap(),
+            gradient::search(evaluator, basis, Start::Means, 200).found.unwrap(),
         ] {
             assert_eq!(found.parameters[0].value, 0.8);
             assert!(found.parameters[0].at_bound && !found.parameters[0].converged);
@@ -114,7 +114,7 @@ fn one_parameter_alone_and_more_parameters_than_channels_are_searched_too() {
             let settings = referee::Settings::default();
             for found in [
                 modern::search(evaluator, basis, &modern::Settings::default()).found,
-                gradient::search(evaluator, basis, &Start::Stated, 100).found,
+                gradient::search(evaluator, basis, Start::Stated, 100).found,
                 referee::search(evaluator, basis, &settings).found,
                 hierarchical::search(evaluator, basis, &hierarchical::Settings::default()).found,
             ] {
@@ -156,7 +156,7 @@ fn a_gradient_search_costs_no_more_than_its_evaluations() {
     let problem = least_squares(vec![parameter("x", -1.2, -2.0, 2.0), parameter("y", 1.0, -1.0, 3.0)], &[0.0, 0.0]);
     let model = Asked(AtomicUsize::new(0));
     with(&problem, &model, |evaluator, basis| {
-        let found = gradient::search(evaluator, basis, &Start::Stated, 500).found.unwrap();
+        let found = gradient::search(evaluator, basis, Start::Stated, 500).found.unwrap();
         let asked = model.0.load(Ordering::Relaxed);
         assert!(found.evaluations > 50, "{found:?}");
         assert!(asked < 10 * found.evaluations, "{asked} questions for {} evaluations", found.evaluations);

@@ -6,7 +6,7 @@ use crate::common::{five_model, five_problem};
 use calibrate::misfit::Misfit;
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Evaluation, Evaluator, Log, Map, Problem, Progress, Serial, Start, Unwatched, Watch, Wish};
+use calibrate::{Basis, Evaluation, Evaluator, Log, Map, Problem, Progress, Serial, Start, Stopped, Unwatched, Watch};
 use rayon::prelude::*;
 
 const TRUTH: [f64; 5] = [1.2, 0.8, 1.1, 0.7, 1.3];
@@ -18,10 +18,10 @@ struct File {
 }
 
 impl Watch for File {
-    fn look(&mut self, progress: &Progress) -> Wish {
+    fn look(&mut self, progress: &Progress) -> Result<(), Stopped> {
         assert!(!progress.stage.is_empty());
         self.lots = self.lots.saturating_sub(1);
-        if self.lots == 0 { Wish::Stop } else { Wish::GoOn }
+        if self.lots == 0 { Err(Stopped) } else { Ok(()) }
     }
 
     fn keep(&mut self, line: &str) {
@@ -67,7 +67,7 @@ fn searches() -> Vec<(&'static str, Search)> {
         ("hierarchical", |e, b| text(hierarchical::search(e, b, &hierarchical::Settings::default()))),
         ("modern", |e, b| text(modern::search(e, b, &modern::Settings::default()))),
         ("referee", |e, b| text(referee::search(e, b, &referee::Settings { generations: 12, ..Default::default() }))),
-        ("gradient", |e, b| text(gradient::search(e, b, &Start::Means, 30))),
+        ("gradient", |e, b| text(gradient::search(e, b, Start::Means, 30))),
     ]
 }
 

@@ -71,25 +71,25 @@ fn parameters(page: &mut String, found: &Update) {
 }
 
 fn channels(page: &mut String, found: &Update) {
-    let Some(best) = found.found() else { return };
+    let (Some(best), Some(basis)) = (found.found(), &found.basis) else { return };
     let head = ["measured", "model", "error", "shape", "weight"];
     let _ = writeln!(
         page,
         "  {:<34} {:>10} {:>10} {:>8} {:>7} {:>7}",
         "channel", head[0], head[1], head[2], head[3], head[4]
     );
-    for (channel, unit) in best.channels.iter().zip(found.problem.channels()) {
+    for ((channel, end), weight) in found.problem.channels().iter().zip(&best.channels).zip(&basis.held.weights) {
         let number = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.4}"));
         let _ = writeln!(
             page,
             "  {:<34} {:>10} {:>10.4} {:>8.4} {:>7} {:>7.4}  {}{}",
             channel.name,
-            number(channel.measured_peak),
-            channel.model_peak,
-            channel.error,
-            number(channel.shape_correlation),
-            channel.weight,
-            unit.unit,
+            number(channel.measured_peak()),
+            end.model_peak,
+            end.error,
+            number(end.shape_correlation),
+            weight,
+            channel.unit,
             channel.left_out.as_ref().map_or(String::new(), |why| format!(", left out: {why}"))
         );
     }
@@ -133,7 +133,7 @@ fn sweeps(page: &mut String, found: &Update) {
             parameter.unit
         );
     }
-    if let Some(norm) = pass.naive.as_ref().and_then(|naive| naive.norm) {
+    if let Some(norm) = pass.naive_norm {
         let _ = writeln!(page, "  all at the minimum of their own sweep: norm {norm:.4}");
     }
     page.push('\n');

@@ -229,9 +229,9 @@ impl Stages<'_> {
     fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
         let why = bridge.sweep.is_none().then_some("the file has no [sweep] of vehicles");
         self.asked(StageName::Vehicles, why, bridge, |watch| {
-            let (facts, found) = chain::vehicles(bridge, &mut Looking(watch)).map_err(told)?;
+            let found = analysis::vehicle_sweep(bridge, &mut Looking(watch)).map_err(told)?;
             let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
-            Ok(Some((facts, figures)))
+            Ok(Some((chain::vehicle_facts(bridge, &found), figures)))
         })
     }
 

@@ -20,12 +20,11 @@ pub(super) fn second_line(update: &Update, what: &str) -> String {
 
 /// The paper's search in words: which reading of its rules, from where.
 pub(super) fn search_words(update: &Update, paper: &PaperSearch) -> String {
-    let start = match &paper.start {
+    let start = match paper.start {
         Start::Stated => "the file's values",
         Start::Means => "the middle of all ranges",
         Start::LowerBounds => "all lower bounds",
         Start::UpperBounds => "all upper bounds",
-        Start::Values(_) => "values of its own",
     };
     let more = match update.paper.len() {
         0 | 1 => String::new(),

@@ -45,12 +45,7 @@ impl Searches {
             all.papers(plan, evaluator, basis, clock);
         }
         if wants(update::Search::Modern) {
-            let settings = modern::Settings {
-                starts: plan.starts as usize,
-                seed: plan.seed,
-                step: STEP,
-                ..modern::Settings::default()
-            };
+            let settings = modern::Settings { starts: plan.starts as usize, seed: plan.seed, step: STEP };
             all.one(Search::Modern, "", evaluator, clock, |all, evaluator| {
                 let outcome = modern::search(evaluator, basis, &settings);
                 let end = of_status(&outcome.status);
@@ -69,7 +64,7 @@ impl Searches {
             });
         }
         if wants(update::Search::Gradient) {
-            for (from, start) in gradient_starts(plan.start) {
+            for &(from, start) in gradient_starts(plan.start) {
                 all.one(Search::Gradient, from, evaluator, clock, |all, evaluator| {
                     let outcome = gradient::search(evaluator, basis, start, 100);
                     let (end, found) = (of_status(&outcome.status), outcome.found.clone());
@@ -98,12 +93,11 @@ impl Searches {
             update::Variant::Both => &[hierarchical::Variant::Printed, hierarchical::Variant::AsPractised],
         };
         for &variant in variants {
-            for start in starts {
+            for &start in starts {
                 let settings = hierarchical::Settings {
                     variant,
-                    start: start.clone(),
-                    sweep_points: plan.points as usize,
-                    surface_points: plan.points as usize,
+                    start,
+                    points: plan.points as usize,
                     passes: plan.passes as usize,
                     ..hierarchical::Settings::default()
                 };
@@ -124,7 +118,7 @@ impl Searches {
                         hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
                     };
                     let found = outcome.found.clone();
-                    all.paper.push(PaperSearch { variant, start: start.clone(), outcome });
+                    all.paper.push(PaperSearch { variant, start, outcome });
                     (end, found)
                 });
             }
@@ -219,7 +213,7 @@ pub(super) fn linearised(
     problem: &Problem,
 ) -> Result<LinearReport, Halt> {
     let line = Linearised::at(evaluator, basis, point, STEP)?;
-    let settings = linearised::Settings { likelihood: likelihood(plan), seed: plan.seed, ..Default::default() };
+    let settings = linearised::Settings { likelihood: likelihood(plan), seed: plan.seed };
     let sweeps = line.sweeps(evaluator.problem, &basis.held, &basis.start, LINE_POINTS);
     let ranking = ranking(&sweeps, Sweep::range);
     Ok(LinearReport { left: line.left(problem, &settings), sweeps, ranking })
@@ -234,12 +228,7 @@ pub(super) fn posterior(
     clock: &dyn Fn() -> f64,
 ) -> Result<Result<PosteriorReport, String>, Halt> {
     let begun = clock();
-    let settings = surrogate::Settings {
-        training: SURROGATE[0],
-        held_out: SURROGATE[1],
-        seed: plan.seed,
-        ..surrogate::Settings::default()
-    };
+    let settings = surrogate::Settings { training: SURROGATE[0], held_out: SURROGATE[1], seed: plan.seed };
     let polynomial = surrogate::build(evaluator, basis, &settings)?;
     let problem = polynomial.widen(noise);
     let likelihood = likelihood(plan);
