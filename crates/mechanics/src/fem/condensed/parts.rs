@@ -11,7 +11,7 @@ use crate::fem::joint::{PairLaw, PairMemory};
 use crate::fem::model::Model;
 use crate::fem::state::{Bond, Point, State};
 use crate::ids::{Id, QuadId};
-use crate::wide::widest;
+use crate::wide::wide;
 
 /// Largest number of rows of a part: the displacement components of a quadrilateral.
 pub(super) const ROWS: usize = 8;
@@ -353,19 +353,13 @@ impl Part {
     /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
     /// nothing: the law has to be evaluated.
     pub(super) fn proves_linear(&self, model: &Model, block: &Block, solutions: usize) -> bool {
-        struct Wide<'a>(&'a Part, &'a Model, &'a Block, usize);
-        impl pulp::NullaryFnOnce for Wide<'_> {
-            type Output = bool;
+        wide(
             #[inline(always)]
-            fn call(self) -> bool {
-                let Wide(part, model, block, solutions) = self;
-                if let Some(quad) = part.quad_check(model) {
-                    return quad.proves_linear(block, solutions);
-                }
-                part.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions))
-            }
-        }
-        widest(Wide(self, model, block, solutions))
+            || match self.quad_check(model) {
+                Some(quad) => quad.proves_linear(block, solutions),
+                None => self.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions)),
+            },
+        )
     }
 
     /// Whether the part is provably linear at both row values that `value` gives for a row, and was linear when last committed.

@@ -10,7 +10,6 @@ use crate::fem::state::State;
 use crate::fem::{Element, Interface, Mesh, Quad, Quadrature, Section, Support};
 use crate::ids::{Id, NodeId};
 use crate::plane::vec2;
-use pulp::NullaryFnOnce;
 
 /// Numbers between -1 and 1, always the same.
 struct Dice(u64);
@@ -129,9 +128,7 @@ impl Case {
         let wide = self.block(direction, share, lane, WIDEST);
         let screened =
             |block: &Block, solutions: usize| self.screening.unproven(&self.model, block, solutions, &skip).is_empty();
-        let plain = |block, solutions| {
-            Screen::<false> { screening: &self.screening, model: &self.model, block, solutions, skip: &skip }.call()
-        };
+        let plain = |block, solutions| self.screening.screen::<false>(&self.model, block, solutions, &skip);
         let found = [screened(&narrow, 7), self.parts[index].proves_linear(&self.model, &narrow, 7)];
         assert_eq!(found, [screened(&wide, 19), self.parts[index].proves_linear(&self.model, &wide, 19)]);
         assert!(screened(&wide, 0));
