@@ -7,7 +7,7 @@ use super::spring_check::SpringCheck;
 use crate::fem::dofs::HELD;
 use crate::fem::element::{self, Kept, Sample, sample};
 use crate::fem::factor::Block;
-use crate::fem::joint::{PairLaw, PairMemory};
+use crate::fem::joint::PairMemory;
 use crate::fem::model::Model;
 use crate::fem::state::{Bond, Point, State};
 use crate::ids::{Id, QuadId};
