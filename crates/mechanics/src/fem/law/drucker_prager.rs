@@ -1,7 +1,7 @@
 //! Drucker-Prager: a cone about the hydrostatic axis.
 
+use super::close::{flowed, softened};
 use super::elastic::Elastic;
-use super::member::{Member, flowed, softened};
 use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::{Cone, Strength};
@@ -66,7 +66,7 @@ impl DruckerPrager {
     }
 }
 
-impl Member for DruckerPrager {
+impl Law for DruckerPrager {
     fn of(elastic: Elastic, strength: &Strength) -> DruckerPrager {
         let Strength { cohesion, friction_angle, dilatancy_angle, tension_cutoff, cone } = *strength;
         let law = DruckerPrager::matching(elastic, cone, cohesion, friction_angle, dilatancy_angle);
@@ -80,9 +80,7 @@ impl Member for DruckerPrager {
     fn symmetric(&self) -> bool {
         self.beta.to_bits() == self.alpha.to_bits()
     }
-}
 
-impl Law for DruckerPrager {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         let trial = self.elastic.trial(strain, old);
         let on_cone = cone::back(&self.elastic, &trial, self.alpha, self.beta, self.strength);

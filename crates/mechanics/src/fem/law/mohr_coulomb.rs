@@ -1,7 +1,6 @@
 //! Mohr-Coulomb: friction and cohesion on the worst plane.
 
 use super::elastic::Elastic;
-use super::member::Member;
 use super::polyhedron::{Face, respond, tension};
 use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
@@ -49,7 +48,7 @@ impl MohrCoulomb {
     }
 }
 
-impl Member for MohrCoulomb {
+impl Law for MohrCoulomb {
     fn of(elastic: Elastic, strength: &Strength) -> MohrCoulomb {
         let Strength { cohesion, friction_angle, dilatancy_angle, tension_cutoff, .. } = *strength;
         MohrCoulomb { elastic, cohesion, friction_angle, dilatancy_angle, tension_cutoff }
@@ -62,9 +61,7 @@ impl Member for MohrCoulomb {
     fn symmetric(&self) -> bool {
         self.dilatancy_angle.to_bits() == self.friction_angle.to_bits()
     }
-}
 
-impl Law for MohrCoulomb {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         let [a, b, c] = self.faces();
         match self.tension_cutoff.map(tension) {
