@@ -236,7 +236,7 @@ pub fn transient(
         let aim = Aim { forces: forces(step), displacements: state.displacements.clone() };
         let inertia = motion.inertia(model, work, state, &internal, &state.forces);
         let attempt = balance(model, state, work, (&aim, Some(&inertia)), settings, &mut asking);
-        outcome.iterations += u64::from(attempt.iterations);
+        outcome.iterations += u64::from(attempt.took.iterations);
         let reached = (step + 1) as f64 / steps as f64;
         outcome.steps.push(attempt.step(model, work, reached));
         if attempt.end != Status::Completed {
