@@ -61,7 +61,7 @@ pub(super) struct Part {
 /// State of a part at the end of a balanced position.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Committed {
-    history: History,
+    pub history: History,
     /// Excess force [N/m].
     excess: [f64; ROWS],
     /// Whether the part was linear.
@@ -85,10 +85,10 @@ impl Committed {
 
 /// History variables of a part, with stress or traction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct History {
-    points: [Point; 4],
-    modes: [f64; 4],
-    bond: Bond,
+pub(super) struct History {
+    pub points: [Point; 4],
+    pub modes: [f64; 4],
+    pub bond: Bond,
 }
 
 impl Part {
@@ -389,19 +389,6 @@ impl Part {
                 state.points[4 * id.index()..4 * id.index() + 4].copy_from_slice(&now.points);
                 state.modes[id.index()] = now.modes;
             }
-        }
-    }
-
-    /// Gives the committed pair of a spring.
-    pub(super) fn committed_bond(&self) -> &Bond {
-        &self.committed.history.bond
-    }
-
-    /// Counts the points that yield in the committed state.
-    pub(super) fn yielding_points(&self) -> usize {
-        match self.kind {
-            Kind::Quad(_) => self.committed.history.points.iter().filter(|point| point.yields).count(),
-            Kind::Spring(_) => 0,
         }
     }
 

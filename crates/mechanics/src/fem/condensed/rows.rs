@@ -77,11 +77,6 @@ impl Row {
             changes.iter_mut().zip(block.of(equation)).for_each(|(change, value)| *change += weight * value);
         }
     }
-
-    /// Gives the change of the row's value in one solution, by equations [m].
-    fn change_in_vector(&self, solution: &[f64]) -> f64 {
-        self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
-    }
 }
 
 /// The retained rows.
@@ -150,8 +145,9 @@ impl Rows {
             for ((influence, pattern), wide) in self.influence.iter_mut().zip(patterns).zip(&self.wide_solutions) {
                 let influence = &mut influence[lanes.clone()];
                 if let Some(solution) = wide {
+                    let term = |&(equation, weight): &(u32, f64)| weight * solution[equation as usize];
                     let rows = influence.iter_mut().zip(&self.list[lanes.clone()]);
-                    rows.for_each(|(influence, row)| *influence = row.change_in_vector(solution));
+                    rows.for_each(|(influence, row)| *influence = row.terms.iter().map(term).sum());
                     continue;
                 }
                 for &(equation, force) in pattern {
