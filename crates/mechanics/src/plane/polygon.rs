@@ -113,10 +113,6 @@ impl Polygon {
     pub fn bounds(&self) -> (Vec2, Vec2) {
         bounds(&self.vertices)
     }
-    /// Whether `p` lies inside or within `tolerance` [m] of it.
-    pub fn contains(&self, p: Vec2, tolerance: f64) -> bool {
-        self.edges().all(|(a, b)| (p - a).dot((b - a).right().unit()) <= tolerance)
-    }
 }
 
 /// Smallest box around some points.

@@ -34,14 +34,6 @@ impl DruckerPrager {
         DruckerPrager { elastic, alpha, beta, strength: strength * cohesion, tension_cutoff: None }
     }
 
-    /// How far a stress lies beyond the surface [Pa]; below zero inside.
-    #[must_use]
-    pub fn excess(&self, stress: &Four) -> f64 {
-        let principal = Principal::of(stress).stress;
-        let shear = self.beyond(&principal);
-        self.tension_cutoff.map_or(shear, |cutoff| shear.max(principal[0] - cutoff))
-    }
-
     fn beyond(&self, principal: &Three) -> f64 {
         let (radius, _, sum) = parts(principal);
         radius + self.alpha * sum - self.strength

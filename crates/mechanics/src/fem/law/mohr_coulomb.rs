@@ -2,7 +2,6 @@
 
 use super::elastic::Elastic;
 use super::polyhedron::{Face, respond, tension};
-use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
 
@@ -22,15 +21,6 @@ pub struct MohrCoulomb {
 }
 
 impl MohrCoulomb {
-    /// How far a stress lies beyond the surface [Pa]; below zero inside.
-    #[must_use]
-    pub fn excess(&self, stress: &Four) -> f64 {
-        let principal = Principal::of(stress).stress;
-        let (sin, cos) = self.friction_angle.sin_cos();
-        let shear = principal[0] - principal[2] + (principal[0] + principal[2]) * sin - 2.0 * self.cohesion * cos;
-        self.tension_cutoff.map_or(shear, |cutoff| shear.max(principal[0] - cutoff))
-    }
-
     /// The three faces that a stress with its principal values in order can meet: between the greatest and the least, and the
     /// two that meet it at the edges.
     fn faces(&self) -> [Face; 3] {
