@@ -110,10 +110,7 @@ impl ActiveSet {
     /// Gives the index of a retained row among the active ones.
     #[inline]
     pub(super) fn local_index(&self, row: usize) -> Option<usize> {
-        self.local_index
-            .get(row)
-            .filter(|local_index| **local_index != NO_INDEX)
-            .map(|local_index| *local_index as usize)
+        self.local_index.get(row).filter(|index| **index != NO_INDEX).map(|index| *index as usize)
     }
 
     /// Gives the changes of the active rows' values by `forces` on them, `G f` [m].
