@@ -2,7 +2,7 @@
 //! and limit analysis share.
 
 use crate::ids::{BlockId, GroupId, Id, ParticleId, Table};
-use crate::plane::{Core, Meeting, Polygon, PolygonError, Pose, Vec2, meet};
+use crate::plane::{Core, Meeting, Polygon, PolygonError, Pose, Vec2, meet, overlapping};
 use serde::Serialize;
 use thiserror::Error;
 
@@ -333,7 +333,9 @@ pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, 
     let sharp = model.rounded(|_| 0.0)?;
     let poses = model.poses();
     let (mut found, mut pins) = (Vec::new(), Vec::new());
-    for (a, b) in close_pairs(model, tolerance) {
+    let boxes: Vec<_> = model.blocks.iter().map(|b| b.outline.bounds()).collect();
+    for (a, b) in overlapping(&boxes, tolerance) {
+        let (a, b) = (BlockId::new(a), BlockId::new(b));
         if model.blocks[a].held.is_fixed() && model.blocks[b].held.is_fixed() {
             continue;
         }
@@ -367,24 +369,4 @@ pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, 
     found.extend(pins);
     found.sort_by_key(|joint| (joint.first, joint.second));
     Ok(found)
-}
-
-/// Pairs of blocks whose bounding boxes, grown by `margin` [m], overlap; sorted.
-fn close_pairs(model: &BlockModel, margin: f64) -> Vec<(BlockId, BlockId)> {
-    let boxes: Vec<_> = model.blocks.iter().map(|b| b.outline.bounds()).collect();
-    let mut order: Vec<usize> = (0..boxes.len()).collect();
-    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
-    let mut pairs = Vec::new();
-    for (k, &i) in order.iter().enumerate() {
-        for &j in &order[k + 1..] {
-            if boxes[j].0.x > boxes[i].1.x + margin {
-                break;
-            }
-            if boxes[j].0.y <= boxes[i].1.y + margin && boxes[i].0.y <= boxes[j].1.y + margin {
-                pairs.push((BlockId::new(i.min(j)), BlockId::new(i.max(j))));
-            }
-        }
-    }
-    pairs.sort_unstable();
-    pairs
 }

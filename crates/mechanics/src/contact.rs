@@ -61,15 +61,6 @@ impl Bond {
     pub const GONE: Bond = Bond { lost: [1.0; 2] };
 }
 
-impl<T: Number> Ends<T> {
-    /// The largest shear that an end resists [N/m]: friction on what presses and cohesion, less friction on what pulls.
-    #[inline(always)]
-    pub fn shear_strength(&self, end: usize, law: &Resistance) -> T {
-        let strength = self.compression[end].times(law.friction) + self.length[end].times(law.cohesion);
-        if strength.value() < 0.0 { T::of(0.0) } else { strength }
-    }
-}
-
 impl<T: Number> Bond<T> {
     /// Whether any of it is left.
     pub fn holds(&self) -> bool {
@@ -135,7 +126,7 @@ impl Resistance {
         let most = self.crushing / self.normal;
         let beyond = if most.is_finite() { squares(overlap.map(|o| o - most)) } else { 0.0 };
         let pulled = match self.pulled(overlap, bond) {
-            Some(part) => part.points().iter().map(|at| at.share * at.of(overlap) * at.of(overlap)).sum(),
+            Some(from) => points_within(from).iter().map(|at| at.share * at.of(overlap) * at.of(overlap)).sum(),
             None => 0.0,
         };
         0.5 * self.normal * length * (squares(overlap) - beyond + pulled)
@@ -159,11 +150,11 @@ impl Resistance {
 
     /// Share of a face that its bond pulls together.
     pub fn pulled_share(&self, overlap: [f64; 2], bond: &Bond) -> f64 {
-        self.pulled(overlap, bond).map_or(0.0, |part| 1.0 - (part.from[0] + part.from[1]))
+        self.pulled(overlap, bond).map_or(0.0, |from| 1.0 - (from[0] + from[1]))
     }
 
-    /// The part of a face that its bond pulls together.
-    fn pulled<T: Number>(&self, overlap: [T; 2], bond: &Bond) -> Option<Part<T>> {
+    /// The part of a face that its bond pulls together: its distances from the two ends, as shares of the face's length.
+    fn pulled<T: Number>(&self, overlap: [T; 2], bond: &Bond) -> Option<[T; 2]> {
         if !(self.tension > 0.0 && bond.holds()) {
             return None;
         }
@@ -176,7 +167,7 @@ impl Resistance {
             (true, false) => [later(lost[0], a / (a - b)), lost[1]],
             (false, true) => [lost[0], later(lost[1], b / (b - a))],
         };
-        (from[0].value() + from[1].value() < 1.0).then_some(Part { from })
+        (from[0].value() + from[1].value() < 1.0).then_some(from)
     }
 
     /// Each end by itself.
@@ -209,8 +200,8 @@ impl Resistance {
             let (beyond, _) = compressed(each(overlap, |o| o.plus(-most)));
             pressed = [pressed[0] - beyond[0], pressed[1] - beyond[1]];
         }
-        if let Some(part) = self.pulled(overlap, bond) {
-            let [one, two] = part.points();
+        if let Some(from) = self.pulled(overlap, bond) {
+            let [one, two] = points_within(from);
             for k in 0..2 {
                 // Both together first, so that a joint seen from its other side answers to the same bits.
                 let weights = [one.share * one.weights[k], two.share * two.weights[k]];
@@ -223,11 +214,6 @@ impl Resistance {
     }
 }
 
-/// A part of a face: its distances from the two ends, as shares of the face's length.
-struct Part<T> {
-    from: [T; 2],
-}
-
 /// A place on a face for sums over a part of it.
 #[derive(Clone, Copy)]
 struct Point<T> {
@@ -237,16 +223,13 @@ struct Point<T> {
     weights: [T; 2],
 }
 
-impl<T: Number> Part<T> {
-    /// Gauss's two points: exact for polynomials of the third degree, and the same from either end.
-    fn points(&self) -> [Point<T>; 2] {
-        const NEAR: f64 = 0.211_324_865_405_187_13;
-        let [a, b] = self.from;
-        let length = T::of(1.0) - (a + b);
-        let share = length.times(0.5);
-        let (near, far) = (length.times(NEAR), length.times(1.0 - NEAR));
-        [Point { share, weights: [b + far, a + near] }, Point { share, weights: [b + near, a + far] }]
-    }
+/// Gauss's two points in what lies so far from the two ends: exact for polynomials of the third degree, and the same from either end.
+fn points_within<T: Number>([a, b]: [T; 2]) -> [Point<T>; 2] {
+    const NEAR: f64 = 0.211_324_865_405_187_13;
+    let length = T::of(1.0) - (a + b);
+    let share = length.times(0.5);
+    let (near, far) = (length.times(NEAR), length.times(1.0 - NEAR));
+    [Point { share, weights: [b + far, a + near] }, Point { share, weights: [b + near, a + far] }]
 }
 
 impl<T: Number> Point<T> {
@@ -269,6 +252,15 @@ pub struct Ends<T> {
     pub compression: [T; 2],
     /// Length that resists shear [m].
     pub length: [T; 2],
+}
+
+impl<T: Number> Ends<T> {
+    /// The largest shear that an end resists [N/m]: friction on what presses and cohesion, less friction on what pulls.
+    #[inline(always)]
+    pub fn shear_strength(&self, end: usize, law: &Resistance) -> T {
+        let strength = self.compression[end].times(law.friction) + self.length[end].times(law.cohesion);
+        if strength.value() < 0.0 { T::of(0.0) } else { strength }
+    }
 }
 
 /// Integrals over a face of unit length of the positive part of a linear function, and of one where it is positive, each

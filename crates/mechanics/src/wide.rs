@@ -14,3 +14,8 @@ pub(crate) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
     }
     work.call()
 }
+
+/// The same for a closure, which is to be marked `#[inline(always)]` itself.
+pub(crate) fn wide<R>(work: impl FnOnce() -> R) -> R {
+    widest(work)
+}

@@ -11,11 +11,8 @@ use crate::plane::{Vec2, vec2};
 /// sum of the acting forces.
 pub(super) fn unbalanced_ratio(model: &Model, state: &State) -> f64 {
     let mut sum = 0.0;
-    for i in 0..model.len() {
+    for i in model.free() {
         let inverse = &model.inverse_mass[i];
-        if *inverse == [0.0; 3] {
-            continue;
-        }
         let acting = model.acting(i, state.factor);
         let f = &state.contact_forces[i];
         let turn = &state.poses[i].rotation;
@@ -51,10 +48,7 @@ pub(super) fn kinetic_energy(model: &Model, state: &State) -> f64 {
 pub fn energy(model: &Model, state: &State) -> Energy {
     let half = 0.5 * state.time_step;
     let (mut gravity, mut loads, mut elastic) = (0.0, state.load_work, 0.0);
-    for i in 0..model.len() {
-        if model.inverse_mass[i] == [0.0; 3] {
-            continue;
-        }
+    for i in model.free() {
         let (v, f) = (&state.velocities[i], &state.contact_forces[i]);
         let mut pose = state.poses[i];
         pose.position -= vec2(v[0], v[1]) * half;
@@ -82,10 +76,8 @@ pub fn energy(model: &Model, state: &State) -> Energy {
 
 /// Changes the load factor; the work that the loads have done so far is booked at the old one.
 pub(super) fn set_factor(model: &Model, state: &mut State, factor: f64) {
-    for i in 0..model.len() {
-        if model.inverse_mass[i] != [0.0; 3] {
-            state.load_work += (state.factor - factor) * model.variable[i].work(model.built[i], &state.poses[i]);
-        }
+    for i in model.free() {
+        state.load_work += (state.factor - factor) * model.variable[i].work(model.built[i], &state.poses[i]);
     }
     state.factor = factor;
 }

@@ -69,7 +69,7 @@ impl Model {
             particles: ParticleModel::new(&model.particles, &model.laws, model.gravity),
             groups: model.blocks.iter().map(|b| b.group).collect(),
             laws: model.laws.clone(),
-            built: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
+            built: model.centroids().iter().copied().collect(),
             bodies: Vec::with_capacity(n),
             mass: Vec::with_capacity(n),
             inverse_mass: Vec::with_capacity(n),
@@ -114,7 +114,7 @@ impl Model {
             });
             m.weight[id.index()].add(Vec2::ZERO, model.gravity * mass);
         }
-        let free: Vec<usize> = (0..n).filter(|&i| m.inverse_mass[i] != [0.0; 3]).collect();
+        let free: Vec<usize> = m.free().collect();
         if free.is_empty() && model.particles.is_empty() {
             return Err(ModelError::NothingFree);
         }
@@ -194,14 +194,17 @@ impl Model {
     pub fn is_empty(&self) -> bool {
         self.mass.is_empty()
     }
+    /// Blocks that are not wholly held.
+    pub(super) fn free(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.len()).filter(|&i| self.inverse_mass[i] != [0.0; 3])
+    }
     /// What acts on block `i` at a load factor.
     pub(super) fn acting(&self, i: usize, factor: f64) -> Resultant {
         self.permanent[i].plus(&self.variable[i], factor)
     }
     /// Sum of the sizes of all forces that act on free blocks [N/m]: the scale of out-of-balance forces.
     pub(super) fn acting_scale(&self, factor: f64) -> f64 {
-        (0..self.len())
-            .filter(|&i| self.inverse_mass[i] != [0.0; 3])
+        self.free()
             .map(|i| {
                 let f = |r: &Resultant| r.force.x.abs() + r.force.y.abs();
                 f(&self.permanent[i]) + factor.abs() * f(&self.variable[i])
@@ -302,8 +305,8 @@ fn check_particles(model: &BlockModel) -> Result<(), ModelError> {
 }
 
 fn check_law(law: &ContactLaw) -> Result<(), ModelError> {
-    let at_least_zero = |what, value: f64| if value >= 0.0 { Ok(()) } else { Err(ModelError::Law { what, value }) };
-    let positive = |what, value: f64| if value > 0.0 { Ok(()) } else { Err(ModelError::Law { what, value }) };
+    let refuse = |what, value: f64, fine: bool| if fine { Ok(()) } else { Err(ModelError::Law { what, value }) };
+    let positive = |what, value: f64| refuse(what, value, value > 0.0);
     for (what, stiffness) in [("normal stiffness", law.normal), ("shear stiffness", law.shear)] {
         match stiffness {
             Stiffness::Given(k) => positive(what, if k.is_finite() { k } else { f64::NAN })?,
@@ -314,9 +317,9 @@ fn check_law(law: &ContactLaw) -> Result<(), ModelError> {
             }
         }
     }
-    at_least_zero("friction", law.friction)?;
-    at_least_zero("cohesion", law.cohesion)?;
-    at_least_zero("tensile strength", law.tension)?;
+    for (what, value) in [("friction", law.friction), ("cohesion", law.cohesion), ("tensile strength", law.tension)] {
+        refuse(what, value, value >= 0.0)?;
+    }
     positive("crushing strength", law.crushing)?;
     positive("fixed length", law.fixed_length.unwrap_or(1.0))?;
     // A contact point that stands for no length would let blocks through one another.

@@ -103,13 +103,11 @@ fn window(model: &Model, state: &State) -> u64 {
 /// Largest displacement of a free block's centre since the stage began, as a share of the collapse limit.
 fn displacement(model: &Model, state: &State, stage: &Stage) -> f64 {
     let mut largest: f64 = 0.0;
-    for i in 0..model.len() {
-        if model.inverse_mass[i] != [0.0; 3] {
-            let d = state.poses[i].position - stage.start[i];
-            let guided = model.inverse_mass[i].contains(&0.0);
-            let share = if guided && !state.particles.discs.is_empty() { 1.0 / GUIDED } else { 1.0 };
-            largest = largest.max(d.dot(d) * share * share);
-        }
+    for i in model.free() {
+        let d = state.poses[i].position - stage.start[i];
+        let guided = model.inverse_mass[i].contains(&0.0);
+        let share = if guided && !state.particles.discs.is_empty() { 1.0 / GUIDED } else { 1.0 };
+        largest = largest.max(d.dot(d) * share * share);
     }
     largest.sqrt() / (COLLAPSE * model.block_size)
 }

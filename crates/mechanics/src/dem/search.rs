@@ -6,7 +6,7 @@ use super::state::State;
 use super::touch::{Memory, Touch};
 use crate::contact::{Bond, ContactLength};
 use crate::ids::BlockId;
-use crate::plane::{Core, Pose, Vec2, meet};
+use crate::plane::{Core, Pose, Vec2, meet, overlapping};
 
 /// Distance by which boxes are grown in the search, as a share of the mean block size. A search is due when a block
 /// may have moved half of it.
@@ -71,28 +71,13 @@ pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: Conta
     added
 }
 
-/// Pairs of which at least one can move and whose boxes, grown by `skin` [m] in all, overlap; sorted. Sweeps along x.
+/// Pairs of which at least one can move and whose boxes, grown by `skin` [m] in all, overlap; sorted.
 pub(super) fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
     let one = |(core, pose): (&Core, &Pose)| bounds(core, pose, core.radius + 0.5 * skin);
     let boxes: Vec<(Vec2, Vec2)> = model.cores.iter().zip(poses).map(one).collect();
-    let mut order: Vec<u32> = (0..model.len() as u32).collect();
-    order.sort_by(|&i, &j| boxes[i as usize].0.x.total_cmp(&boxes[j as usize].0.x).then(i.cmp(&j)));
-    let mut pairs = Vec::with_capacity(3 * model.len());
-    let held = |i: u32| model.inverse_mass[i as usize] == [0.0; 3];
-    for (k, &i) in order.iter().enumerate() {
-        let (low, high) = boxes[i as usize];
-        for &j in &order[k + 1..] {
-            let (other_low, other_high) = boxes[j as usize];
-            if other_low.x > high.x {
-                break;
-            }
-            if other_low.y <= high.y && low.y <= other_high.y && !(held(i) && held(j)) {
-                pairs.push((i.min(j), i.max(j)));
-            }
-        }
-    }
-    pairs.sort_unstable();
-    pairs
+    let held = |i: usize| model.inverse_mass[i] == [0.0; 3];
+    let pairs = overlapping(&boxes, 0.0).into_iter().filter(|&(i, j)| !(held(i) && held(j)));
+    pairs.map(|(i, j)| (i as u32, j as u32)).collect()
 }
 
 /// A touch of a pair that was not close before.

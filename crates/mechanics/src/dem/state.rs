@@ -2,7 +2,7 @@
 
 use super::model::Model;
 use super::outcome::ParticleState;
-use super::particles::Particles;
+use super::particles::{Chunk, Particles};
 use super::step::Workspace;
 use super::touch::Touch;
 use crate::ids::{Id, ParticleId, Table};
@@ -60,8 +60,11 @@ impl State {
             (disc.vx, disc.vy, disc.rim) = (velocity.x, velocity.y, spin * disc.radius);
         }
     }
-    /// Bytes that the particles, their contacts and their search hold.
+    /// Bytes that the particles, their contacts and their search hold, the model's share included.
     pub fn particle_bytes(&self, model: &Model, work: &Workspace) -> usize {
-        self.particles.bytes(&model.particles, &work.cells)
+        let Particles { discs, previous, chunks, .. } = &self.particles;
+        let chunks: usize = chunks.iter().map(Chunk::bytes).sum();
+        let rows = 64 * discs.capacity() + 24 * previous.capacity();
+        chunks + rows + work.cells.bytes() + model.particles.len() * (4 + 4 + 24 + 1 + 8 + 16)
     }
 }

@@ -76,18 +76,19 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
 /// `2 / omega` [s], Bathe 1982, with the largest frequency of the contact stiffness system; with particles, whose pairs
 /// change all the time, with a bound on it that costs one pass over the contacts.
 pub fn critical_time_step(model: &Model, state: &State, settings: &Settings) -> f64 {
-    let omega = if state.particles.discs.is_empty() {
-        stiffness::largest_frequency(model, state)
-    } else {
-        stiffness::frequency_bound(model, state, settings.scaled_inertia)
-    };
-    // Without any contact nothing limits the step; a hundredth of a second resolves a fall.
-    if omega > 0.0 { 2.0 / omega } else { 0.01 }
+    if state.particles.discs.is_empty() {
+        return exact_critical_time_step(model, state);
+    }
+    of_frequency(stiffness::squares(model, state, settings.scaled_inertia).into_iter().fold(0.0, f64::max).sqrt())
 }
 
 /// `2 / omega` [s] with the largest frequency by power iteration, also where there are particles.
 pub fn exact_critical_time_step(model: &Model, state: &State) -> f64 {
-    let omega = stiffness::largest_frequency(model, state);
+    of_frequency(stiffness::largest_frequency(model, state))
+}
+
+/// Without any contact nothing limits the step; a hundredth of a second resolves a fall.
+fn of_frequency(omega: f64) -> f64 {
     if omega > 0.0 { 2.0 / omega } else { 0.01 }
 }
 

@@ -71,11 +71,6 @@ impl Stepping {
         self.run.state.factor
     }
 
-    /// Positions, velocities and forces as they lie in memory.
-    pub fn state(&self) -> &State {
-        &self.run.state
-    }
-
     /// Steps since the blocks were let go.
     pub fn steps(&self) -> u64 {
         self.run.state.steps
@@ -89,11 +84,6 @@ impl Stepping {
     /// Load steps that have ended.
     pub fn path(&self) -> &[PathPoint] {
         &self.run.path
-    }
-
-    /// How the run ended; none while it goes on.
-    pub fn status(&self) -> Option<&Status> {
-        self.status.as_ref()
     }
 
     /// The state of the run, from which [`take_up`](Self::take_up) goes on to the same bits.

@@ -109,22 +109,18 @@ fn each_spring(model: &Model, state: &State, touching_only: bool, mut each: impl
     }
 }
 
-/// A bound on the largest angular frequency [rad/s] with every near pair closed, from one pass over the springs.
+/// Share of a spring between block and particle that the block bears where the particle's inertia is scaled: particles
+/// can be given more of it, blocks cannot. `1 + t` for the block, `1 + 1/t` for the particle.
+const LEAN_SHARE: f64 = 1.25;
+
+/// A bound on the squares of the angular frequencies [1/s^2] body by body, blocks first, then particles, with every near pair closed: from
+/// one pass over the springs.
 ///
 /// A spring's energy between two bodies is at most `(1 + t) a^2 + (1 + 1/t) b^2` for any `t`. The ratio of the two inverse
 /// masses is exact for two bodies alone and for regular packings; its root shares better between a light particle with few
 /// contacts and a heavy block with many. What is left is one small matrix for each body, whose largest eigenvalue is bounded by its translation,
 /// its rotation and their coupling. In random packings, size ratios 1 to 4, with and without a block, the step that follows
 /// is 0.89 to 0.97 of the critical one.
-pub(super) fn frequency_bound(model: &Model, state: &State, scaled_inertia: bool) -> f64 {
-    squares(model, state, scaled_inertia).into_iter().fold(0.0, f64::max).sqrt()
-}
-
-/// Share of a spring between block and particle that the block bears where the particle's inertia is scaled: particles
-/// can be given more of it, blocks cannot. `1 + t` for the block, `1 + 1/t` for the particle.
-const LEAN_SHARE: f64 = 1.25;
-
-/// The same body by body, squared [1/s^2]: blocks first, then particles.
 pub(super) fn squares(model: &Model, state: &State, scaled_inertia: bool) -> Vec<f64> {
     let bodies = model.len() + state.particles.discs.len();
     // xx, xy, yy, rotation, coupling of rotation with x and y.
@@ -138,13 +134,8 @@ pub(super) fn squares(model: &Model, state: &State, scaled_inertia: bool) -> Vec
                 let lean = s.one < model.len() && s.two >= model.len();
                 let share = match (scaled_inertia && lean, own > 0.0) {
                     _ if other == 0.0 => 1.0,
-                    (true, _) => {
-                        if i < model.len() {
-                            LEAN_SHARE
-                        } else {
-                            LEAN_SHARE / (LEAN_SHARE - 1.0)
-                        }
-                    }
+                    (true, _) if i < model.len() => LEAN_SHARE,
+                    (true, _) => LEAN_SHARE / (LEAN_SHARE - 1.0),
                     (false, true) if lean => 1.0 + (other / own).sqrt(),
                     (false, true) => 1.0 + other / own,
                     (false, false) => 2.0,

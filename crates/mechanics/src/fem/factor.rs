@@ -70,12 +70,6 @@ pub(super) struct Solver {
     whole: Option<Box<Whole>>,
 }
 
-impl std::fmt::Debug for Solver {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        to.debug_struct("Solver").field("entries", &self.values.len()).field("kind", &self.kind).finish_non_exhaustive()
-    }
-}
-
 /// Solutions side by side.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Block {

@@ -1,7 +1,7 @@
 //! Springs between the faces of an interface.
 
 use super::element::{Angle, turned};
-use super::joint::{JointLaw, PairLaw};
+use super::joint::JointLaw;
 use super::mesh::{Interface, Mesh, Quadrature};
 use super::model::ModelError;
 use super::settings::Kinematics;

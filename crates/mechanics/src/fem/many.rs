@@ -101,30 +101,6 @@ struct Node<'a, S> {
     values: &'a [f64],
 }
 
-/// Work with a constant `$R` that is `$count`, or four where there are more.
-macro_rules! four_at_most {
-    ($count:expr, $R:ident, $work:expr) => {
-        match $count {
-            1 => {
-                const $R: usize = 1;
-                $work
-            }
-            2 => {
-                const $R: usize = 2;
-                $work
-            }
-            3 => {
-                const $R: usize = 3;
-                $work
-            }
-            _ => {
-                const $R: usize = 4;
-                $work
-            }
-        }
-    };
-}
-
 impl<'a, S: Simd> Node<'a, S> {
     #[inline(always)]
     fn new(simd: S, shares: usize, factor: SupernodalLltRef<'a, u32, f64>, index: usize) -> Node<'a, S> {
@@ -145,11 +121,15 @@ impl<'a, S: Simd> Node<'a, S> {
         }
         Self::fetch(self.values.iter());
         for share in 0..self.shares {
-            for first in (0..self.size).step_by(4) {
-                four_at_most!(self.size - first, R, self.forward_rows::<R, V>(first, share, x));
-            }
-            for first in (self.size..self.rows).step_by(4) {
-                four_at_most!(self.rows - first, R, self.forward_rows::<R, V>(first, share, x));
+            for (start, end) in [(0, self.size), (self.size, self.rows)] {
+                for first in (start..end).step_by(4) {
+                    match end - first {
+                        1 => self.forward_rows::<1, V>(first, share, x),
+                        2 => self.forward_rows::<2, V>(first, share, x),
+                        3 => self.forward_rows::<3, V>(first, share, x),
+                        _ => self.forward_rows::<4, V>(first, share, x),
+                    }
+                }
             }
         }
     }
@@ -160,7 +140,12 @@ impl<'a, S: Simd> Node<'a, S> {
         Self::fetch(self.values.iter().rev());
         for share in 0..self.shares {
             for first in (0..self.size).step_by(4).rev() {
-                four_at_most!(self.size - first, R, self.backward_columns::<R, V>(first, share, x));
+                match self.size - first {
+                    1 => self.backward_columns::<1, V>(first, share, x),
+                    2 => self.backward_columns::<2, V>(first, share, x),
+                    3 => self.backward_columns::<3, V>(first, share, x),
+                    _ => self.backward_columns::<4, V>(first, share, x),
+                }
             }
         }
     }

@@ -32,7 +32,7 @@ pub use factor::FactorError;
 pub use interface::Spring;
 pub use mesh::{Interface, Mesh, Quad, Quadrature};
 pub use model::{Model, ModelError, Support};
-pub use newmark::{Damping, Integration, Motion, at_rest, transient};
+pub use newmark::{Damping, Motion, at_rest, transient};
 pub use newton::{Target, advance};
 pub use outcome::{Outcome, Status, Step};
 pub use pattern::Pattern;

@@ -12,25 +12,6 @@ use super::workspace::Workspace;
 use crate::ids::Id;
 use crate::watch::{Asking, Progress, Watch};
 
-/// A scheme of time integration: beta and gamma of Newmark's, alpha of Hilber, Hughes and Taylor's (zero or below).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Integration {
-    /// Weight of the new acceleration in displacements.
-    pub beta: f64,
-    /// Weight of the new acceleration in velocities.
-    pub gamma: f64,
-    /// Shift of the instant at which stiffness and damping are taken.
-    pub alpha: f64,
-}
-
-impl Integration {
-    /// Damps what the step cannot resolve and keeps second order; `alpha` between -1/3 and 0.
-    pub fn hilber_hughes_taylor(alpha: f64) -> Integration {
-        let alpha = alpha.clamp(-1.0 / 3.0, 0.0);
-        Integration { beta: 0.25 * (1.0 - alpha) * (1.0 - alpha), gamma: 0.5 - alpha, alpha }
-    }
-}
-
 /// Rayleigh damping: a part of the mass and a part of the stiffness at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Damping {
@@ -50,7 +31,11 @@ impl Damping {
 /// Mass, damping and scheme of a model: made once, used for every step.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    integration: Integration,
+    /// Shift of the instant at which stiffness and damping are taken.
+    alpha: f64,
+    /// Weights of the new acceleration in displacements and in velocities.
+    beta: f64,
+    gamma: f64,
     step: f64,
     /// Lower triangles in the places of the pattern.
     mass: Vec<f64>,
@@ -58,14 +43,16 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Consistent mass (equation 8), Rayleigh damping on the stiffness of the model at rest, steps of `step` [s].
+    /// Consistent mass (equation 8), Rayleigh damping on the stiffness of the model at rest, steps of `step` [s] by the scheme of Hilber, Hughes
+    /// and Taylor, which damps what the step cannot resolve and keeps second order: `alpha` between -1/3 and 0, which is Newmark's with
+    /// average acceleration.
     ///
     /// # Errors
     /// An element or a spring that has no answer at rest.
     pub fn new(
         model: &Model,
         work: &mut Workspace,
-        integration: Integration,
+        alpha: f64,
         damping: Damping,
         step: f64,
     ) -> Result<Motion, FactorError> {
@@ -75,12 +62,8 @@ impl Motion {
         let mass = masses(model, work);
         let mix = mass.iter().zip(&work.values[..entries]);
         let damping = mix.map(|(mass, stiffness)| damping.mass * mass + damping.stiffness * stiffness).collect();
-        Ok(Motion { integration, step, mass, damping })
-    }
-
-    /// Length of a step [s].
-    pub fn step(&self) -> f64 {
-        self.step
+        let alpha = alpha.clamp(-1.0 / 3.0, 0.0);
+        Ok(Motion { alpha, beta: 0.25 * (1.0 - alpha) * (1.0 - alpha), gamma: 0.5 - alpha, step, mass, damping })
     }
 
     /// Kinetic energy [J/m].
@@ -94,8 +77,7 @@ impl Motion {
     /// What a step from `state` adds to the equations of balance: acceleration and velocity at its end are linear in the
     /// displacements there (equations 17 and 18).
     fn inertia(&self, model: &Model, work: &Workspace, state: &State, internal: &[f64], forces: &[f64]) -> Inertia {
-        let Integration { beta, gamma, alpha } = self.integration;
-        let h = self.step;
+        let Motion { beta, gamma, alpha, step: h, .. } = *self;
         let [u, v, a] =
             [&state.displacements, &state.velocities, &state.accelerations].map(|all| model.dofs.of_free(all));
         let weight = 1.0 + alpha;
@@ -118,8 +100,7 @@ impl Motion {
 
     /// Velocity and acceleration at the end of a step.
     fn update(&self, model: &Model, before: &[f64], state: &mut State) {
-        let Integration { beta, gamma, .. } = self.integration;
-        let h = self.step;
+        let Motion { beta, gamma, step: h, .. } = *self;
         for component in model.dofs.free() {
             let i = *component as usize;
             let (v, a) = (state.velocities[i], state.accelerations[i]);
@@ -236,7 +217,7 @@ pub fn transient(
         let aim = Aim { forces: forces(step), displacements: state.displacements.clone() };
         let inertia = motion.inertia(model, work, state, &internal, &state.forces);
         let attempt = balance(model, state, work, (&aim, Some(&inertia)), settings, &mut asking);
-        outcome.iterations += u64::from(attempt.iterations);
+        outcome.iterations += u64::from(attempt.took.iterations);
         let reached = (step + 1) as f64 / steps as f64;
         outcome.steps.push(attempt.step(model, work, reached));
         if attempt.end != Status::Completed {

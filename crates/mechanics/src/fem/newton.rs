@@ -54,11 +54,11 @@ pub fn advance(
         }
         let aim = from.towards(&to, path.next());
         let attempt = balance(model, state, work, (&aim, None), settings, &mut asking);
-        outcome.iterations += u64::from(attempt.iterations);
+        outcome.iterations += u64::from(attempt.took.iterations);
         outcome.steps.push(attempt.step(model, work, path.next()));
         if attempt.end == Status::Completed {
             work.keep(state, &aim.forces);
-            path.accept(attempt.iterations);
+            path.accept(attempt.took.iterations);
             outcome.reached = path.reached;
         } else if !path.cut(work) || attempt.end == Status::Cancelled {
             outcome.status = attempt.end;
@@ -140,36 +140,32 @@ impl Path {
 pub(super) struct Attempt {
     /// How it ended: completed where there is balance.
     pub end: Status,
-    pub iterations: u32,
-    pub unbalanced: f64,
-    pub line_searches: u32,
-    pub indefinite: u32,
+    /// What it took; what was tried stands in the workspace.
+    pub took: Step,
 }
 
 impl Attempt {
     /// This one, and another that went on from there.
     fn then(self, next: Attempt) -> Attempt {
-        Attempt {
-            iterations: self.iterations + next.iterations,
-            line_searches: self.line_searches + next.line_searches,
-            indefinite: self.indefinite + next.indefinite,
-            ..next
-        }
+        let took = Step {
+            iterations: self.took.iterations + next.took.iterations,
+            line_searches: self.took.line_searches + next.took.line_searches,
+            indefinite: self.took.indefinite + next.took.indefinite,
+            ..next.took
+        };
+        Attempt { took, ..next }
     }
 
     pub(super) fn step(&self, model: &Model, work: &Workspace, reached: f64) -> Step {
         let (open, sliding) = count(work.trial.bonds.iter().map(|bond| bond.state));
         Step {
             reached,
-            iterations: self.iterations,
-            unbalanced: self.unbalanced,
-            line_searches: self.line_searches,
-            indefinite: self.indefinite,
             yielding: work.trial.points.iter().filter(|point| point.yields).count(),
             locking: model.locking(&work.trial.points, |quad| held(work.misses[quad.index()])),
             open,
             sliding,
             kept: self.end == Status::Completed,
+            ..self.took
         }
     }
 }
@@ -240,13 +236,8 @@ fn seek(
     asking: &mut Asking<'_>,
 ) -> Attempt {
     let model = equations.model;
-    let mut attempt = Attempt {
-        end: Status::NotConverged,
-        iterations: 0,
-        unbalanced: f64::INFINITY,
-        line_searches: 0,
-        indefinite: 0,
-    };
+    let took = Step { unbalanced: f64::INFINITY, ..Step::default() };
+    let mut attempt = Attempt { end: Status::NotConverged, took };
     let begins = match begin {
         Begin::State => equations.predict(work),
         Begin::Trial => equations.evaluate(work).map(|()| (equations.unbalanced(work), false)),
@@ -254,16 +245,16 @@ fn seek(
     let Some((mut right, imposes)) = begins else { return attempt };
     let mut best = (f64::INFINITY, 0);
     let mut damping = 0.0;
-    while attempt.iterations < settings.iteration_limit.max(1) {
+    while attempt.took.iterations < settings.iteration_limit.max(1) {
         if asking.stops() {
             attempt.end = Status::Cancelled;
             return attempt;
         }
-        attempt.iterations += 1;
-        let first = attempt.iterations == 1 && begin == Begin::State;
+        attempt.took.iterations += 1;
+        let first = attempt.took.iterations == 1 && begin == Begin::State;
         let direction = match direction(work, &right, &mut damping) {
             Ok((direction, definite)) => {
-                attempt.indefinite += u32::from(!definite);
+                attempt.took.indefinite += u32::from(!definite);
                 direction
             }
             Err(FactorError::IllConditioned) => return attempt,
@@ -281,12 +272,12 @@ fn seek(
         let found = if first && imposes {
             whole
         } else if skewed {
-            equations.shorten(work, &direction, before, whole, &mut attempt.line_searches)
+            equations.shorten(work, &direction, before, whole, &mut attempt.took.line_searches)
         } else if damping > 0.0 {
-            attempt.line_searches += 1;
+            attempt.took.line_searches += 1;
             equations.descend(work, &direction, start, whole)
         } else if whole.as_ref().is_none_or(|now| poor(start, dot(now, &direction))) {
-            attempt.line_searches += 1;
+            attempt.took.line_searches += 1;
             equations.search(work, &direction, start, whole)
         } else {
             whole
@@ -294,18 +285,18 @@ fn seek(
         let Some(now) = found else { return attempt };
         right = now;
         let left = norm(&right).hypot(work.loose);
-        attempt.unbalanced = left / equations.size(work).max(f64::MIN_POSITIVE);
+        attempt.took.unbalanced = left / equations.size(work).max(f64::MIN_POSITIVE);
         // Balanced, or as near to it as numbers can come.
-        let stalled = attempt.iterations > best.1 + PATIENCE;
-        let rounded = stalled && attempt.unbalanced <= ROUNDED && left <= work.rounding(model);
-        if attempt.unbalanced <= settings.tolerance || rounded {
+        let stalled = attempt.took.iterations > best.1 + PATIENCE;
+        let rounded = stalled && attempt.took.unbalanced <= ROUNDED && left <= work.rounding(model);
+        if attempt.took.unbalanced <= settings.tolerance || rounded {
             attempt.end = Status::Completed;
             return attempt;
         }
-        if attempt.unbalanced < 0.9 * best.0 {
-            best = (attempt.unbalanced, attempt.iterations);
+        if attempt.took.unbalanced < 0.9 * best.0 {
+            best = (attempt.took.unbalanced, attempt.took.iterations);
         }
-        if !(attempt.unbalanced < RUNAWAY) || attempt.iterations > best.1 + STALL {
+        if !(attempt.took.unbalanced < RUNAWAY) || attempt.took.iterations > best.1 + STALL {
             return attempt;
         }
     }

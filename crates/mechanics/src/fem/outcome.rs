@@ -14,7 +14,7 @@ pub enum Status {
 }
 
 /// One attempt at a load step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Step {
     /// Share of the load at its end, 0 to 1.
     pub reached: f64,

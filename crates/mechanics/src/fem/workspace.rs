@@ -9,7 +9,6 @@ use super::settings::Kinematics;
 use super::state::State;
 
 /// Scratch; made once for a model and used for all of its states.
-#[derive(Debug)]
 pub struct Workspace {
     pub(super) pattern: Pattern,
     pub(super) solver: Solver,

@@ -6,7 +6,7 @@ mod pose;
 mod vector;
 
 pub use manifold::{Manifold, Meeting, meet};
-pub(crate) use polygon::bounds;
 pub use polygon::{Core, Polygon, PolygonError};
+pub(crate) use polygon::{bounds, overlapping};
 pub use pose::{Pose, Rotation};
 pub use vector::{Vec2, vec2};

@@ -2,6 +2,7 @@
 
 use super::vector::{Vec2, vec2};
 use serde::Serialize;
+use std::borrow::Borrow;
 use thiserror::Error;
 
 /// A convex polygon, counter-clockwise.
@@ -44,7 +45,8 @@ impl Polygon {
         if let Some(i) = vertices.iter().position(|v| !v.is_finite()) {
             return Err(PolygonError::NotFinite(i));
         }
-        let size = extent(&vertices);
+        let (low, high) = bounds(&vertices);
+        let size = (high - low).norm();
         let edge = |i: usize| vertices[(i + 1) % n] - vertices[i];
         let mut turned = 0.0;
         for i in 0..n {
@@ -111,26 +113,37 @@ impl Polygon {
     pub fn bounds(&self) -> (Vec2, Vec2) {
         bounds(&self.vertices)
     }
-    /// Whether `p` lies inside or within `tolerance` [m] of it.
-    pub fn contains(&self, p: Vec2, tolerance: f64) -> bool {
-        self.edges().all(|(a, b)| (p - a).dot((b - a).right().unit()) <= tolerance)
-    }
 }
 
 /// Smallest box around some points.
-pub(crate) fn bounds(points: &[Vec2]) -> (Vec2, Vec2) {
+pub(crate) fn bounds<P: Borrow<Vec2>>(points: impl IntoIterator<Item = P>) -> (Vec2, Vec2) {
     let mut low = vec2(f64::INFINITY, f64::INFINITY);
     let mut high = -low;
     for p in points {
+        let p = p.borrow();
         low = vec2(low.x.min(p.x), low.y.min(p.y));
         high = vec2(high.x.max(p.x), high.y.max(p.y));
     }
     (low, high)
 }
 
-fn extent(points: &[Vec2]) -> f64 {
-    let (low, high) = bounds(points);
-    (high - low).norm()
+/// Pairs of boxes that overlap when they are grown by `margin` [m] in all; sorted. Sweeps along x.
+pub(crate) fn overlapping(boxes: &[(Vec2, Vec2)], margin: f64) -> Vec<(usize, usize)> {
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
+    let mut pairs = Vec::with_capacity(3 * boxes.len());
+    for (k, &i) in order.iter().enumerate() {
+        for &j in &order[k + 1..] {
+            if boxes[j].0.x > boxes[i].1.x + margin {
+                break;
+            }
+            if boxes[j].0.y <= boxes[i].1.y + margin && boxes[i].0.y <= boxes[j].1.y + margin {
+                pairs.push((i.min(j), i.max(j)));
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
 }
 
 /// A polygon with rounded corners: the polygon inset by `radius`, dilated by a disc of that radius. The faces stay
@@ -178,12 +191,8 @@ impl Core {
     }
 
     /// Number of corners.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.vertices.len()
-    }
-    /// Never: a core has at least three corners.
-    pub fn is_empty(&self) -> bool {
-        false
     }
     /// The corner after corner `i`.
     #[inline]

@@ -1,8 +1,8 @@
 //! Mortar that breaks: which pairs do, and that the way there does not matter.
 
-use crate::fem_tools::{bed_of_mortar, carried, elastic, forces, grid, held, moved, node, tight, with_joints};
+use crate::fem_tools::{bed_of_mortar, carried, elastic, forces, grid, held, moved, node, tie, tight, with_joints};
 use mechanics::fem::condensed::{Condensed, Functional, LoadPattern, Reached};
-use mechanics::fem::joint::{ElasticJoint, JointLaw, LiftOff, Mortar, PairState};
+use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, PairState};
 use mechanics::fem::law::Plane;
 use mechanics::fem::{Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, State, Status, Target};
 use mechanics::ids::{Id, NodeId};
@@ -77,7 +77,7 @@ fn block(edges: &[f64], kinds: &[Option<usize>], laws: Vec<JointLaw>) -> Model {
     with_joints(mesh, section, laws, &supports, Kinematics::Small)
 }
 
-const TIE: JointLaw = JointLaw::Elastic(ElasticJoint { normal: 50e9, tangential: 50e9 });
+const TIE: JointLaw = tie(50e9, 50e9);
 
 /// A bed beside ties: whole as long as its share is within its strength, gone beyond, and gone for good. Between the force at which it breaks and that at which it
 /// would be beyond its strength without carrying, both are balanced. By both paths, in one step or many.

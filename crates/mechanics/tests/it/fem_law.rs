@@ -1,7 +1,7 @@
 //! Laws of solids, point by point: what must hold for any strain.
 
 use mechanics::fem::law::{
-    Cone, DruckerPrager, Elastic, Four, Law, Material, Memory, MohrCoulomb, NoTension, Plane, Solid, VonMises,
+    Cone, DruckerPrager, Elastic, Four, Material, Memory, MohrCoulomb, NoTension, Plane, Solid, VonMises,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -167,5 +167,5 @@ proptest! {
 }
 
 fn solid_across(material: &Material, strain: &Four, old: &Memory) -> Four {
-    mechanics::fem::law::PlaneStress(*material).across(strain, old)
+    mechanics::fem::law::across(material, strain, old)
 }

@@ -1,7 +1,7 @@
 //! Tangents against differences of stress.
 
 use crate::fem_law::{Dice, all, size};
-use mechanics::fem::law::{Four, Law, Memory, Plane, Solid};
+use mechanics::fem::law::{Four, Memory, Plane, Solid};
 
 /// Relative disagreement of the tangent with the difference of stress over `step` along each strain, the worse of two sides
 /// and the better of them.

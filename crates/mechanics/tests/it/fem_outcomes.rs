@@ -1,7 +1,7 @@
 //! How runs end: completed, singular, not converged, cancelled; and that no input makes numbers that are none.
 
-use crate::fem_tools::{carried, elastic, forces, grid, held, model, node, of, tight, with_joints};
-use mechanics::fem::joint::{Contact, ElasticJoint, JointLaw};
+use crate::fem_tools::{carried, elastic, forces, grid, held, model, node, of, tie, tight, with_joints};
+use mechanics::fem::joint::{Contact, JointLaw};
 use mechanics::fem::law::{Elastic, Material, Plane, VonMises};
 use mechanics::fem::{
     Element, Interface, Kinematics, Mesh, Model, ModelError, Quad, Quadrature, Settings, State, Status, Target,
@@ -130,7 +130,7 @@ fn a_block_slides_at_its_friction() {
 #[test]
 fn areas_of_springs_fill_the_face() {
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
-        let law = JointLaw::Elastic(ElasticJoint { normal: 1e9, tangential: 1e9 });
+        let law = tie(1e9, 1e9);
         let (body, _) = stacked(law, quadrature, Kinematics::Small);
         let area: f64 = body.springs().iter().map(|spring| spring.area).sum();
         assert!((area - 1.0).abs() < 1e-12, "{quadrature:?}: {area}");

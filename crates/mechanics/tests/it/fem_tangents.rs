@@ -1,7 +1,7 @@
 //! The tangent is the derivative of the forces: compared with central differences, for every kind of element, law and interface.
 
-use crate::fem_tools::{elastic, grid, held, node, of};
-use mechanics::fem::joint::{Contact, ElasticJoint, JointLaw};
+use crate::fem_tools::{elastic, grid, held, node, of, tie};
+use mechanics::fem::joint::{Contact, JointLaw};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, VonMises};
 use mechanics::fem::{
     Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, Section, State, Support, Workspace,
@@ -124,7 +124,7 @@ fn blocks(quadrature: Quadrature, law: JointLaw, kinematics: Kinematics, size: f
 /// Every quadrature, in fixed and in turning frames; closed, sliding and open friction.
 #[test]
 fn of_interfaces() {
-    let elastic = JointLaw::Elastic(ElasticJoint { normal: 2e6, tangential: 1e6 });
+    let elastic = tie(2e6, 1e6);
     let contact = JointLaw::Contact(Contact {
         normal: 2e6,
         tangential: 1e6,
@@ -148,7 +148,7 @@ fn of_interfaces() {
 #[test]
 fn a_quarter_turn_strains_nothing() {
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
-        let law = JointLaw::Elastic(ElasticJoint { normal: 2e6, tangential: 1e6 });
+        let law = tie(2e6, 1e6);
         let (model, mut state) = blocks(quadrature, law, Kinematics::Large, 0.0);
         for (id, place) in model.mesh.nodes.pairs() {
             let turned: Vec2 = place.left() + vec2(3.0, -1.0);

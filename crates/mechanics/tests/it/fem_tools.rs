@@ -1,6 +1,6 @@
 //! Meshes and materials that the tests of finite elements share.
 
-use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, Shear};
+use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Elastic, Material, Plane, Solid};
 use mechanics::fem::{
     Element, Kinematics, Mesh, Model, Outcome, Quad, Section, Settings, State, Status, Support, Target, Workspace,
@@ -50,6 +50,12 @@ pub(crate) fn bed_of_mortar(modulus: f64, ratio: f64, thickness: f64) -> Mortar 
 }
 
 /// A section of 2000 kg/m^3.
+/// A joint that only deforms: linear in both directions, in tension as in compression.
+pub(crate) const fn tie(normal: f64, tangential: f64) -> JointLaw {
+    let (friction, cohesion, separation, rounding) = (0.0, f64::INFINITY, false, 0.0);
+    JointLaw::Contact(Contact { normal, tangential, friction, cohesion, separation, rounding })
+}
+
 pub(crate) fn of(material: Material, plane: Plane, element: Element) -> Section {
     Section { solid: Solid { material, plane }, element, density: 2000.0 }
 }

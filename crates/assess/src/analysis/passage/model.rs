@@ -170,7 +170,7 @@ fn shear(bridge: &Bridge) -> JointShear {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mechanics::fem::joint::{PairLaw, PairMemory, PairState};
+    use mechanics::fem::joint::{PairMemory, PairState};
 
     /// What the reference says of a file that gives no shear strength: friction and cohesion of its joints decide.
     #[test]

@@ -1,7 +1,7 @@
 //! A uniform grid over the particles: which of them lie in which cell.
 
 use super::disc::Disc;
-use crate::plane::Vec2;
+use crate::plane::{Vec2, bounds};
 
 /// Particles sorted by cell; within a cell by their place in memory.
 #[derive(Debug, Clone, Default)]
@@ -23,12 +23,7 @@ const MOST_CELLS: usize = 4;
 impl Cells {
     /// Sorts `discs` into cells of at least `side` [m].
     pub(crate) fn fill(&mut self, discs: &[Disc], side: f64) {
-        let mut low = Vec2 { x: f64::INFINITY, y: f64::INFINITY };
-        let mut high = -low;
-        for d in discs {
-            low = Vec2 { x: low.x.min(d.x), y: low.y.min(d.y) };
-            high = Vec2 { x: high.x.max(d.x), y: high.y.max(d.y) };
-        }
+        let (low, high) = bounds(discs.iter().map(Disc::centre));
         let (width, height) = (high.x - low.x, high.y - low.y);
         let most = (MOST_CELLS * discs.len() + 16) as f64;
         let mut side = side;

@@ -6,6 +6,7 @@ use super::laws::{ContactStiffness, PairLaw};
 use super::lean::Lean;
 use super::neighbours::Blocks;
 use super::quad::{ByFours, Quad, by_fours};
+use pulp::{cast, f64x4};
 use serde::{Deserialize, Serialize};
 
 /// Particles of one chunk: enough work to be worth handing over, few enough to stay in a core's own cache
@@ -129,16 +130,16 @@ impl<'a, L: Fn(&Contact) -> &'a PairLaw> ByFours for Pairs<'a, L> {
     fn work<Q: Quad>(self, quad: Q) -> f64 {
         let Pairs { contacts, forces, own, discs, law, dt } = self;
         let (groups, rest) = contacts.as_chunks_mut::<4>();
-        let mut lost = quad.splat(0.0);
+        let mut lost = quad.splat_f64s(0.0);
         for group in groups {
-            lost = quad.sum(lost, resist(quad, (group, 4), (own, discs), &law, dt, forces));
+            lost = quad.add_f64s(lost, resist(quad, (group, 4), (own, discs), &law, dt, forces));
         }
-        let mut dissipated: f64 = quad.numbers(lost).iter().sum();
+        let mut dissipated: f64 = cast::<_, [f64; 4]>(lost).iter().sum();
         if let Some(&last) = rest.last() {
             let mut group = [last; 4];
             group[..rest.len()].copy_from_slice(rest);
             let lost = resist(quad, (&mut group, rest.len()), (own, discs), &law, dt, forces);
-            dissipated += quad.numbers(lost)[..rest.len()].iter().sum::<f64>();
+            dissipated += cast::<_, [f64; 4]>(lost)[..rest.len()].iter().sum::<f64>();
             rest.copy_from_slice(&group[..rest.len()]);
         }
         dissipated
@@ -170,57 +171,58 @@ fn resist<'a, Q: Quad>(
     law: &impl Fn(&Contact) -> &'a PairLaw,
     dt: f64,
     forces: &mut [Row],
-) -> Q::Row {
-    let nothing = quad.splat(0.0);
+) -> f64x4 {
+    let nothing = quad.splat_f64s(0.0);
     let (mut motion, mut size, mut memory, mut laws) = ([nothing; 4], [nothing; 4], [nothing; 4], [nothing; 4]);
     for k in 0..4 {
         let contact = &contacts[k];
         let (a, b) = (&own[contact.one as usize], &discs[contact.other()]);
-        motion[k] = quad.difference(quad.row([b.x, b.y, b.vx, b.vy]), quad.row([a.x, a.y, a.vx, a.vy]));
-        size[k] = quad.sum(
-            quad.row([a.rim, a.radius, a.inverse_mass, a.rolled]),
-            quad.row([b.rim, b.radius, b.inverse_mass, b.rolled]),
+        motion[k] = quad.sub_f64s(cast([b.x, b.y, b.vx, b.vy]), cast([a.x, a.y, a.vx, a.vy]));
+        size[k] = quad.add_f64s(
+            cast([a.rim, a.radius, a.inverse_mass, a.rolled]),
+            cast([b.rim, b.radius, b.inverse_mass, b.rolled]),
         );
-        memory[k] = quad.row([contact.shear, contact.normal_stiffness, contact.shear_stiffness, 0.0]);
+        memory[k] = cast([contact.shear, contact.normal_stiffness, contact.shear_stiffness, 0.0]);
         let law = law(contact);
-        laws[k] = quad.row([law.cohesion, law.cohesion_share, law.friction, 0.0]);
+        laws[k] = cast([law.cohesion, law.cohesion_share, law.friction, 0.0]);
     }
     let [dx, dy, ux, uy] = quad.transpose(motion);
     let [rims, sum, ..] = quad.transpose(size);
     let [old, normal_stiffness, shear_stiffness, _] = quad.transpose(memory);
     let [bond, bond_share, friction, _] = quad.transpose(laws);
 
-    let plus = |a, b| quad.sum(a, b);
-    let minus = |a, b| quad.difference(a, b);
-    let times = |a, b| quad.product(a, b);
-    let distance = quad.root(plus(times(dx, dx), times(dy, dy)));
+    let plus = |a, b| quad.add_f64s(a, b);
+    let minus = |a, b| quad.sub_f64s(a, b);
+    let times = |a, b| quad.mul_f64s(a, b);
+    let distance = quad.sqrt_f64s(plus(times(dx, dx), times(dy, dy)));
     // One division for both reciprocals; two centres never coincide unless something has broken.
-    let reciprocal = quad.quotient(quad.splat(1.0), times(distance, sum));
+    let reciprocal = quad.div_f64s(quad.splat_f64s(1.0), times(distance, sum));
     let (unit, arm) = (times(reciprocal, sum), times(times(distance, distance), reciprocal));
     let (nx, ny) = (times(dx, unit), times(dy, unit));
     let overlap = minus(sum, distance);
     let compression = times(normal_stiffness, quad.larger(overlap, nothing));
     let glide = minus(minus(times(nx, uy), times(ny, ux)), times(arm, rims));
-    let trial = minus(old, times(times(shear_stiffness, glide), quad.splat(dt)));
+    let trial = minus(old, times(times(shear_stiffness, glide), quad.splat_f64s(dt)));
     let most = plus(plus(bond, times(bond_share, sum)), times(friction, compression));
     let cap = quad.where_positive(overlap, most);
     let shear = quad.smaller(quad.larger(trial, minus(nothing, cap)), cap);
     // What the spring cannot hold slides, against the mean of the old and the new force.
     let slid = times(plus(old, shear), minus(trial, shear));
-    let lost = quad.quotient(times(quad.splat(0.5), slid), quad.larger(shear_stiffness, quad.splat(f64::MIN_POSITIVE)));
+    let lost = quad
+        .div_f64s(times(quad.splat_f64s(0.5), slid), quad.larger(shear_stiffness, quad.splat_f64s(f64::MIN_POSITIVE)));
     let fx = minus(times(compression, nx), times(shear, ny));
     let fy = plus(times(compression, ny), times(shear, nx));
     let turn = times(shear, arm);
     let on_one = quad.transpose([fx, fy, turn, nothing]);
     let on_two = quad.transpose([fx, fy, minus(nothing, turn), nothing]);
 
-    let shear = quad.numbers(shear);
+    let shear: [f64; 4] = cast(shear);
     for k in 0..count {
         contacts[k].shear = shear[k];
         let on = &mut forces[contacts[k].one as usize].0;
-        *on = quad.numbers(quad.difference(quad.row(*on), on_one[k]));
+        *on = cast(quad.sub_f64s(cast(*on), on_one[k]));
         let on = &mut forces[contacts[k].two as usize].0;
-        *on = quad.numbers(quad.sum(quad.row(*on), on_two[k]));
+        *on = cast(quad.add_f64s(cast(*on), on_two[k]));
     }
     lost
 }

@@ -3,6 +3,7 @@
 use super::chunk::{Chunk, Row, larger};
 use super::disc::Disc;
 use super::quad::{ByFours, Quad, by_fours};
+use pulp::cast;
 
 /// What acts on all particles alike in one step.
 #[derive(Debug, Clone, Copy)]
@@ -65,22 +66,23 @@ impl<const LOCAL: bool> ByFours for Integration<'_, LOCAL> {
     fn work<Q: Quad>(self, quad: Q) -> Tally {
         let Motion { between, dt, local, viscosity } = *self.motion;
         let half = 0.5 * viscosity * between;
-        let (share, slow) = (quad.splat(1.0 / (1.0 + half)), quad.splat(2.0 * half / (1.0 + half)));
-        let (local, viscous, middle) = (quad.splat(local), quad.splat(viscosity * between), quad.splat(0.5));
+        let (share, slow) = (quad.splat_f64s(1.0 / (1.0 + half)), quad.splat_f64s(2.0 * half / (1.0 + half)));
+        let (local, viscous, middle) =
+            (quad.splat_f64s(local), quad.splat_f64s(viscosity * between), quad.splat_f64s(0.5));
         // A disc's moment of inertia is half of m r^2, so its rim is accelerated by twice force over mass.
-        let turns = quad.row([1.0, 1.0, 2.0, 0.0]);
-        let inertia = quad.row([1.0, 1.0, 0.5, 0.0]);
-        let nothing = quad.splat(0.0);
-        let plus = |a, b| quad.sum(a, b);
-        let minus = |a, b| quad.difference(a, b);
-        let times = |a, b| quad.product(a, b);
+        let turns = cast([1.0, 1.0, 2.0, 0.0]);
+        let inertia = cast([1.0, 1.0, 0.5, 0.0]);
+        let nothing = quad.splat_f64s(0.0);
+        let plus = |a, b| quad.add_f64s(a, b);
+        let minus = |a, b| quad.sub_f64s(a, b);
+        let times = |a, b| quad.mul_f64s(a, b);
         let mut tally = Tally::default();
         let mut damped = nothing;
         let discs = self.discs;
         with_forces(self.chunk, self.chunks, |k, force| {
             let disc = &mut discs[k];
-            let push = times(quad.row(force), times(turns, quad.splat(disc.inverse_mass * between)));
-            let old = quad.row([disc.vx, disc.vy, disc.rim, disc.radius]);
+            let push = times(cast(force), times(turns, quad.splat_f64s(disc.inverse_mass * between)));
+            let old = cast([disc.vx, disc.vy, disc.rim, disc.radius]);
             let (new, drain) = if LOCAL {
                 let most = times(local, quad.larger(push, minus(nothing, push)));
                 let mean_free = plus(old, times(middle, push));
@@ -92,8 +94,8 @@ impl<const LOCAL: bool> ByFours for Integration<'_, LOCAL> {
                 let mean = times(middle, plus(old, new));
                 (new, times(viscous, times(mean, mean)))
             };
-            damped = plus(damped, quad.quotient(times(inertia, drain), quad.splat(disc.inverse_mass)));
-            let [vx, vy, rim, _] = quad.numbers(new);
+            damped = plus(damped, quad.div_f64s(times(inertia, drain), quad.splat_f64s(disc.inverse_mass)));
+            let [vx, vy, rim, _]: [f64; 4] = cast(new);
             (disc.vx, disc.vy, disc.rim) = (vx, vy, rim);
             disc.x += vx * dt;
             disc.y += vy * dt;
@@ -102,7 +104,7 @@ impl<const LOCAL: bool> ByFours for Integration<'_, LOCAL> {
             tally.fastest = larger(square, tally.fastest);
             tally.check += square + rim * rim;
         });
-        tally.damped = quad.numbers(damped)[..3].iter().sum();
+        tally.damped = cast::<_, [f64; 4]>(damped)[..3].iter().sum();
         tally
     }
 }

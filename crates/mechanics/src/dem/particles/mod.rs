@@ -288,11 +288,4 @@ impl Particles {
         }
         gained
     }
-
-    /// Bytes held for each particle, the model's share included.
-    pub(super) fn bytes(&self, model: &ParticleModel, cells: &Cells) -> usize {
-        let chunks: usize = self.chunks.iter().map(Chunk::bytes).sum();
-        let rows = 64 * self.discs.capacity() + 24 * self.previous.capacity();
-        chunks + rows + cells.bytes() + model.len() * (4 + 4 + 24 + 1 + 8 + 16)
-    }
 }

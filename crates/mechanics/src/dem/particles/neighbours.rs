@@ -131,12 +131,8 @@ pub(in crate::dem) fn number_all(chunks: &mut [Chunk]) {
 
 /// Box around a core, grown by a margin [m].
 pub(in crate::dem) fn bounds(core: &Core, pose: &Pose, grow: f64) -> (Vec2, Vec2) {
-    let (mut low, mut high) = (pose.position, pose.position);
-    for &v in &core.vertices {
-        let p = pose.place(v);
-        low = vec2(low.x.min(p.x), low.y.min(p.y));
-        high = vec2(high.x.max(p.x), high.y.max(p.y));
-    }
+    let corners = core.vertices.iter().map(|&v| pose.place(v));
+    let (low, high) = crate::plane::bounds(corners.chain([pose.position]));
     (low - vec2(grow, grow), high + vec2(grow, grow))
 }
 

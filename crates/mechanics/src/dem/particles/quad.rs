@@ -1,116 +1,57 @@
 //! Four numbers at a time: rows of memory to columns of arithmetic and back.
 
 use super::chunk::{larger, smaller};
+use pulp::{Scalar256b, Simd, cast, f64x4};
 use std::array::from_fn;
 
-/// Four numbers as the processor holds them. Every implementation gives the same bits.
-pub(super) trait Quad: Copy {
-    /// Four numbers.
-    type Row: Copy;
-    /// From memory.
-    fn row(self, numbers: [f64; 4]) -> Self::Row;
-    /// To memory.
-    fn numbers(self, row: Self::Row) -> [f64; 4];
-    /// `a + b`.
-    fn sum(self, a: Self::Row, b: Self::Row) -> Self::Row;
-    /// `a - b`.
-    fn difference(self, a: Self::Row, b: Self::Row) -> Self::Row;
-    /// `a * b`.
-    fn product(self, a: Self::Row, b: Self::Row) -> Self::Row;
-    /// `a / b`.
-    fn quotient(self, a: Self::Row, b: Self::Row) -> Self::Row;
-    /// Square roots.
-    fn root(self, a: Self::Row) -> Self::Row;
+/// A processor that holds four numbers at a time. Every implementation gives the same bits.
+pub(super) trait Quad: Simd<f64s = f64x4> {
     /// The larger; the second where one is no number.
-    fn larger(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    fn larger(self, a: f64x4, b: f64x4) -> f64x4;
     /// The smaller; the second where one is no number.
-    fn smaller(self, a: Self::Row, b: Self::Row) -> Self::Row;
-    /// `value` where `sign` is positive, nothing elsewhere.
-    fn where_positive(self, sign: Self::Row, value: Self::Row) -> Self::Row;
-    /// Four times the same.
-    #[inline(always)]
-    fn splat(self, number: f64) -> Self::Row {
-        self.row([number; 4])
-    }
+    fn smaller(self, a: f64x4, b: f64x4) -> f64x4;
     /// Rows become columns.
-    fn transpose(self, rows: [Self::Row; 4]) -> [Self::Row; 4];
-}
-
-/// Operations on two rows: the name of each, what the processor, the rows are called, and what comes of them.
-macro_rules! operations {
-    ($($name:ident = |$quad:ident, $a:ident, $b:ident| $result:expr;)+) => {$(
-        #[inline(always)]
-        fn $name(self, $a: Self::Row, $b: Self::Row) -> Self::Row {
-            let $quad = self;
-            $result
-        }
-    )+};
+    fn transpose(self, rows: [f64x4; 4]) -> [f64x4; 4];
+    /// `value` where `sign` is positive, nothing elsewhere.
+    #[inline(always)]
+    fn where_positive(self, sign: f64x4, value: f64x4) -> f64x4 {
+        let nothing = self.splat_f64s(0.0);
+        self.select_f64s(self.less_than_f64s(nothing, sign), value, nothing)
+    }
 }
 
 /// For every processor.
-#[derive(Clone, Copy)]
-pub(super) struct Plain;
-
-impl Quad for Plain {
-    type Row = [f64; 4];
+impl Quad for Scalar256b {
     #[inline(always)]
-    fn row(self, numbers: [f64; 4]) -> [f64; 4] {
-        numbers
+    fn larger(self, a: f64x4, b: f64x4) -> f64x4 {
+        let [a, b]: [[f64; 4]; 2] = [a, b].map(cast);
+        cast::<[f64; 4], f64x4>(from_fn(|k| larger(a[k], b[k])))
     }
     #[inline(always)]
-    fn numbers(self, row: [f64; 4]) -> [f64; 4] {
-        row
-    }
-    operations! {
-        sum = |_quad, a, b| from_fn(|k| a[k] + b[k]);
-        difference = |_quad, a, b| from_fn(|k| a[k] - b[k]);
-        product = |_quad, a, b| from_fn(|k| a[k] * b[k]);
-        quotient = |_quad, a, b| from_fn(|k| a[k] / b[k]);
-        larger = |_quad, a, b| from_fn(|k| larger(a[k], b[k]));
-        smaller = |_quad, a, b| from_fn(|k| smaller(a[k], b[k]));
-        where_positive = |_quad, sign, value| from_fn(|k| if sign[k] > 0.0 { value[k] } else { 0.0 });
+    fn smaller(self, a: f64x4, b: f64x4) -> f64x4 {
+        let [a, b]: [[f64; 4]; 2] = [a, b].map(cast);
+        cast::<[f64; 4], f64x4>(from_fn(|k| smaller(a[k], b[k])))
     }
     #[inline(always)]
-    fn root(self, a: [f64; 4]) -> [f64; 4] {
-        a.map(f64::sqrt)
-    }
-    #[inline(always)]
-    fn transpose(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
-        from_fn(|i| from_fn(|k| rows[k][i]))
+    fn transpose(self, rows: [f64x4; 4]) -> [f64x4; 4] {
+        let rows: [[f64; 4]; 4] = rows.map(cast);
+        from_fn(|i| cast::<[f64; 4], f64x4>(from_fn(|k| rows[k][i])))
     }
 }
 
 #[cfg(target_arch = "x86_64")]
 impl Quad for pulp::x86::V3 {
-    type Row = pulp::f64x4;
     #[inline(always)]
-    fn row(self, numbers: [f64; 4]) -> pulp::f64x4 {
-        pulp::cast(numbers)
+    fn larger(self, a: f64x4, b: f64x4) -> f64x4 {
+        self.max_f64x4(a, b)
     }
     #[inline(always)]
-    fn numbers(self, row: pulp::f64x4) -> [f64; 4] {
-        pulp::cast(row)
-    }
-    operations! {
-        sum = |v3, a, b| v3.add_f64x4(a, b);
-        difference = |v3, a, b| v3.sub_f64x4(a, b);
-        product = |v3, a, b| v3.mul_f64x4(a, b);
-        quotient = |v3, a, b| v3.div_f64x4(a, b);
-        larger = |v3, a, b| v3.max_f64x4(a, b);
-        smaller = |v3, a, b| v3.min_f64x4(a, b);
+    fn smaller(self, a: f64x4, b: f64x4) -> f64x4 {
+        self.min_f64x4(a, b)
     }
     #[inline(always)]
-    fn root(self, a: pulp::f64x4) -> pulp::f64x4 {
-        self.sqrt_f64x4(a)
-    }
-    #[inline(always)]
-    fn where_positive(self, sign: pulp::f64x4, value: pulp::f64x4) -> pulp::f64x4 {
-        let nothing = self.splat_f64x4(0.0);
-        self.select_f64x4(self.cmp_lt_f64x4(nothing, sign), value, nothing)
-    }
-    #[inline(always)]
-    fn transpose(self, rows: [pulp::f64x4; 4]) -> [pulp::f64x4; 4] {
-        let [a, b, c, d] = rows.map(pulp::cast);
+    fn transpose(self, rows: [f64x4; 4]) -> [f64x4; 4] {
+        let [a, b, c, d] = rows.map(cast);
         let avx = self.avx;
         let (ab0, ab1) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpackhi_pd(a, b));
         let (cd0, cd1) = (avx._mm256_unpacklo_pd(c, d), avx._mm256_unpackhi_pd(c, d));
@@ -120,7 +61,7 @@ impl Quad for pulp::x86::V3 {
             avx._mm256_permute2f128_pd::<0x31>(ab0, cd0),
             avx._mm256_permute2f128_pd::<0x31>(ab1, cd1),
         ]
-        .map(pulp::cast)
+        .map(cast)
     }
 }
 
@@ -147,7 +88,7 @@ pub(super) fn by_fours<W: ByFours>(work: W) -> W::Output {
         }
         return v3.vectorize(WithV3(v3, work));
     }
-    work.work(Plain)
+    work.work(Scalar256b)
 }
 
 #[cfg(all(test, target_arch = "x86_64"))]
@@ -156,12 +97,12 @@ mod tests {
 
     /// What every step of the arithmetic gives on rows of such numbers, as bits.
     fn all<Q: Quad>(quad: Q, numbers: [[f64; 4]; 4]) -> Vec<u64> {
-        let [a, b, c, d] = numbers.map(|row| quad.row(row));
-        let mut rows =
-            vec![quad.sum(a, b), quad.difference(a, b), quad.product(a, b), quad.quotient(a, b), quad.root(c)];
-        rows.extend([quad.larger(a, b), quad.smaller(a, b), quad.where_positive(a, b), quad.splat(numbers[3][1])]);
+        let [a, b, c, d] = numbers.map(cast::<[f64; 4], f64x4>);
+        let mut rows = vec![quad.add_f64s(a, b), quad.sub_f64s(a, b), quad.mul_f64s(a, b), quad.div_f64s(a, b)];
+        rows.extend([quad.sqrt_f64s(c), quad.larger(a, b), quad.smaller(a, b), quad.where_positive(a, b)]);
+        rows.push(quad.splat_f64s(numbers[3][1]));
         rows.extend(quad.transpose([a, b, c, d]));
-        rows.into_iter().flat_map(|row| quad.numbers(row)).map(f64::to_bits).collect()
+        rows.into_iter().flat_map(cast::<f64x4, [f64; 4]>).map(f64::to_bits).collect()
     }
 
     /// A processor with wide vectors and one without give the same bits: also of zeros with a sign, of what is infinite, and of what is
@@ -174,15 +115,14 @@ mod tests {
         for k in 0..odd.len().pow(2) {
             let at = |i: usize| odd[(k / odd.len().pow((i % 2) as u32) + 3 * (i / 2)) % odd.len()];
             let numbers: [[f64; 4]; 4] = std::array::from_fn(|r| std::array::from_fn(|c| at(4 * r + c)));
-            for (plain, wide) in all(Plain, numbers).into_iter().zip(all(v3, numbers)) {
+            for (plain, wide) in all(Scalar256b, numbers).into_iter().zip(all(v3, numbers)) {
                 let none = f64::from_bits(plain).is_nan() && f64::from_bits(wide).is_nan();
                 assert!(plain == wide || none, "{numbers:?}: {plain:x} {wide:x}");
                 seen += usize::from(!none);
             }
         }
         assert!(seen > 1000, "{seen} numbers compared");
-        let rows = std::array::from_fn(|r| std::array::from_fn(|c| (10 * r + c) as f64));
-        let columns = Plain.transpose(rows);
-        assert_eq!(columns[2], [2.0, 12.0, 22.0, 32.0]);
+        let rows = std::array::from_fn(|r| pulp::f64x4(r as f64, (10 + r) as f64, (20 + r) as f64, (30 + r) as f64));
+        assert_eq!(Scalar256b.transpose(rows)[2], pulp::f64x4(20.0, 21.0, 22.0, 23.0));
     }
 }

@@ -49,15 +49,6 @@ const CHANGE_TOLERANCE: f64 = 1e-2;
 /// take 3.1 s, and took 8.5 s when each was factorised.
 const MOST_CHANGED_ROWS: f64 = 0.2;
 
-impl std::fmt::Debug for ActiveSet {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        to.debug_struct("ActiveSet")
-            .field("parts", &self.parts.len())
-            .field("rows", &self.rows.len())
-            .finish_non_exhaustive()
-    }
-}
-
 impl ActiveSet {
     /// Sets the active parts. Parts that are active already stay so unless more than a quarter of them would be deactivated: to
     /// gather `G` anew costs more than a few linear rows.
@@ -119,10 +110,7 @@ impl ActiveSet {
     /// Gives the index of a retained row among the active ones.
     #[inline]
     pub(super) fn local_index(&self, row: usize) -> Option<usize> {
-        self.local_index
-            .get(row)
-            .filter(|local_index| **local_index != NO_INDEX)
-            .map(|local_index| *local_index as usize)
+        self.local_index.get(row).filter(|index| **index != NO_INDEX).map(|index| *index as usize)
     }
 
     /// Gives the changes of the active rows' values by `forces` on them, `G f` [m].

@@ -101,7 +101,6 @@ pub const TOLERANCE: f64 = 1e-9;
 const ITERATIONS: u32 = 60;
 
 /// A model condensed around one state, ready for many load positions.
-#[derive(Debug)]
 pub struct Condensed {
     model: Arc<Model>,
     work: Workspace,
@@ -339,9 +338,9 @@ impl Condensed {
         let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
             if let Kind::Spring(index) = part.kind {
-                bonds[index] = part.committed_bond();
+                bonds[index] = &part.committed.history.bond;
             }
-            counts.yielding += part.yielding_points();
+            counts.yielding += part.committed.history.points.iter().filter(|point| point.yields).count();
             counts.locking += usize::from(part.locks(&self.model));
         }
         (counts.open, counts.sliding) = count(bonds.iter().map(|bond| bond.state));

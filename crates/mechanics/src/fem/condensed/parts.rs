@@ -7,11 +7,11 @@ use super::spring_check::SpringCheck;
 use crate::fem::dofs::HELD;
 use crate::fem::element::{self, Kept, Sample, sample};
 use crate::fem::factor::Block;
-use crate::fem::joint::{PairLaw, PairMemory};
+use crate::fem::joint::PairMemory;
 use crate::fem::model::Model;
 use crate::fem::state::{Bond, Point, State};
 use crate::ids::{Id, QuadId};
-use crate::wide::widest;
+use crate::wide::wide;
 
 /// Largest number of rows of a part: the displacement components of a quadrilateral.
 pub(super) const ROWS: usize = 8;
@@ -61,7 +61,7 @@ pub(super) struct Part {
 /// State of a part at the end of a balanced position.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Committed {
-    history: History,
+    pub history: History,
     /// Excess force [N/m].
     excess: [f64; ROWS],
     /// Whether the part was linear.
@@ -85,10 +85,10 @@ impl Committed {
 
 /// History variables of a part, with stress or traction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct History {
-    points: [Point; 4],
-    modes: [f64; 4],
-    bond: Bond,
+pub(super) struct History {
+    pub points: [Point; 4],
+    pub modes: [f64; 4],
+    pub bond: Bond,
 }
 
 impl Part {
@@ -353,19 +353,13 @@ impl Part {
     /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
     /// nothing: the law has to be evaluated.
     pub(super) fn proves_linear(&self, model: &Model, block: &Block, solutions: usize) -> bool {
-        struct Wide<'a>(&'a Part, &'a Model, &'a Block, usize);
-        impl pulp::NullaryFnOnce for Wide<'_> {
-            type Output = bool;
+        wide(
             #[inline(always)]
-            fn call(self) -> bool {
-                let Wide(part, model, block, solutions) = self;
-                if let Some(quad) = part.quad_check(model) {
-                    return quad.proves_linear(block, solutions);
-                }
-                part.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions))
-            }
-        }
-        widest(Wide(self, model, block, solutions))
+            || match self.quad_check(model) {
+                Some(quad) => quad.proves_linear(block, solutions),
+                None => self.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions)),
+            },
+        )
     }
 
     /// Whether the part is provably linear at both row values that `value` gives for a row, and was linear when last committed.
@@ -395,19 +389,6 @@ impl Part {
                 state.points[4 * id.index()..4 * id.index() + 4].copy_from_slice(&now.points);
                 state.modes[id.index()] = now.modes;
             }
-        }
-    }
-
-    /// Gives the committed pair of a spring.
-    pub(super) fn committed_bond(&self) -> &Bond {
-        &self.committed.history.bond
-    }
-
-    /// Counts the points that yield in the committed state.
-    pub(super) fn yielding_points(&self) -> usize {
-        match self.kind {
-            Kind::Quad(_) => self.committed.history.points.iter().filter(|point| point.yields).count(),
-            Kind::Spring(_) => 0,
         }
     }
 

@@ -7,7 +7,7 @@ use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
 use crate::watch::Asking;
-use crate::wide::widest;
+use crate::wide::wide;
 
 /// A weighted sum of displacement components.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -77,11 +77,6 @@ impl Row {
             changes.iter_mut().zip(block.of(equation)).for_each(|(change, value)| *change += weight * value);
         }
     }
-
-    /// Gives the change of the row's value in one solution, by equations [m].
-    fn change_in_vector(&self, solution: &[f64]) -> f64 {
-        self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
-    }
 }
 
 /// The retained rows.
@@ -150,8 +145,9 @@ impl Rows {
             for ((influence, pattern), wide) in self.influence.iter_mut().zip(patterns).zip(&self.wide_solutions) {
                 let influence = &mut influence[lanes.clone()];
                 if let Some(solution) = wide {
+                    let term = |&(equation, weight): &(u32, f64)| weight * solution[equation as usize];
                     let rows = influence.iter_mut().zip(&self.list[lanes.clone()]);
-                    rows.for_each(|(influence, row)| *influence = row.change_in_vector(solution));
+                    rows.for_each(|(influence, row)| *influence = row.terms.iter().map(term).sum());
                     continue;
                 }
                 for &(equation, force) in pattern {
@@ -205,22 +201,10 @@ impl Rows {
 /// Adds multiples of columns to `sums`, eight columns at a time, so that `sums` is read and written once for eight. Columns with
 /// a factor of zero are not read. The code is as wide as the processor's registers, with the same bits for any width.
 pub(super) fn add_multiples<'c>(sums: &mut [f64], columns: impl Iterator<Item = (&'c [f64], f64)>) {
-    widest(Multiples { sums, columns });
-}
-
-struct Multiples<'s, I> {
-    sums: &'s mut [f64],
-    columns: I,
-}
-
-impl<'c, I: Iterator<Item = (&'c [f64], f64)>> pulp::NullaryFnOnce for Multiples<'_, I> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Multiples { sums, columns } = self;
-        let mut some = columns.filter(|(_, factor)| *factor != 0.0).fuse();
-        loop {
+    let mut some = columns.filter(|(_, factor)| *factor != 0.0).fuse();
+    wide(
+        #[inline(always)]
+        || loop {
             let eight: [_; 8] = std::array::from_fn(|_| some.next());
             match eight {
                 [
@@ -245,42 +229,31 @@ impl<'c, I: Iterator<Item = (&'c [f64], f64)>> pulp::NullaryFnOnce for Multiples
                     return;
                 }
             }
-        }
-    }
+        },
+    );
 }
 
 /// Appends to `found` the dot products of a vector with others, each over the shorter of the two lengths. The code is as wide as
 /// the processor's registers, with the same bits for any width.
 pub(super) fn dots<'c>(with: &[f64], others: impl Iterator<Item = &'c [f64]>, found: &mut Vec<f64>) {
-    widest(Dots { with, others, found });
-}
-
-struct Dots<'d, I> {
-    with: &'d [f64],
-    others: I,
-    found: &'d mut Vec<f64>,
-}
-
-impl<'c, I: Iterator<Item = &'c [f64]>> pulp::NullaryFnOnce for Dots<'_, I> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        const LANES: usize = 32;
-        let Dots { with, others, found } = self;
-        for other in others {
-            let count = with.len().min(other.len());
-            let whole = count - count % LANES;
-            let mut sums = [0.0; LANES];
-            for (a, b) in with[..whole].chunks_exact(LANES).zip(other[..whole].chunks_exact(LANES)) {
-                for k in 0..LANES {
-                    sums[k] += a[k] * b[k];
+    const LANES: usize = 32;
+    wide(
+        #[inline(always)]
+        || {
+            for other in others {
+                let count = with.len().min(other.len());
+                let whole = count - count % LANES;
+                let mut sums = [0.0; LANES];
+                for (a, b) in with[..whole].chunks_exact(LANES).zip(other[..whole].chunks_exact(LANES)) {
+                    for k in 0..LANES {
+                        sums[k] += a[k] * b[k];
+                    }
                 }
+                let rest: f64 = with[whole..count].iter().zip(&other[whole..count]).map(|(a, b)| a * b).sum();
+                found.push(sums.iter().sum::<f64>() + rest);
             }
-            let rest: f64 = with[whole..count].iter().zip(&other[whole..count]).map(|(a, b)| a * b).sum();
-            found.push(sums.iter().sum::<f64>() + rest);
-        }
-    }
+        },
+    );
 }
 
 /// Gives a dot product by eight running sums in a fixed order: as fast as memory gives the numbers.

@@ -10,7 +10,7 @@ use super::spring_check::SpringCheck;
 use crate::fem::factor::Block;
 use crate::fem::joint::PairMemory;
 use crate::fem::model::Model;
-use crate::wide::widest;
+use crate::wide::wide;
 
 /// The tests of all parts.
 #[derive(Debug, Default)]
@@ -72,12 +72,26 @@ impl Screening {
     /// Finds the parts that are not proven linear in all of the first solutions of `block`, in ascending order; passes over those
     /// marked in `skip`.
     pub(super) fn unproven(&self, model: &Model, block: &Block, solutions: usize, skip: &[bool]) -> Vec<usize> {
-        let screening = self;
         if has_fma() {
-            widest(Screen::<true> { screening, model, block, solutions, skip })
+            wide(
+                #[inline(always)]
+                || self.screen::<true>(model, block, solutions, skip),
+            )
         } else {
-            pulp::NullaryFnOnce::call(Screen::<false> { screening, model, block, solutions, skip })
+            self.screen::<false>(model, block, solutions, skip)
         }
+    }
+
+    /// The same; `FUSED` uses fused multiply-add.
+    #[inline(always)]
+    fn screen<const FUSED: bool>(&self, model: &Model, block: &Block, solutions: usize, skip: &[bool]) -> Vec<usize> {
+        let mut parts = Vec::new();
+        for (index, skipped) in skip.iter().enumerate() {
+            if !skipped && !self.proves_linear::<FUSED>(index, model, block, solutions) {
+                parts.push(index);
+            }
+        }
+        parts
     }
 
     /// Whether a part is proven linear in all of the first solutions of `block`.
@@ -103,30 +117,6 @@ fn has_fma() -> bool {
     return pulp::x86::V3::try_new().is_some();
     #[cfg(not(target_arch = "x86_64"))]
     false
-}
-
-/// One screening of all parts for those that are not proven linear; `FUSED` uses fused multiply-add.
-struct Screen<'a, const FUSED: bool> {
-    screening: &'a Screening,
-    model: &'a Model,
-    block: &'a Block,
-    solutions: usize,
-    skip: &'a [bool],
-}
-
-impl<const FUSED: bool> pulp::NullaryFnOnce for Screen<'_, FUSED> {
-    type Output = Vec<usize>;
-
-    #[inline(always)]
-    fn call(self) -> Vec<usize> {
-        let mut parts = Vec::new();
-        for (index, skipped) in self.skip.iter().enumerate() {
-            if !skipped && !self.screening.proves_linear::<FUSED>(index, self.model, self.block, self.solutions) {
-                parts.push(index);
-            }
-        }
-        parts
-    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! rows [m²/N].
 
 use super::dense::{Dense, Precision};
-use crate::wide::widest;
+use crate::wide::wide;
 use std::ops::Range;
 
 /// One entry of `S`: row, column, derivative [N/m²]; rows and columns are counted within the system at hand.
@@ -36,16 +36,57 @@ impl<D: Precision> Tangent<D> {
         self.nonlinear_rows.iter().enumerate().for_each(|(i, &p)| self.index_of[p] = i);
         self.stiffness.clear();
         self.stiffness.extend_from_slice(stiffness);
-        let Tangent { nonlinear_rows, stiffness, index_of, factors, gathered } = self;
-        widest(SubtractProduct {
-            stiffness,
-            flexibility,
-            nonlinear_rows,
-            index_of,
-            factors: factors.set_identity(nonlinear_rows.len()),
-            gathered,
-        });
+        wide(
+            #[inline(always)]
+            || self.subtract_product(flexibility),
+        );
         self.factors.factorise();
+    }
+
+    /// Subtracts `S G` from the identity.
+    #[inline(always)]
+    fn subtract_product(&mut self, flexibility: &[Vec<f64>]) {
+        let size = self.nonlinear_rows.len();
+        let (factors, Gathered { rows, index, runs }) = (self.factors.set_identity(size), &mut self.gathered);
+        rows.clear();
+        index.clear();
+        index.resize(flexibility.len(), u32::MAX);
+        runs.clear();
+        for &p in &self.nonlinear_rows {
+            match runs.last_mut().filter(|run| run.end == p) {
+                Some(run) => run.end += 1,
+                None => runs.push(p..p + 1),
+            }
+        }
+        let mut count = 0;
+        for &(_, q, _) in &self.stiffness {
+            if index[q] != u32::MAX {
+                continue;
+            }
+            index[q] = count;
+            count += 1;
+            for run in runs.iter() {
+                rows.extend(flexibility[q][run.clone()].iter().map(|g| D::from_f64_impl(*g)));
+            }
+        }
+        // Entries of one row four at a time: the row of the system is read and written once for four.
+        for stiffness in self.stiffness.chunk_by(|one, other| one.0 == other.0) {
+            let to = self.index_of[stiffness[0].0] * size;
+            let to = &mut factors[to..to + size];
+            let from = |&(_, q, s): &StiffnessEntry| (&rows[index[q] as usize * size..][..size], D::from_f64_impl(s));
+            for some in stiffness.chunks(4) {
+                if let [a, b, c, d] = some {
+                    let [(a, fa), (b, fb), (c, fc), (d, fd)] = [a, b, c, d].map(from);
+                    for ((((entry, a), b), c), d) in to.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                        *entry -= (fa * *a + fb * *b) + (fc * *c + fd * *d);
+                    }
+                } else {
+                    for (from, s) in some.iter().map(from) {
+                        to.iter_mut().zip(from).for_each(|(entry, g)| *entry -= s * *g);
+                    }
+                }
+            }
+        }
     }
 
     /// Solves `(1 - S G) step = right` for the change `step` of the forces [N/m]. `row_changes` are the changes of all row values
@@ -85,16 +126,6 @@ impl<D: Precision> Tangent<D> {
     }
 }
 
-/// Subtracts `S G` from the identity.
-struct SubtractProduct<'t, D> {
-    stiffness: &'t [StiffnessEntry],
-    flexibility: &'t [Vec<f64>],
-    nonlinear_rows: &'t [usize],
-    index_of: &'t [usize],
-    factors: &'t mut [D],
-    gathered: &'t mut Gathered<D>,
-}
-
 /// The rows of `G` that the columns of `S` need, at the nonlinear rows alone.
 #[derive(Default)]
 struct Gathered<D> {
@@ -103,54 +134,6 @@ struct Gathered<D> {
     index: Vec<u32>,
     /// The nonlinear rows, as ranges of consecutive numbers.
     runs: Vec<Range<usize>>,
-}
-
-impl<D: Precision> pulp::NullaryFnOnce for SubtractProduct<'_, D> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let (size, Gathered { rows, index, runs }) = (self.nonlinear_rows.len(), self.gathered);
-        rows.clear();
-        index.clear();
-        index.resize(self.flexibility.len(), u32::MAX);
-        runs.clear();
-        for &p in self.nonlinear_rows {
-            match runs.last_mut().filter(|run| run.end == p) {
-                Some(run) => run.end += 1,
-                None => runs.push(p..p + 1),
-            }
-        }
-        let mut count = 0;
-        for &(_, q, _) in self.stiffness {
-            if index[q] != u32::MAX {
-                continue;
-            }
-            index[q] = count;
-            count += 1;
-            for run in runs.iter() {
-                rows.extend(self.flexibility[q][run.clone()].iter().map(|g| D::from_f64_impl(*g)));
-            }
-        }
-        // Entries of one row four at a time: the row of the system is read and written once for four.
-        for stiffness in self.stiffness.chunk_by(|one, other| one.0 == other.0) {
-            let to = self.index_of[stiffness[0].0] * size;
-            let to = &mut self.factors[to..to + size];
-            let from = |&(_, q, s): &StiffnessEntry| (&rows[index[q] as usize * size..][..size], D::from_f64_impl(s));
-            for some in stiffness.chunks(4) {
-                if let [a, b, c, d] = some {
-                    let [(a, fa), (b, fb), (c, fc), (d, fd)] = [a, b, c, d].map(from);
-                    for ((((entry, a), b), c), d) in to.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-                        *entry -= (fa * *a + fb * *b) + (fc * *c + fd * *d);
-                    }
-                } else {
-                    for (from, s) in some.iter().map(from) {
-                        to.iter_mut().zip(from).for_each(|(entry, g)| *entry -= s * *g);
-                    }
-                }
-            }
-        }
-    }
 }
 
 #[cfg(test)]

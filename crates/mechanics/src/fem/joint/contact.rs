@@ -1,6 +1,6 @@
 //! Coulomb friction between two faces.
 
-use super::{PairLaw, PairMemory, PairResponse, PairState};
+use super::{PairMemory, PairResponse, PairState};
 
 /// Frictional contact by penalty: stiff, never quite rigid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,39 +56,28 @@ impl Contact {
         }
         holds
     }
-}
 
-impl PairLaw for Contact {
-    fn respond(&self, opening: [f64; 2], _area: f64, old: &PairMemory) -> PairResponse {
+    /// Answers an opening [m] of a pair.
+    #[must_use]
+    pub fn respond(&self, opening: [f64; 2], old: &PairMemory) -> PairResponse {
         let normal = self.normal * opening[0];
-        if self.separation && normal > 0.0 {
-            let state = PairState::Open;
-            return PairResponse {
-                traction: [0.0; 2],
-                tangent: [[0.0; 2]; 2],
-                memory: PairMemory { slip: opening[1], broken: true, state, ..*old },
-                state,
-            };
-        }
-        let (strength, slope) = self.strength(normal);
         let shear = self.tangential * (opening[1] - old.slip);
-        if shear.abs() <= strength {
-            let state = PairState::Closed;
-            return PairResponse {
-                traction: [normal, shear],
-                tangent: [[self.normal, 0.0], [0.0, self.tangential]],
-                memory: PairMemory { state, ..*old },
-                state,
-            };
-        }
-        let way = 1.0_f64.copysign(shear);
-        let shear = way * strength;
-        let by_pressure = way * slope * self.normal;
-        let state = PairState::Sliding;
+        let (strength, slope) = self.strength(normal);
+        let (state, traction, along, slip) = if self.separation && normal > 0.0 {
+            (PairState::Open, [0.0; 2], [0.0; 2], opening[1])
+        } else if shear.abs() <= strength {
+            (PairState::Closed, [normal, shear], [0.0, self.tangential], old.slip)
+        } else {
+            let way = 1.0_f64.copysign(shear);
+            let shear = way * strength;
+            let by_pressure = way * slope * self.normal;
+            (PairState::Sliding, [normal, shear], [by_pressure, 0.0], opening[1] - shear / self.tangential)
+        };
+        let open = state == PairState::Open;
         PairResponse {
-            traction: [normal, shear],
-            tangent: [[self.normal, 0.0], [by_pressure, 0.0]],
-            memory: PairMemory { slip: opening[1] - shear / self.tangential, state, ..*old },
+            traction,
+            tangent: [[if open { 0.0 } else { self.normal }, 0.0], along],
+            memory: PairMemory { slip, broken: old.broken || open, state, ..*old },
             state,
         }
     }

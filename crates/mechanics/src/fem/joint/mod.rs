@@ -6,12 +6,10 @@
 
 mod breaking;
 mod contact;
-mod elastic;
 mod mortar;
 
 pub(super) use breaking::weakest;
 pub use contact::Contact;
-pub use elastic::ElasticJoint;
 pub use mortar::{LiftOff, Mortar, Shear};
 
 /// Whether a pair touches.
@@ -52,17 +50,9 @@ pub struct PairResponse {
     pub state: PairState,
 }
 
-/// A law of a pair of facing points.
-pub trait PairLaw {
-    /// Answers an opening [m] of a pair that stands for an area [m² per metre of width, so m].
-    fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse;
-}
-
 /// The law of one kind of interface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum JointLaw {
-    /// Linear, whatever the opening.
-    Elastic(ElasticJoint),
     /// A mortar bed: springs that lift off, and shear up to a strength or to friction.
     Mortar(Mortar),
     /// Coulomb friction.
@@ -74,7 +64,6 @@ impl JointLaw {
     #[must_use]
     pub fn symmetric(&self) -> bool {
         match self {
-            JointLaw::Elastic(_) => true,
             JointLaw::Mortar(law) => !law.shear.frictional(),
             JointLaw::Contact(law) => law.friction <= 0.0,
         }
@@ -84,7 +73,6 @@ impl JointLaw {
     #[must_use]
     pub fn stiffness(&self) -> [f64; 2] {
         match self {
-            JointLaw::Elastic(law) => [law.normal, law.tangential],
             JointLaw::Mortar(law) => [law.normal, law.tangential],
             JointLaw::Contact(law) => [law.normal, law.tangential],
         }
@@ -96,7 +84,7 @@ impl JointLaw {
     pub fn overstress(&self, tension: f64, area: f64, memory: &PairMemory) -> f64 {
         match self {
             JointLaw::Mortar(law) => law.overstress(tension, area, memory),
-            JointLaw::Elastic(_) | JointLaw::Contact(_) => 0.0,
+            JointLaw::Contact(_) => 0.0,
         }
     }
 
@@ -105,20 +93,18 @@ impl JointLaw {
     #[inline(always)]
     pub(super) fn provably_linear<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
         let holds = match self {
-            JointLaw::Elastic(_) => true,
             JointLaw::Mortar(law) => law.provably_linear(opening, area, old),
             JointLaw::Contact(law) => law.provably_linear(opening, old),
         };
         holds & (old.state == PairState::Closed) & (old.slip.is_finite() & old.crush.is_finite())
     }
-}
 
-impl PairLaw for JointLaw {
-    fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
+    /// Answers an opening [m] of a pair that stands for an area [m² per metre of width, so m].
+    #[must_use]
+    pub fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
         match self {
-            JointLaw::Elastic(law) => law.respond(opening, area, old),
             JointLaw::Mortar(law) => law.respond(opening, area, old),
-            JointLaw::Contact(law) => law.respond(opening, area, old),
+            JointLaw::Contact(law) => law.respond(opening, old),
         }
     }
 }

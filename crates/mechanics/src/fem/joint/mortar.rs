@@ -1,6 +1,6 @@
 //! A bed of mortar between two stones: springs across, a panel along.
 
-use super::{PairLaw, PairMemory, PairResponse, PairState};
+use super::{PairMemory, PairResponse, PairState};
 
 /// How much tension a mortar spring takes before it lets go.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,10 +145,10 @@ impl Mortar {
         }
         holds
     }
-}
 
-impl PairLaw for Mortar {
-    fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
+    /// Answers an opening [m] of a pair that stands for an area [m² per metre of width, so m].
+    #[must_use]
+    pub fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
         let (normal, across, crush, open) = self.across(opening[0], area, old);
         let carries = !open || matches!(self.shear, Shear::Panel { when_open: true, .. });
         let (shear, along, slip, slides) =

@@ -1,7 +1,7 @@
 //! Drucker-Prager: a cone about the hydrostatic axis.
 
+use super::close::{flowed, softened};
 use super::elastic::Elastic;
-use super::member::{Member, flowed, softened};
 use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::{Cone, Strength};
@@ -34,14 +34,6 @@ impl DruckerPrager {
         DruckerPrager { elastic, alpha, beta, strength: strength * cohesion, tension_cutoff: None }
     }
 
-    /// How far a stress lies beyond the surface [Pa]; below zero inside.
-    #[must_use]
-    pub fn excess(&self, stress: &Four) -> f64 {
-        let principal = Principal::of(stress).stress;
-        let shear = self.beyond(&principal);
-        self.tension_cutoff.map_or(shear, |cutoff| shear.max(principal[0] - cutoff))
-    }
-
     fn beyond(&self, principal: &Three) -> f64 {
         let (radius, _, sum) = parts(principal);
         radius + self.alpha * sum - self.strength
@@ -66,7 +58,7 @@ impl DruckerPrager {
     }
 }
 
-impl Member for DruckerPrager {
+impl Law for DruckerPrager {
     fn of(elastic: Elastic, strength: &Strength) -> DruckerPrager {
         let Strength { cohesion, friction_angle, dilatancy_angle, tension_cutoff, cone } = *strength;
         let law = DruckerPrager::matching(elastic, cone, cohesion, friction_angle, dilatancy_angle);
@@ -80,9 +72,7 @@ impl Member for DruckerPrager {
     fn symmetric(&self) -> bool {
         self.beta.to_bits() == self.alpha.to_bits()
     }
-}
 
-impl Law for DruckerPrager {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         let trial = self.elastic.trial(strain, old);
         let on_cone = cone::back(&self.elastic, &trial, self.alpha, self.beta, self.strength);

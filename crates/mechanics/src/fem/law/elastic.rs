@@ -1,6 +1,5 @@
 //! Hooke's law, isotropic.
 
-use super::member::Member;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
 
@@ -68,7 +67,7 @@ impl Elastic {
     }
 }
 
-impl Member for Elastic {
+impl Law for Elastic {
     fn of(elastic: Elastic, _: &Strength) -> Elastic {
         elastic
     }
@@ -76,9 +75,7 @@ impl Member for Elastic {
     fn elastic(&self) -> Elastic {
         *self
     }
-}
 
-impl Law for Elastic {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         self.holds(self.trial(strain, old), old)
     }

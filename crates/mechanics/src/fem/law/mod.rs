@@ -5,10 +5,10 @@
 //! Every law answers the *total* strain, from the plastic strain at the end of the last step that was kept: what is asked in
 //! between leaves no trace, and an iteration may go wrong and come back.
 
+mod close;
 mod cone;
 mod drucker_prager;
 mod elastic;
-mod member;
 mod mohr_coulomb;
 mod no_tension;
 mod plane_stress;
@@ -23,12 +23,10 @@ pub use drucker_prager::DruckerPrager;
 pub use elastic::Elastic;
 pub use mohr_coulomb::MohrCoulomb;
 pub use no_tension::NoTension;
-pub use plane_stress::PlaneStress;
+pub use plane_stress::across;
 pub use response::{Four, Law, Memory, Response};
 pub use strength::{Cone, Strength};
 pub use von_mises::VonMises;
-
-use member::Member;
 
 /// Makes a material of elasticity and strength.
 pub type Build = fn(Elastic, &Strength) -> Material;
@@ -46,18 +44,18 @@ macro_rules! laws {
             /// The elasticity that every one of them starts from.
             #[must_use]
             pub fn elastic(&self) -> Elastic {
-                match self { $(Material::$law(law) => Member::elastic(law)),+ }
+                match self { $(Material::$law(law) => law.elastic()),+ }
             }
 
             /// Whether its tangent is symmetric wherever it stands.
             #[must_use]
             pub fn symmetric(&self) -> bool {
-                match self { $(Material::$law(law) => Member::symmetric(law)),+ }
+                match self { $(Material::$law(law) => law.symmetric()),+ }
             }
-        }
 
-        impl Law for Material {
-            fn respond(&self, strain: &Four, old: &Memory) -> Response {
+            /// Answers a total strain from the memory at the end of the last step that was kept.
+            #[must_use]
+            pub fn respond(&self, strain: &Four, old: &Memory) -> Response {
                 match self { $(Material::$law(law) => law.respond(strain, old)),+ }
             }
         }
@@ -132,14 +130,14 @@ impl Solid {
             _ => false,
         }
     }
-}
 
-impl Law for Solid {
-    /// In plane stress the strain `zz` that is passed in is not read.
-    fn respond(&self, strain: &Four, old: &Memory) -> Response {
+    /// Answers a total strain from the memory at the end of the last step that was kept. In plane stress the strain `zz` that is passed in
+    /// is not read.
+    #[must_use]
+    pub fn respond(&self, strain: &Four, old: &Memory) -> Response {
         match self.plane {
             Plane::Strain => self.material.respond(strain, old),
-            Plane::Stress => PlaneStress(self.material).respond(strain, old),
+            Plane::Stress => plane_stress::respond(&self.material, strain, old),
         }
     }
 }

@@ -1,9 +1,7 @@
 //! Mohr-Coulomb: friction and cohesion on the worst plane.
 
 use super::elastic::Elastic;
-use super::member::Member;
 use super::polyhedron::{Face, respond, tension};
-use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
 
@@ -23,15 +21,6 @@ pub struct MohrCoulomb {
 }
 
 impl MohrCoulomb {
-    /// How far a stress lies beyond the surface [Pa]; below zero inside.
-    #[must_use]
-    pub fn excess(&self, stress: &Four) -> f64 {
-        let principal = Principal::of(stress).stress;
-        let (sin, cos) = self.friction_angle.sin_cos();
-        let shear = principal[0] - principal[2] + (principal[0] + principal[2]) * sin - 2.0 * self.cohesion * cos;
-        self.tension_cutoff.map_or(shear, |cutoff| shear.max(principal[0] - cutoff))
-    }
-
     /// The three faces that a stress with its principal values in order can meet: between the greatest and the least, and the
     /// two that meet it at the edges.
     fn faces(&self) -> [Face; 3] {
@@ -49,7 +38,7 @@ impl MohrCoulomb {
     }
 }
 
-impl Member for MohrCoulomb {
+impl Law for MohrCoulomb {
     fn of(elastic: Elastic, strength: &Strength) -> MohrCoulomb {
         let Strength { cohesion, friction_angle, dilatancy_angle, tension_cutoff, .. } = *strength;
         MohrCoulomb { elastic, cohesion, friction_angle, dilatancy_angle, tension_cutoff }
@@ -62,9 +51,7 @@ impl Member for MohrCoulomb {
     fn symmetric(&self) -> bool {
         self.dilatancy_angle.to_bits() == self.friction_angle.to_bits()
     }
-}
 
-impl Law for MohrCoulomb {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         let [a, b, c] = self.faces();
         match self.tension_cutoff.map(tension) {

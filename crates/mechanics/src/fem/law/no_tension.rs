@@ -1,7 +1,6 @@
 //! Masonry as a body without any strength in tension.
 
 use super::elastic::Elastic;
-use super::member::Member;
 use super::polyhedron::{respond, tension};
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
@@ -17,7 +16,7 @@ pub struct NoTension {
     pub elastic: Elastic,
 }
 
-impl Member for NoTension {
+impl Law for NoTension {
     fn of(elastic: Elastic, _: &Strength) -> NoTension {
         NoTension { elastic }
     }
@@ -25,9 +24,7 @@ impl Member for NoTension {
     fn elastic(&self) -> Elastic {
         self.elastic
     }
-}
 
-impl Law for NoTension {
     fn respond(&self, strain: &Four, _old: &Memory) -> Response {
         respond(&self.elastic, strain, &Memory::default(), &tension(0.0))
     }

@@ -4,8 +4,8 @@
 //! closest point in the energy of elastic strain, and there is exactly one. Where flow is not associated, corners draw in what no
 //! face or edge takes, as in Clausen, Damkilde, Andersen (2006).
 
+use super::close::softened;
 use super::elastic::Elastic;
-use super::member::softened;
 use super::principal::Principal;
 use super::response::{Four, Memory, Response};
 use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};

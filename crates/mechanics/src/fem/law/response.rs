@@ -1,5 +1,8 @@
 //! What a law answers to strain: stress, tangent and new memory.
 
+use super::elastic::Elastic;
+use super::strength::Strength;
+
 /// Strain or stress: `[xx, yy, zz, xy]`.
 pub type Four = [f64; 4];
 
@@ -25,8 +28,19 @@ pub struct Response {
     pub yields: bool,
 }
 
-/// A law of a solid.
+/// A law of a solid: what each says of itself, in its file.
 pub trait Law {
+    /// The law of a solid of this elasticity and strength.
+    fn of(elastic: Elastic, strength: &Strength) -> Self;
+
+    /// The elasticity that it starts from.
+    fn elastic(&self) -> Elastic;
+
+    /// Whether its tangent is symmetric wherever it stands.
+    fn symmetric(&self) -> bool {
+        true
+    }
+
     /// Answers a total strain from the memory at the end of the last step that was kept.
     fn respond(&self, strain: &Four, old: &Memory) -> Response;
 }

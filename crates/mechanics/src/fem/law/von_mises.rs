@@ -1,8 +1,8 @@
 //! Von Mises: a strength in shear that knows no pressure.
 
+use super::close::flowed;
 use super::cone;
 use super::elastic::Elastic;
-use super::member::{Member, flowed};
 use super::response::{Four, Law, Memory, Response};
 use super::strength::Strength;
 
@@ -15,7 +15,7 @@ pub struct VonMises {
     pub strength: f64,
 }
 
-impl Member for VonMises {
+impl Law for VonMises {
     fn of(elastic: Elastic, strength: &Strength) -> VonMises {
         VonMises { elastic, strength: strength.cohesion }
     }
@@ -23,9 +23,7 @@ impl Member for VonMises {
     fn elastic(&self) -> Elastic {
         self.elastic
     }
-}
 
-impl Law for VonMises {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         let trial = self.elastic.trial(strain, old);
         match cone::back(&self.elastic, &trial, 0.0, 0.0, self.strength) {

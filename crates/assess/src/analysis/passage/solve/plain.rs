@@ -6,9 +6,7 @@ use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
-use mechanics::fem::{
-    Damping, Integration, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient,
-};
+use mechanics::fem::{Damping, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient};
 use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Part, PassageStatus, StepLog};
 use std::collections::BTreeMap;
@@ -161,6 +159,5 @@ fn motion(rest: &AtRest<'_>, work: &mut Workspace) -> Result<Motion, AnalysisErr
     let damping = plan.damping.map_or(Damping::default(), |rayleigh| {
         Damping::of(rayleigh.ratio, rayleigh.frequencies.map(|f| 2.0 * std::f64::consts::PI * f))
     });
-    let integration = Integration::hilber_hughes_taylor(-plan.numerical_damping);
-    Ok(Motion::new(&rest.model, work, integration, damping, plan.time_step).map_err(PassageError::from)?)
+    Ok(Motion::new(&rest.model, work, -plan.numerical_damping, damping, plan.time_step).map_err(PassageError::from)?)
 }

@@ -2,7 +2,7 @@
 //! floating-point numbers are.
 
 use super::*;
-use crate::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairState, Shear};
+use crate::fem::joint::{Contact, JointLaw, LiftOff, Mortar, PairState, Shear};
 use crate::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use crate::fem::many::{WIDEST, WIDTHS};
 use crate::fem::settings::Kinematics;
@@ -10,7 +10,6 @@ use crate::fem::state::State;
 use crate::fem::{Element, Interface, Mesh, Quad, Quadrature, Section, Support};
 use crate::ids::{Id, NodeId};
 use crate::plane::vec2;
-use pulp::NullaryFnOnce;
 
 /// Numbers between -1 and 1, always the same.
 struct Dice(u64);
@@ -49,7 +48,7 @@ fn model(cohesion: f64) -> Model {
         Contact { normal, tangential, friction, cohesion, separation, rounding }
     };
     let joints = vec![
-        JointLaw::Elastic(ElasticJoint { normal: 1e11, tangential: 4e10 }),
+        JointLaw::Contact(Contact { friction: 0.0, ..contact(false, 0.0, f64::INFINITY) }),
         JointLaw::Mortar(mortar(LiftOff::Force(1e3), None, panel(false))),
         JointLaw::Mortar(mortar(LiftOff::Stress(0.0), Some(5e6), panel(true))),
         JointLaw::Mortar(mortar(LiftOff::Force(1e3), None, Shear::Friction { coefficient: 0.6, cohesion: 2e3 })),
@@ -129,9 +128,7 @@ impl Case {
         let wide = self.block(direction, share, lane, WIDEST);
         let screened =
             |block: &Block, solutions: usize| self.screening.unproven(&self.model, block, solutions, &skip).is_empty();
-        let plain = |block, solutions| {
-            Screen::<false> { screening: &self.screening, model: &self.model, block, solutions, skip: &skip }.call()
-        };
+        let plain = |block, solutions| self.screening.screen::<false>(&self.model, block, solutions, &skip);
         let found = [screened(&narrow, 7), self.parts[index].proves_linear(&self.model, &narrow, 7)];
         assert_eq!(found, [screened(&wide, 19), self.parts[index].proves_linear(&self.model, &wide, 19)]);
         assert!(screened(&wide, 0));

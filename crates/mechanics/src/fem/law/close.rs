@@ -1,22 +1,7 @@
-//! What every law of the list has, and how its answers are closed.
+//! How answers of laws are closed.
 
 use super::elastic::Elastic;
-use super::response::{Four, Law, Memory, Response};
-use super::strength::Strength;
-
-/// What a law says of itself, in its file.
-pub(super) trait Member: Law {
-    /// The law of a solid of this elasticity and strength.
-    fn of(elastic: Elastic, strength: &Strength) -> Self;
-
-    /// The elasticity that it starts from.
-    fn elastic(&self) -> Elastic;
-
-    /// Whether its tangent is symmetric wherever it stands.
-    fn symmetric(&self) -> bool {
-        true
-    }
-}
+use super::response::{Four, Memory, Response};
 
 /// Share of elasticity that tangents keep where a law may have none left: at an apex, a corner, a crack. Stress has no part of
 /// it, so that answers are the same; equations of balance keep an inverse.
