@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Findings, Place};
 use crate::options::{Options, is_ignored};
-use crate::shapes::{Circle, Drawing, Outline};
+use crate::shapes::{Drawing, Outline};
 use crate::units::{Header, numbered};
 use crate::{chain, entities, entity, outline, overlap, sieve};
 use findings::Severity;
@@ -48,26 +48,19 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
     let closed = chain::close(drawn.strands, options, findings);
     let outlines: Vec<Outline> =
         closed.into_iter().flat_map(|strand| outline::check(strand, options, findings)).collect();
-    let circle = |r: entities::Ring| Circle {
-        layer: r.place.layer.clone(),
-        place: r.place.at(r.centre),
-        centre: r.centre,
-        radius: r.radius,
-    };
-    let circles = drawn.rings.into_iter().map(circle).collect();
     overlap::check(&outlines, findings);
     if layers.is_empty() && !findings.list.iter().any(|f| f.severity == Severity::Error) {
         let help = "export the outlines of the blocks; see also what was left out";
         findings.error("D101", Place::default(), "there is no outline and no circle in the drawing", help);
     }
-    Some(Drawing { outlines, circles, layers, unit })
+    Some(Drawing { outlines, circles: drawn.circles, layers, unit })
 }
 
 /// Every layer on which something is drawn, in order of first use.
 fn layers(drawn: &entities::Strands) -> Vec<String> {
-    let places = drawn.strands.iter().map(|s| &s.place).chain(drawn.rings.iter().map(|r| &r.place));
+    let layers = drawn.strands.iter().map(|s| &s.place.layer).chain(drawn.circles.iter().map(|c| &c.layer));
     let mut known = BTreeSet::new();
-    places.filter(|place| known.insert(place.layer.as_str())).map(|place| place.layer.clone()).collect()
+    layers.filter(|layer| known.insert(layer.as_str())).cloned().collect()
 }
 
 /// Metres in one unit of the drawing: what the caller says, else the header.

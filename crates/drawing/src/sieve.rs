@@ -230,8 +230,6 @@ fn entity(
     let handle = body.iter().find(|g| g.code == 5).map_or("", |g| g.value);
     let place = || Place { layer: layer(body), entity: format!("{kind} {}", shorten(handle)).trim().into(), at: None };
     let mut record = Record { kind, layer: "0".to_owned(), ..Record::default() };
-    let mut coordinates = [0usize; 2];
-    let mut fit = [0usize; 2];
     for group in body {
         let known = matches!(group.code, 5 | 8) || codes.contains(&group.code);
         if !known {
@@ -249,24 +247,13 @@ fn entity(
                 None => return unreadable(place(), group, findings),
             },
             _ => match group.value.parse::<f64>() {
-                Ok(number) if number.is_finite() => {
-                    // A vertex starts with its x; a bulge or a height before the first belongs to none.
-                    let early = kind == "LWPOLYLINE" && matches!(group.code, 20 | 42) && coordinates[0] == 0;
-                    match group.code {
-                        10 => coordinates[0] += 1,
-                        20 => coordinates[1] += 1,
-                        11 => fit[0] += 1,
-                        21 => fit[1] += 1,
-                        _ => {}
-                    }
-                    if !early {
-                        record.numbers.push((group.code, number));
-                    }
-                }
+                Ok(number) if number.is_finite() => record.numbers.push((group.code, number)),
                 _ => return unreadable(place(), group, findings),
             },
         }
     }
+    let count = |code: i32| record.all(code).count();
+    let (coordinates, fit) = ([10, 20].map(count), [11, 21].map(count));
     let needed = !matches!(kind, "SEQEND" | "ENDBLK" | "BLOCK" | "POLYLINE");
     let is_fitted = kind == "SPLINE" && fit[0] > 1 && fit[0] == fit[1];
     if coordinates[0] != coordinates[1] || (needed && coordinates[0] == 0 && !is_fitted) {
@@ -275,8 +262,7 @@ fn entity(
         findings.error("D103", place(), message, "draw it again, or take it out");
         return None;
     }
-    let heights = body.iter().filter(|g| g.code == 30).count();
-    if kind == "SPLINE" && heights > coordinates[0] {
+    if kind == "SPLINE" && count(30) > coordinates[0] {
         findings.error("D103", place(), "a spline has more heights than points", "draw it again, or take it out");
         return None;
     }
