@@ -2,7 +2,7 @@
 
 use super::arch::{Arch, End};
 use super::patch::growing;
-use super::saddle::{Layers, Side};
+use super::saddle::{Layer, Side};
 use super::sets::Role;
 use super::stations::Stations;
 use super::{MeshError, MeshOptions};
@@ -18,8 +18,8 @@ pub(super) struct Layout {
     pub(super) backs: [f64; 2],
     /// How far fill behind the abutments reaches [m].
     pub(super) extent: f64,
-    /// Distances of columns behind the abutments from their backs [m].
-    pub(super) behind: [Vec<f64>; 2],
+    /// Distances of columns behind either abutment from its back [m].
+    pub(super) behind: Vec<f64>,
     /// What lies over each support, from the left.
     pub(super) over: Vec<Over>,
     /// Rows of fill between the columns' feet and the surface.
@@ -42,13 +42,7 @@ impl Over {
     /// What row `row` is, where it ends at a level.
     pub(super) fn role(&self, row: usize) -> Option<Role> {
         let level = self.rows.iter().find(|(end, _)| row < *end)?.1?;
-        Some(if level <= self.levels[0] {
-            Role::Backing
-        } else if level <= self.levels[1] {
-            Role::HaunchFill
-        } else {
-            Role::Fill
-        })
+        Some(fill(|k| level <= self.levels[k]))
     }
 }
 
@@ -61,14 +55,18 @@ impl Layout {
             return if depth < self.extent { Role::AbutmentFill(end) } else { Role::Fill };
         }
         let Some(over) = self.over.iter().find(|over| at.x <= over.right) else { return Role::Fill };
-        let below = |k: usize| !over.met[k] && at.y < over.levels[k];
-        if below(0) {
-            Role::Backing
-        } else if below(1) {
-            Role::HaunchFill
-        } else {
-            Role::Fill
-        }
+        fill(|k| !over.met[k] && at.y < over.levels[k])
+    }
+}
+
+/// What lies over a support: below the first of its levels, the second, or neither.
+fn fill(below: impl Fn(usize) -> bool) -> Role {
+    if below(0) {
+        Role::Backing
+    } else if below(1) {
+        Role::HaunchFill
+    } else {
+        Role::Fill
     }
 }
 
@@ -163,7 +161,7 @@ pub(super) fn sides<'a>(arches: &'a [Arch<'a>], backs: [f64; 2], i: usize) -> [S
 
 pub(super) fn layout(
     bridge: &Bridge,
-    (arches, stations, layers): (&[Arch<'_>], &[Stations], &[Layers]),
+    (arches, stations, layers): (&[Arch<'_>], &[Stations], &[Vec<Layer>]),
     options: MeshOptions,
     surface: f64,
     backs: [f64; 2],
@@ -189,29 +187,18 @@ pub(super) fn layout(
     }
     let (deep, shallow) = ((surface - feet[0]).max(0.0), (surface - feet[1]).max(0.0));
     let rows = ((deep * shallow).sqrt() / size).max(shallow / size).ceil().max(2.0) as usize;
-    let behind = |_: usize| {
-        let most = 6.0 * size;
-        let (first, growth) = (1.2 * size, 1.12);
-        if extent >= distance {
-            return growing(distance, first, growth, most);
-        }
-        let mut near = growing(extent, first, growth, most);
-        let step = near.windows(2).map(|w| w[1] - w[0]).fold(first, f64::max);
-        near.extend(growing(distance - extent, step, growth, most.max(step)).iter().skip(1).map(|d| extent + d));
-        near
-    };
-    Layout {
-        surface,
-        backs,
-        extent,
-        behind: [behind(0), behind(1)],
-        over: over(bridge, arches, stations, layers),
-        rows,
+    let most = 6.0 * size;
+    let (first, growth) = (1.2 * size, 1.12);
+    let mut behind = growing(extent.min(distance), first, growth, most);
+    if extent < distance {
+        let step = behind.windows(2).map(|w| w[1] - w[0]).fold(first, f64::max);
+        behind.extend(growing(distance - extent, step, growth, most.max(step)).iter().skip(1).map(|d| extent + d));
     }
+    Layout { surface, backs, extent, behind, over: over(bridge, arches, stations, layers), rows }
 }
 
 /// What lies over each support.
-pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Layers]) -> Vec<Over> {
+pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Vec<Layer>]) -> Vec<Over> {
     (0..=arches.len())
         .map(|i| {
             let springing = springing(arches, i);
@@ -222,7 +209,7 @@ pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], 
                 (None, Some(k)) => &stations[k].layers[1],
                 (None, None) => return Over { right: 0.0, levels: [0.0; 2], met: [false; 2], rows: Vec::new() },
             };
-            let rows: Vec<_> = ends.iter().copied().zip(layers[i].levels.iter().copied()).collect();
+            let rows: Vec<_> = ends.iter().copied().zip(layers[i].iter().map(|layer| layer.level)).collect();
             let met = [backing, haunch].map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
             let right = arches.get(i).map_or(f64::INFINITY, |arch| arch.intrados(0.5).x);
             Over { right, levels: [backing, haunch], met, rows }
@@ -247,14 +234,14 @@ pub(super) fn refuse_too_fine(
         })
         .sum();
     let along: usize = stations.iter().map(|s| s.shares.len()).sum();
-    let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
+    let columns = along + 2 * layout.behind.len();
     // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
     let wide =
         bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
     let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
     let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
     let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
-    let behind = layout.behind.iter().map(|d| d.len() as f64).fold(0.0, f64::max) * tall / options.size;
+    let behind = layout.behind.len() as f64 * tall / options.size;
     let others = below / (options.size * options.size) + 2.0 * behind;
     let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1)).saturating_add(others as usize);
     let most = options.most_nodes;
