@@ -9,8 +9,9 @@ use super::build::Build;
 use super::extrados::{Face, Stretch};
 use super::springings::are_level;
 use super::wall::Layout;
-use super::wall::haunch::{Chain, stones};
+use super::wall::haunch::stones;
 use super::{DiscretiseError, Origin};
+use crate::extent::extent;
 use bridge::Backing;
 use mechanics::blocks::Held;
 use mechanics::ids::{BlockId, GroupId};
@@ -21,14 +22,6 @@ const LEAST: f64 = 0.05;
 
 /// Points nearer than this are one [m].
 const NEAR: f64 = 1e-9;
-
-/// Backing on the extrados.
-pub(super) struct Backed {
-    /// Upper faces of the backing, and the backs that it leaves bare, from left to right.
-    pub upper: Vec<Stretch>,
-    /// Plumb faces at its ends, with fill behind them.
-    pub faces: Vec<Face>,
-}
 
 /// The foot of the backing between two spans, or between a span and the end of an abutment.
 struct Valley {
@@ -43,8 +36,13 @@ struct Valley {
 }
 
 impl Build<'_> {
-    /// Lays backing up to a level [m] on the extrados.
-    pub(super) fn backed(&mut self, backing: &Backing, level: f64) -> Result<Backed, DiscretiseError> {
+    /// Lays backing up to a level [m] on the extrados. Gives the upper faces of the backing and the backs that it leaves bare, from left to right,
+    /// and the plumb faces at its ends, with fill behind them.
+    pub(super) fn backed(
+        &mut self,
+        backing: &Backing,
+        level: f64,
+    ) -> Result<(Vec<Stretch>, Vec<Face>), DiscretiseError> {
         if !are_level(self.bridge) {
             return Err(DiscretiseError::SpringingsNotLevel { what: "backing as blocks" });
         }
@@ -71,7 +69,7 @@ impl Build<'_> {
         }
         let (mut upper, faces) = (laying.upper, laying.faces);
         upper.sort_by(|a, b| a.left.x.total_cmp(&b.left.x));
-        Ok(Backed { upper, faces })
+        Ok((upper, faces))
     }
 }
 
@@ -181,7 +179,7 @@ impl Laying<'_, '_> {
         let chain = |side: usize| {
             let backs = &valley.sides[side];
             if backs.is_empty() {
-                return Chain::plumb(valley.flat[side], valley.head);
+                return vec![valley.flat[side], vec2(valley.flat[side].x, valley.head)];
             }
             let mut corners = vec![valley.flat[side]];
             for &k in backs {
@@ -196,10 +194,10 @@ impl Laying<'_, '_> {
                     high
                 });
             }
-            Chain::backs(&corners)
+            corners
         };
         let [left, right] = [chain(0), chain(1)];
-        let bed = [left.head(), right.head()];
+        let bed = [left[left.len() - 1], right[right.len() - 1]];
         let layout = Layout {
             ends: [valley.flat[0].x, valley.flat[1].x],
             top: valley.head,
@@ -249,8 +247,7 @@ impl Laying<'_, '_> {
         let faces: Vec<(f64, [f64; 2], f64)> = ends
             .iter()
             .filter_map(|&x| {
-                let on = outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y);
-                let (low, high) = on.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
+                let [low, high] = extent(outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y));
                 (high - low > NEAR).then_some((x, [low, high], (outline.centroid().x - x).signum()))
             })
             .collect();
