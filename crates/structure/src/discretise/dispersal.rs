@@ -129,54 +129,49 @@ enum Shape {
 
 fn gather(strip: Strip, ends: [Vec2; 2], depths: [f64; 2], shape: Shape, surface: f64, extrados: &Extrados) -> Spread {
     let (x1, x2) = (ends[0].x, ends[1].x);
-    let mut shares: Vec<Resultant> = vec![Resultant::default(); extrados.stretches.len()];
-    let mut beyond = Resultant::default();
-    let mut on_roofs = vec![Resultant::default(); extrados.voids.len()];
+    let (roofs, beyond) = (extrados.stretches.len(), extrados.stretches.len() + extrados.voids.len());
+    // What comes to each stretch, then to each roof of a void, and beyond the extrados.
+    let mut shares = vec![Resultant::default(); beyond + 1];
     let mut pressures = [0.0; 2];
     match shape {
         Shape::Line => {
             let here = extrados.stretches.iter().position(|s| s.left.x <= x1 && x1 <= s.right.x);
-            match (voids::over(&extrados.voids, x1), here) {
-                (Some(void), _) => on_roofs[void].point(x1, strip.force),
-                (None, Some(k)) => shares[k].point(x1, strip.force),
-                (None, None) => beyond.point(x1, strip.force),
-            }
+            let roof = voids::over(&extrados.voids, x1).map(|void| roofs + void);
+            shares[roof.or(here).unwrap_or(beyond)].point(x1, strip.force);
         }
         Shape::Linear(q1, q2) => {
             pressures = [q1, q2];
             let q = |x: f64| q1 + (q2 - q1) * (x - x1) / (x2 - x1);
-            each_part(extrados, x1, x2, |on, a, b| {
-                on.among(&mut shares, &mut on_roofs, &mut beyond).trapezoid(a, q(a), b, q(b));
-            });
+            each_part(extrados, x1, x2, |on, a, b| shares[on].trapezoid(a, q(a), b, q(b)));
         }
         Shape::Boussinesq => {
             let stress = |x: f64| strip_stress(strip, x, surface - extrados.level(x));
             each_part(extrados, x1, x2, |on, a, b| {
                 let sum = quadrature(a, b, stress);
-                let target = on.among(&mut shares, &mut on_roofs, &mut beyond);
-                target.force += sum.force;
-                target.moment += sum.moment;
+                shares[on].force += sum.force;
+                shares[on].moment += sum.moment;
             });
-            let roofs: f64 = on_roofs.iter().fold(0.0, |sum, s| sum + s.force);
-            let total: f64 = shares.iter().map(|s| s.force).sum::<f64>() + beyond.force + roofs;
+            let on_roofs: f64 = shares[roofs..beyond].iter().fold(0.0, |sum, s| sum + s.force);
+            let total: f64 = shares[..roofs].iter().map(|s| s.force).sum::<f64>() + shares[beyond].force + on_roofs;
             let scale = strip.force / total;
-            for s in shares.iter_mut().chain(&mut on_roofs).chain([&mut beyond]) {
+            for s in &mut shares {
                 s.force *= scale;
                 s.moment *= scale;
             }
             pressures = [x1, x2].map(|x| stress(x) * scale);
         }
     }
-    for (void, on_roof) in extrados.voids.iter().zip(&on_roofs).filter(|(_, on_roof)| on_roof.force != 0.0) {
-        for (side, (x, force)) in voids::carried(void, on_roof).into_iter().enumerate() {
-            match voids::bearing(&extrados.stretches, void, side) {
-                Some(k) => shares[k].point(x, force),
-                None => beyond.point(x, force),
-            }
+    for (k, void) in extrados.voids.iter().enumerate() {
+        let on_roof = shares[roofs + k];
+        if on_roof.force == 0.0 {
+            continue;
+        }
+        for (side, (x, force)) in voids::carried(void, &on_roof).into_iter().enumerate() {
+            shares[voids::bearing(&extrados.stretches, void, side).unwrap_or(beyond)].point(x, force);
         }
     }
-    let (mut forces, mut to_ground) = (Vec::new(), beyond.force);
-    let mut sum = beyond;
+    let mut sum = shares[beyond];
+    let (mut forces, mut to_ground) = (Vec::new(), sum.force);
     for (stretch, share) in extrados.stretches.iter().zip(&shares) {
         sum.force += share.force;
         sum.moment += share.moment;
@@ -191,37 +186,16 @@ fn gather(strip: Strip, ends: [Vec2; 2], depths: [f64; 2], shape: Shape, surface
     Spread { strip, ends, depths, pressures, forces, to_ground, shift }
 }
 
-/// What a piece of a load comes to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum On {
-    Stretch(usize),
-    Roof(usize),
-    Beyond,
-}
-
-impl On {
-    fn among<'a>(
-        self,
-        shares: &'a mut [Resultant],
-        on_roofs: &'a mut [Resultant],
-        beyond: &'a mut Resultant,
-    ) -> &'a mut Resultant {
-        match self {
-            On::Stretch(k) => &mut shares[k],
-            On::Roof(k) => &mut on_roofs[k],
-            On::Beyond => beyond,
-        }
-    }
-}
-
-/// Calls `part` for each piece of [x1, x2] with the stretch or the roof of a void it lies on, or that it lies beyond the extrados.
-fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(On, f64, f64)) {
+/// Calls `part` for each piece of [x1, x2] with the place among the shares of what it comes to: the stretch or the roof of a void it lies on, or
+/// what lies beyond the extrados.
+fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(usize, f64, f64)) {
+    let (roofs, beyond) = (extrados.stretches.len(), extrados.stretches.len() + extrados.voids.len());
     let (first, last) = match (extrados.stretches.first(), extrados.stretches.last()) {
         (Some(a), Some(b)) => (a.left.x, b.right.x),
         _ => (x2, x2),
     };
     if x1 < first {
-        part(On::Beyond, x1, first.min(x2));
+        part(beyond, x1, first.min(x2));
     }
     for (k, s) in extrados.stretches.iter().enumerate() {
         let (a, b) = (s.left.x.max(x1), s.right.x.min(x2));
@@ -232,13 +206,13 @@ fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(On, f64
         ends.sort_by(f64::total_cmp);
         let mut from = a;
         for to in ends.into_iter().chain([b]) {
-            let on = voids::over(&extrados.voids, 0.5 * (from + to)).map_or(On::Stretch(k), On::Roof);
+            let on = voids::over(&extrados.voids, 0.5 * (from + to)).map_or(k, |void| roofs + void);
             part(on, from, to);
             from = to;
         }
     }
     if x2 > last {
-        part(On::Beyond, last.max(x1), x2);
+        part(beyond, last.max(x1), x2);
     }
 }
 
