@@ -13,7 +13,7 @@ mod loaded;
 use super::dispersal::{Strip, strips};
 use super::{DiscretiseError, Discretised, Origin};
 use bridge::{Bridge, ContinuumPlan, Layer};
-use chain::{Tag, floor};
+use chain::floor;
 use confinement::panels;
 use layout::{Layout, distinct};
 use mechanics::blocks::{BlockModel, Loading};
@@ -197,7 +197,7 @@ pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>
         for piece in chain.raise(level, &layout.cuts(level)) {
             let material = layout.material(vec2(piece.middle(), middle));
             for (ends, tag) in piece.sides() {
-                if let Tag::Against(against) = tag {
+                if let Some(against) = tag {
                     edges.push(Edge { ends, against, material });
                 }
             }
