@@ -67,22 +67,19 @@ fn layers(drawn: &entities::Strands) -> Vec<String> {
 fn unit(header: Header, options: &Options, findings: &mut Findings) -> f64 {
     let known = header.unit.and_then(numbered);
     match (options.unit, known, header.unit) {
-        (Some(said), Some(unit), _) if (said - unit.metres).abs() > 1e-9 * said => {
-            let message = format!("the header says {}, the unit stated for this drawing is {said} m", unit.symbol);
+        (Some(said), Some((symbol, metres)), _) if (said - metres).abs() > 1e-9 * said => {
+            let message = format!("the header says {symbol}, the unit stated for this drawing is {said} m");
             findings.warning("D108", Place::default(), message, "take `unit` out if the header is right");
             said
         }
         (Some(said), _, _) => said,
-        (None, Some(unit), _) => {
+        (None, Some((symbol, metres)), _) => {
             if let Some(other) = header.contradiction() {
-                let message = format!(
-                    "the header says two things: $INSUNITS {}, and {other}; {} is taken",
-                    unit.symbol, unit.symbol
-                );
+                let message = format!("the header says two things: $INSUNITS {symbol}, and {other}; {symbol} is taken");
                 let help = "see whether a known length comes out right; if not, state the unit, such as unit = \"mm\" or --unit mm";
                 findings.warning("D111", Place::default(), message, help);
             }
-            unit.metres
+            metres
         }
         (None, None, number) => {
             let message = match number {
