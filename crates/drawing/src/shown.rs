@@ -60,26 +60,18 @@ impl LeftOut {
             }
             let entities = counted(count, "entity");
             let place = Place { layer: layer.clone(), ..Place::default() };
-            let (message, help) = match hidden {
-                Hidden::Off => (
-                    format!("the layer {layer} is off: {entities} on it left out"),
-                    "switch the layer on in the drawing if it is part of the bridge",
-                ),
-                Hidden::Frozen => (
-                    format!("the layer {layer} is frozen: {entities} on it left out"),
-                    "thaw the layer in the drawing if it is part of the bridge",
-                ),
-                Hidden::Invisible => (
-                    format!("{entities} on the layer {layer} left out: marked invisible"),
-                    "show the objects in the drawing if they are part of the bridge",
-                ),
+            let on_hidden = |state: &str| format!("the layer {layer} is {state}: {entities} on it left out");
+            let hidden_on = |state: &str| format!("{entities} on the layer {layer} left out: {state}");
+            let (message, what) = match hidden {
+                Hidden::Off => (on_hidden("off"), "switch the layer on in the drawing if it is"),
+                Hidden::Frozen => (on_hidden("frozen"), "thaw the layer in the drawing if it is"),
+                Hidden::Invisible => (hidden_on("marked invisible"), "show the objects in the drawing if they are"),
                 Hidden::PaperSpace => {
-                    let message = format!("{entities} on the layer {layer} left out: in paper space");
-                    findings.note("D109", place, message);
+                    findings.note("D109", place, hidden_on("in paper space"));
                     continue;
                 }
             };
-            findings.warning("D109", place, message, help);
+            findings.warning("D109", place, message, &format!("{what} part of the bridge"));
         }
     }
 }
