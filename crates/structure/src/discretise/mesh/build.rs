@@ -16,24 +16,7 @@ use mechanics::plane::{Vec2, vec2};
 /// Rows of nodes from the bottom, each from left to right.
 type Grid = Vec<Vec<NodeId>>;
 
-/// How fill over supports is cut into rows.
-#[derive(Debug, Clone, Copy)]
-struct Rows {
-    /// Up to the levels at which materials change.
-    to_levels: bool,
-    /// Further where the extrados is steep.
-    where_steep: bool,
-}
-
-/// Ways to cut fill into rows, the best first.
-const WAYS: [Rows; 4] = [
-    Rows { to_levels: true, where_steep: true },
-    Rows { to_levels: false, where_steep: true },
-    Rows { to_levels: true, where_steep: false },
-    Rows { to_levels: false, where_steep: false },
-];
-
-/// A way whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
+/// A way to cut fill into rows whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
 const FAIR: f64 = 0.15;
 
 /// Meshes a bridge with other options.
@@ -45,8 +28,9 @@ pub fn mesh_with(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshEr
     room_on_piers(&arches, options.size)?;
     let (surface, ballast_pressure) = surface(bridge, &arches)?;
     let mut best: Option<Meshed> = None;
-    for way in WAYS {
-        let meshed = build_by(bridge, &arches, options, way, surface, ballast_pressure)?;
+    // Fill over supports is cut into rows up to the levels at which materials change, and further where the extrados is steep; the best way first.
+    for [to_levels, where_steep] in [[true, true], [false, true], [true, false], [false, false]] {
+        let meshed = build_by(bridge, &arches, options, [to_levels, where_steep], [surface, ballast_pressure])?;
         let value = meshed.quality.scaled_jacobian;
         if value >= FAIR {
             return Ok(meshed);
@@ -66,17 +50,16 @@ fn build_by(
     bridge: &Bridge,
     arches: &[Arch<'_>],
     options: MeshOptions,
-    way: Rows,
-    surface: f64,
-    ballast_pressure: f64,
+    [to_levels, where_steep]: [bool; 2],
+    [surface, ballast_pressure]: [f64; 2],
 ) -> Result<Meshed, MeshError> {
     let size = options.size;
     let backs = backs(bridge, arches);
     let layers: Vec<Vec<Layer>> = (0..=arches.len())
         .map(|i| {
             let [left, right] = sides(arches, backs, i);
-            let levels = if way.to_levels { levels(bridge, arches, i) } else { Vec::new() };
-            saddle::layers(&left, &right, &levels, way.where_steep, size)
+            let levels = if to_levels { levels(bridge, arches, i) } else { Vec::new() };
+            saddle::layers(&left, &right, &levels, where_steep, size)
         })
         .collect();
     let stations: Vec<Stations> =
@@ -552,11 +535,8 @@ fn rows_at(stations: &Stations, end: usize) -> usize {
 
 /// Elements between rows and columns, counter-clockwise, row by row.
 fn quads_of(grid: &[Vec<NodeId>]) -> Vec<[NodeId; 4]> {
-    let mut quads = Vec::new();
-    for pair in grid.windows(2) {
-        for j in 0..pair[0].len().saturating_sub(1) {
-            quads.push([pair[0][j], pair[0][j + 1], pair[1][j + 1], pair[1][j]]);
-        }
-    }
-    quads
+    let between = |pair: &[Vec<NodeId>]| -> Vec<[NodeId; 4]> {
+        (1..pair[0].len()).map(|j| [pair[0][j - 1], pair[0][j], pair[1][j], pair[1][j - 1]]).collect()
+    };
+    grid.windows(2).flat_map(between).collect()
 }

@@ -127,11 +127,15 @@ fn springing(arches: &[Arch<'_>], support: usize) -> f64 {
     }
 }
 
+/// Levels of the upper faces of backing and haunch fill over a support [m], where there are some.
+fn faces(bridge: &Bridge, arches: &[Arch<'_>], support: usize) -> [Option<f64>; 2] {
+    let heights = [bridge.cover.backing.map(|b| b.height), bridge.service.haunch_fill.map(|h| h.height)];
+    heights.map(|height| Some(springing(arches, support) + height?))
+}
+
 /// Levels at which the material over a support changes, from below [m].
 pub(super) fn levels(bridge: &Bridge, arches: &[Arch<'_>], support: usize) -> Vec<f64> {
-    let springing = springing(arches, support);
-    let mut levels: Vec<f64> = bridge.cover.backing.iter().map(|b| springing + b.height).collect();
-    levels.extend(bridge.service.haunch_fill.iter().map(|h| springing + h.height));
+    let mut levels: Vec<f64> = faces(bridge, arches, support).into_iter().flatten().collect();
     levels.sort_by(f64::total_cmp);
     levels.dedup();
     levels
@@ -201,18 +205,12 @@ pub(super) fn layout(
 pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Vec<Layer>]) -> Vec<Over> {
     (0..=arches.len())
         .map(|i| {
-            let springing = springing(arches, i);
-            let backing = bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| springing + b.height);
-            let haunch = bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| springing + h.height);
-            let ends = match (stations.get(i), i.checked_sub(1)) {
-                (Some(right), _) => &right.layers[0],
-                (None, Some(k)) => &stations[k].layers[1],
-                (None, None) => return Over { right: 0.0, levels: [0.0; 2], met: [false; 2], rows: Vec::new() },
-            };
+            let levels = faces(bridge, arches, i).map(|level| level.unwrap_or(f64::NEG_INFINITY));
+            let ends = stations.get(i).map_or_else(|| &stations[i - 1].layers[1], |right| &right.layers[0]);
             let rows: Vec<_> = ends.iter().copied().zip(layers[i].iter().map(|layer| layer.level)).collect();
-            let met = [backing, haunch].map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
+            let met = levels.map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
             let right = arches.get(i).map_or(f64::INFINITY, |arch| arch.intrados(0.5).x);
-            Over { right, levels: [backing, haunch], met, rows }
+            Over { right, levels, met, rows }
         })
         .collect()
 }
