@@ -81,24 +81,7 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: &Surface, extrados: &Extra
         }
     };
     let depths = [0, 1].map(|k| (corners[k].y - ends[k].y).max(0.0));
-    let length = ends[1].x - ends[0].x;
-    let shape = if length <= 0.0 {
-        Shape::Line
-    } else {
-        match rule.rule {
-            DispersalRule::InverseDepth if depths[0] + depths[1] > 0.0 => {
-                // Rouxinol, Providência and Lemos, equation (2).
-                let q = 2.0 * strip.force / (length * (depths[0] + depths[1]));
-                Shape::Linear(q * depths[1], q * depths[0])
-            }
-            DispersalRule::Boussinesq if depths[0].min(depths[1]) > 0.0 => Shape::Boussinesq,
-            // The last two where there is no depth to divide by.
-            DispersalRule::None | DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
-                Shape::Linear(strip.force / length, strip.force / length)
-            }
-        }
-    };
-    let mut found = gather(strip, ends, depths, shape, surface.at(strip.middle), extrados);
+    let mut found = gather(strip, rule.rule, (ends, depths), surface.at(strip.middle), extrados);
     strip.pull(&mut found.forces, surface);
     found
 }
@@ -121,45 +104,50 @@ fn end(from: Vec2, direction: f64, slope: f64, extrados: &Extrados) -> Vec2 {
     vec2(x, extrados.level(x))
 }
 
-enum Shape {
-    Line,
-    Linear(f64, f64),
-    Boussinesq,
-}
-
-fn gather(strip: Strip, ends: [Vec2; 2], depths: [f64; 2], shape: Shape, surface: f64, extrados: &Extrados) -> Spread {
+fn gather(
+    strip: Strip,
+    rule: DispersalRule,
+    (ends, depths): ([Vec2; 2], [f64; 2]),
+    surface: f64,
+    extrados: &Extrados,
+) -> Spread {
     let (x1, x2) = (ends[0].x, ends[1].x);
     let (roofs, beyond) = (extrados.stretches.len(), extrados.stretches.len() + extrados.voids.len());
     // What comes to each stretch, then to each roof of a void, and beyond the extrados.
     let mut shares = vec![Resultant::default(); beyond + 1];
     let mut pressures = [0.0; 2];
-    match shape {
-        Shape::Line => {
-            let here = extrados.stretches.iter().position(|s| s.left.x <= x1 && x1 <= s.right.x);
-            let roof = voids::over(&extrados.voids, x1).map(|void| roofs + void);
-            shares[roof.or(here).unwrap_or(beyond)].point(x1, strip.force);
+    let length = x2 - x1;
+    if length <= 0.0 {
+        let here = extrados.stretches.iter().position(|s| s.left.x <= x1 && x1 <= s.right.x);
+        let roof = voids::over(&extrados.voids, x1).map(|void| roofs + void);
+        shares[roof.or(here).unwrap_or(beyond)].point(x1, strip.force);
+    } else if rule == DispersalRule::Boussinesq && depths[0].min(depths[1]) > 0.0 {
+        let stress = |x: f64| strip_stress(strip, x, surface - extrados.level(x));
+        each_part(extrados, x1, x2, |on, a, b| {
+            let sum = quadrature(a, b, stress);
+            shares[on].force += sum.force;
+            shares[on].moment += sum.moment;
+        });
+        let on_roofs: f64 = shares[roofs..beyond].iter().fold(0.0, |sum, s| sum + s.force);
+        let total: f64 = shares[..roofs].iter().map(|s| s.force).sum::<f64>() + shares[beyond].force + on_roofs;
+        let scale = strip.force / total;
+        for s in &mut shares {
+            s.force *= scale;
+            s.moment *= scale;
         }
-        Shape::Linear(q1, q2) => {
-            pressures = [q1, q2];
-            let q = |x: f64| q1 + (q2 - q1) * (x - x1) / (x2 - x1);
-            each_part(extrados, x1, x2, |on, a, b| shares[on].trapezoid(a, q(a), b, q(b)));
-        }
-        Shape::Boussinesq => {
-            let stress = |x: f64| strip_stress(strip, x, surface - extrados.level(x));
-            each_part(extrados, x1, x2, |on, a, b| {
-                let sum = quadrature(a, b, stress);
-                shares[on].force += sum.force;
-                shares[on].moment += sum.moment;
-            });
-            let on_roofs: f64 = shares[roofs..beyond].iter().fold(0.0, |sum, s| sum + s.force);
-            let total: f64 = shares[..roofs].iter().map(|s| s.force).sum::<f64>() + shares[beyond].force + on_roofs;
-            let scale = strip.force / total;
-            for s in &mut shares {
-                s.force *= scale;
-                s.moment *= scale;
-            }
-            pressures = [x1, x2].map(|x| stress(x) * scale);
-        }
+        pressures = [x1, x2].map(|x| stress(x) * scale);
+    } else {
+        pressures = if rule == DispersalRule::InverseDepth && depths[0] + depths[1] > 0.0 {
+            // Rouxinol, Providência and Lemos, equation (2).
+            let q = 2.0 * strip.force / (length * (depths[0] + depths[1]));
+            [q * depths[1], q * depths[0]]
+        } else {
+            // Uniform, and all where there is no depth to divide by.
+            [strip.force / length; 2]
+        };
+        let [q1, q2] = pressures;
+        let q = |x: f64| q1 + (q2 - q1) * (x - x1) / (x2 - x1);
+        each_part(extrados, x1, x2, |on, a, b| shares[on].trapezoid(a, q(a), b, q(b)));
     }
     for (k, void) in extrados.voids.iter().enumerate() {
         let on_roof = shares[roofs + k];
