@@ -4,35 +4,10 @@ use super::haunch::stones;
 use super::{Layout, Piece, Seat, WallError};
 use mechanics::plane::{Vec2, vec2};
 
-/// A straight part of the line, from left to right.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Segment {
-    /// Left end [m].
-    pub left: Vec2,
-    /// Right end [m].
-    pub right: Vec2,
-}
-
-impl Segment {
-    /// Level at `x` [m].
-    pub(super) fn at(&self, x: f64) -> f64 {
-        let run = self.right.x - self.left.x;
-        self.left.y + (self.right.y - self.left.y) * ((x - self.left.x) / run)
-    }
-    /// Rise per unit of x.
-    pub(super) fn slope(&self) -> f64 {
-        (self.right.y - self.left.y) / (self.right.x - self.left.x)
-    }
-    /// Horizontal length [m].
-    pub(super) fn width(&self) -> f64 {
-        self.right.x - self.left.x
-    }
-}
-
 /// What the courses stand on.
 pub(super) struct Ground {
-    /// Segments that follow one another in x; levels may jump between them.
-    pub line: Vec<Segment>,
+    /// Faces that follow one another in x; levels may jump between them.
+    pub line: Vec<Seat>,
     /// Stones of the haunches below the line.
     pub stones: Vec<Piece>,
 }
@@ -46,13 +21,13 @@ pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallErro
     let mut groups = seats.chunk_by(|a, b| a.span == b.span).peekable();
     // Steep backs of the right springing that the last span left for the valley behind it.
     let mut before: Vec<Vec2> = Vec::new();
-    let mut flat: Option<Segment> = None;
+    let mut flat: Option<Seat> = None;
     while let Some(group) = groups.next() {
         if group[0].span.is_none() {
             let (first, last) = (group[0].left, group[group.len() - 1].right);
-            flat = Some(clipped(Segment { left: first, right: last }, layout.ends));
+            flat = Some(clipped(between(first, last), layout.ends));
             if groups.peek().is_none() {
-                valley(flat.unwrap_or(ends(last)), [&before, &[]], layout, &mut ground)?;
+                valley(flat.unwrap_or(between(last, last)), [&before, &[]], layout, &mut ground)?;
             }
             continue;
         }
@@ -61,26 +36,26 @@ pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallErro
         let rising = group[..half].iter().rposition(steep).map_or(0, |k| k + 1);
         let falling = group[half..].iter().position(steep).map_or(group.len(), |k| half + k);
         let up = corners(group[..rising].iter().map(|s| (s.left, s.right)));
-        valley(flat.take().unwrap_or(ends(group[0].left)), [&before, &up], layout, &mut ground)?;
+        valley(flat.take().unwrap_or(between(group[0].left, group[0].left)), [&before, &up], layout, &mut ground)?;
         for seat in &group[rising..falling] {
             if seat.right.x - seat.left.x < NOTHING {
                 return Err(WallError::Overhang { x: seat.left.x });
             }
-            ground.line.push(Segment { left: seat.left, right: seat.right });
+            ground.line.push(*seat);
         }
         before = corners(group[falling..].iter().rev().map(|s| (s.right, s.left)));
     }
     Ok(ground)
 }
 
-fn ends(at: Vec2) -> Segment {
-    Segment { left: at, right: at }
+fn between(left: Vec2, right: Vec2) -> Seat {
+    Seat { left, right, span: None }
 }
 
 /// A flat seat between the ends of the wall.
-fn clipped(flat: Segment, ends: [f64; 2]) -> Segment {
+fn clipped(flat: Seat, ends: [f64; 2]) -> Seat {
     let inside = |p: Vec2| vec2(p.x.clamp(ends[0], ends[1]), p.y);
-    Segment { left: inside(flat.left), right: inside(flat.right) }
+    between(inside(flat.left), inside(flat.right))
 }
 
 /// Corners of steep backs from the springing up.
@@ -97,15 +72,15 @@ fn corners(backs: impl Iterator<Item = (Vec2, Vec2)>) -> Vec<Vec2> {
 
 /// Between two spans, or between a span and the end of the wall: a flat part and the steep backs on both sides of it, each from the springing
 /// up. Fills its foot with stones where its sides are steep, and draws the line above.
-fn valley(flat: Segment, [left, right]: [&[Vec2]; 2], layout: &Layout, ground: &mut Ground) -> Result<(), WallError> {
-    let room = flat.width();
+fn valley(flat: Seat, [left, right]: [&[Vec2]; 2], layout: &Layout, ground: &mut Ground) -> Result<(), WallError> {
+    let room = flat.right.x - flat.left.x;
     let whole = layout.length;
     let on = |x: f64| if room > NOTHING { vec2(x, flat.at(x)) } else { flat.left };
     // A plumb face from the flat part up to the head of a chain, at most a brick away from its foot.
     let plumb = |x: f64, head: &[Vec2]| [on(x), vec2(on(x).x, head[head.len() - 1].y)];
     let mut level = |from: Vec2, to: Vec2| {
         if to.x - from.x > NOTHING {
-            ground.line.push(Segment { left: from, right: to });
+            ground.line.push(between(from, to));
         }
     };
     match (left.last().copied(), right.last().copied()) {
