@@ -2,14 +2,13 @@
 
 use crate::Point;
 use crate::curve::{self, Spline};
-use crate::entity::{Block, Content, Record, Space};
+use crate::entity::{Content, Record, Space};
 use crate::finding::{Findings, Place};
 use crate::options::{Options, is_ignored};
 use crate::shapes::Circle;
-use crate::shown::{Hidden, HiddenLayers, LeftOut};
+use crate::shown::{self, Hidden, LeftOut};
 use crate::through::Fit;
 use crate::transform::Transform;
-use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Points drawn in one go, from where a file is no drawing of a bridge.
@@ -43,8 +42,7 @@ pub(crate) struct Strands {
 
 pub(crate) struct Expansion<'a> {
     pub(crate) options: &'a Options,
-    pub(crate) blocks: &'a BTreeMap<String, Block>,
-    hidden_layers: &'a HiddenLayers,
+    content: &'a Content,
     left_out: LeftOut,
     pub(crate) out: Strands,
     pub(crate) findings: &'a mut Findings,
@@ -66,8 +64,7 @@ struct Context {
 pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings: &mut Findings) -> Strands {
     let mut expansion = Expansion {
         options,
-        blocks: &content.blocks,
-        hidden_layers: &content.hidden_layers,
+        content,
         left_out: LeftOut::default(),
         out: Strands::default(),
         findings,
@@ -79,7 +76,7 @@ pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings
     for entity in &content.entities {
         expansion.entity(entity, &context);
     }
-    expansion.left_out.tell(options, expansion.findings);
+    shown::tell(expansion.left_out, options, expansion.findings);
     expansion.out
 }
 
@@ -93,9 +90,9 @@ impl Expansion<'_> {
             return;
         }
         // What lies in paper space within a block is a part of its sheet.
-        if let Some(hidden) = entity.hidden.or_else(|| self.hidden_layers.hide(&place.layer, entity.kind)) {
+        if let Some(hidden) = entity.hidden.or_else(|| self.content.hidden_layers.hide(&place.layer, entity.kind)) {
             if hidden != Hidden::PaperSpace || context.depth == 0 {
-                self.left_out.count(&place.layer, hidden);
+                *self.left_out.entry((place.layer, hidden)).or_insert(0) += 1;
             }
             return;
         }
@@ -253,7 +250,7 @@ impl Expansion<'_> {
 
     /// A reference to a block, with its rows and columns.
     fn insert(&mut self, insert: &Record, place: &Place, context: &Context) {
-        let Some(block) = self.blocks.get(&insert.name.to_uppercase()) else {
+        let Some(block) = self.content.blocks.get(&insert.name.to_uppercase()) else {
             let message = format!("the block {} is not in the file", insert.name);
             let help = "bind external references before the export, or take this one out";
             return self.findings.error("D107", place.clone(), message, help);

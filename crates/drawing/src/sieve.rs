@@ -57,34 +57,38 @@ const KEPT: [(&str, &[i32]); 12] = [
 
 /// Takes a file apart.
 pub(crate) fn sieve(bytes: &[u8], findings: &mut Findings) -> Option<Sieved> {
-    let whole = Place::default;
     const SAVE: &str = "save the drawing as DXF with text (ASCII), version R2000 or later";
+    let mut refuse = |code: &'static str, message: &str, help: &str| {
+        findings.error(code, Place::default(), message, help);
+        None
+    };
     if bytes.len() > LONGEST {
         let message = format!("the file is {:.0} MB long", bytes.len() as f64 / 1e6);
-        findings.error("D106", whole(), message, "export only the outlines of the blocks");
-        return None;
+        return refuse("D106", &message, "export only the outlines of the blocks");
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        findings.error("D101", whole(), "the file is empty", "export the drawing again");
-        return None;
+        return refuse("D101", "the file is empty", "export the drawing again");
     }
     if bytes.starts_with(b"AutoCAD Binary DXF") || bytes.starts_with(b"AutoCAD DXB") || bytes.starts_with(b"AC10") {
-        findings.error("D101", whole(), "the file is binary: a binary DXF, a DXB or a DWG file", SAVE);
-        return None;
+        return refuse("D101", "the file is binary: a binary DXF, a DXB or a DWG file", SAVE);
     }
     let text = decode(bytes);
     let groups = match groups(&text) {
         Ok(groups) => groups,
         Err(line) => {
             let message = format!("line {line} is not a group code: a DXF file is pairs of a number and a value");
-            findings.error("D101", whole(), message, SAVE);
-            return None;
+            return refuse("D101", &message, SAVE);
         }
     };
     let sieved = sections(&groups, findings);
     if !groups.last().is_some_and(|g| g.code == 0 && g.value == "EOF") {
         let line = groups.last().map_or(0, |g| g.line);
-        findings.error("D101", whole(), format!("the file breaks off after line {line}"), "export the drawing again");
+        findings.error(
+            "D101",
+            Place::default(),
+            format!("the file breaks off after line {line}"),
+            "export the drawing again",
+        );
     }
     Some(sieved)
 }
