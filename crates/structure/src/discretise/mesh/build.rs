@@ -247,7 +247,7 @@ impl<'a> Build<'a> {
     /// Support `i`: its masonry, its joints, and the fill on and behind it.
     fn support(&mut self, i: usize, arches: &[Arch<'_>], stations: &[Stations]) {
         let [left, right] = [i.checked_sub(1), (i < arches.len()).then_some(i)];
-        let rows_to = |span: Option<usize>, end: usize| span.map_or(0, |k| rows_at(&stations[k], end));
+        let rows_to = |span: Option<usize>, end: usize| span.map_or(0, |k| stations[k].rows(end));
         let rows = rows_to(left, 1).max(rows_to(right, 0));
         // Fill's nodes up both extrados, from the springing.
         let climb = |span: Option<usize>, end: End, backs: &[Vec<NodeId>]| -> Option<Vec<NodeId>> {
@@ -286,29 +286,21 @@ impl<'a> Build<'a> {
         let over = self.rows_of_fill(&foot, rows, &up);
         let roles: Vec<Option<Role>> = (0..rows).map(|row| self.layout.over[i].role(row)).collect();
         self.fill_by_rows(&over, |row| roles[row]);
-        let feet = over[rows].clone();
-        match (left, right) {
-            (None, _) => {
-                let edge: Vec<NodeId> = over.iter().map(|row| row[0]).collect();
-                let mut behind = self.behind(0, &grid, &edge);
-                behind.extend(&feet[1..]);
-                self.join_feet(behind);
-            }
-            (Some(_), None) => {
-                let edge: Vec<NodeId> = over.iter().map(|row| row[last]).collect();
-                let behind = self.behind(1, &grid, &edge);
-                self.join_feet(feet);
-                self.join_feet(behind);
-            }
-            _ => self.join_feet(feet),
+        let edge = |j: usize| over.iter().map(|row| row[j]).collect::<Vec<NodeId>>();
+        if left.is_none() {
+            let behind = self.behind(0, &grid, &edge(0));
+            self.join_feet(behind);
         }
-        if let Some(span) = right {
+        self.join_feet(over[rows].clone());
+        let beyond = match right {
+            None => self.behind(1, &grid, &edge(last)),
             // From where rows end on this side of the span to where they end on the other.
-            let nodes = &self.backs[span];
-            let end = nodes.len() - 1 - rows_at(&stations[span], 1);
-            let ridge = nodes[rows..=end].to_vec();
-            self.join_feet(ridge);
-        }
+            Some(span) => {
+                let nodes = &self.backs[span];
+                nodes[rows..nodes.len() - stations[span].rows(1)].to_vec()
+            }
+        };
+        self.join_feet(beyond);
     }
 
     /// The masonry of a support.
@@ -424,26 +416,22 @@ impl<'a> Build<'a> {
         let corner = back.len() - 1;
         let mut grid = self.grid(&points, |i, j| if j == 0 && i >= corner { Some(edge[i - corner]) } else { None });
         let facing: Vec<NodeId> = grid[..=corner].iter().map(|row| row[0]).collect();
-        let role = Role::Abutment(if side == 0 { End::Left } else { End::Right });
+        let boundary: Vec<NodeId> = grid.iter().map(|row| row[distances.len() - 1]).collect();
         // Masonry on the right of the way walked: up the left abutment's back, down the right one's.
         let (mut one, mut two) = (back, facing);
-        if side == 1 {
+        let end = if side == 0 {
+            grid.iter_mut().for_each(|row| row.reverse());
+            self.sets.left = boundary;
+            End::Left
+        } else {
             one.reverse();
             two.reverse();
-        }
-        self.seam(one, two, Seam::Contact(role));
-        if side == 0 {
-            grid.iter_mut().for_each(|row| row.reverse());
-        }
+            self.sets.right = boundary;
+            End::Right
+        };
+        self.seam(one, two, Seam::Contact(Role::Abutment(end)));
         self.fill(&grid);
         self.sets.base.extend(&grid[0]);
-        let outer = if side == 0 { 0 } else { distances.len() - 1 };
-        let boundary: Vec<NodeId> = grid.iter().map(|row| row[outer]).collect();
-        if side == 0 {
-            self.sets.left = boundary
-        } else {
-            self.sets.right = boundary
-        }
         grid.swap_remove(grid.len() - 1)
     }
 
@@ -526,11 +514,6 @@ fn folded(meshed: &Meshed) -> MeshError {
         value: quality.scaled_jacobian,
         help,
     }
-}
-
-/// Stations of rows at the left (`end` 0) or the right end of a span.
-fn rows_at(stations: &Stations, end: usize) -> usize {
-    stations.layers[end].last().copied().unwrap_or(0)
 }
 
 /// Elements between rows and columns, counter-clockwise, row by row.

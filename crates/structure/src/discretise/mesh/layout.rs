@@ -182,9 +182,7 @@ pub(super) fn layout(
     // Feet of the columns: the lowest, where rows end, and the highest, at the crown.
     let mut feet = [f64::INFINITY, f64::NEG_INFINITY];
     for (arch, s) in arches.iter().zip(stations) {
-        let last = s.shares.len() - 1;
-        let ends = [s.layers[0].last().copied().unwrap_or(0), last - s.layers[1].last().copied().unwrap_or(0)];
-        for k in [ends[0], ends[1], s.crown] {
+        for k in [s.rows(0), s.shares.len() - 1 - s.rows(1), s.crown] {
             let y = arch.extrados(s.shares[k]).y;
             feet = [feet[0].min(y), feet[1].max(y)];
         }

@@ -45,6 +45,13 @@ pub(super) struct Stations {
     pub layers: [Vec<usize>; 2],
 }
 
+impl Stations {
+    /// Stations of rows at the left (`end` 0) or the right end.
+    pub(super) fn rows(&self, end: usize) -> usize {
+        self.layers[end].last().copied().unwrap_or(0)
+    }
+}
+
 impl Breaks {
     /// The breaks of `arch`, with the layers over its left and its right support, and elements of about `size` [m].
     fn new(arch: &Arch<'_>, [left, right]: [&[Layer]; 2], size: f64) -> Breaks {

@@ -3,7 +3,7 @@
 //! A skewback that lies flat is part of the upper side, so that lines run straight down from it; a steep one is part of the
 //! flank, so that rows run into it.
 
-use super::patch::{Points, between, growing, line};
+use super::patch::{Points, between, growing, spaced};
 use mechanics::plane::{Vec2, vec2};
 
 /// Skewbacks steeper than this [rad] belong to the flank: 50 degrees.
@@ -60,7 +60,8 @@ pub(super) fn support(left: &Flank, right: &Flank, low: f64, across: usize, size
             sides[k] = sides[1 - k].iter().map(|p| vec2(flanks[k].base, p.y)).collect();
         }
     }
-    let mut top = line(left.head(), right.head(), across);
+    let even: Vec<f64> = (0..=across).map(|k| k as f64).collect();
+    let mut top = spaced(left.head(), right.head(), &even);
     if steps[0][1] > 0 {
         top = left.points.iter().copied().chain(top.into_iter().skip(1)).collect();
     }
