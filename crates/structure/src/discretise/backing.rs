@@ -64,7 +64,7 @@ impl Build<'_> {
             if laying.span(stretch).is_some()
                 && let Some(rest) = above(stretch, covered[k])
             {
-                laying.on(&rest, &[]);
+                laying.on(&rest, None);
             }
         }
         let (mut upper, faces) = (laying.upper, laying.faces);
@@ -108,11 +108,6 @@ impl Laying<'_, '_> {
             Origin::Voussoir { span, .. } => Some(span),
             _ => None,
         }
-    }
-
-    /// Whether a stretch is the top of an abutment: backing ends there.
-    fn ends(&self, stretch: &Stretch) -> bool {
-        matches!(self.build.origins[stretch.block], Origin::Abutment { .. } | Origin::AbutmentCourse { .. })
     }
 
     fn valleys(&self, stretches: &[Stretch]) -> Vec<Valley> {
@@ -163,16 +158,14 @@ impl Laying<'_, '_> {
     /// Stones with level beds in a valley, and the block on them up to the backing's level.
     fn fill(&mut self, valley: &Valley, stretches: &[Stretch]) -> Result<(), DiscretiseError> {
         let foot = valley.flat[0].y.max(valley.flat[1].y);
-        let ends: Vec<f64> = match &valley.seat {
-            Some(seat) if self.ends(seat) && seat.right.x < stretches[stretches.len() / 2].left.x => {
-                vec![valley.flat[0].x]
-            }
-            Some(seat) if self.ends(seat) => vec![valley.flat[1].x],
-            _ => vec![],
-        };
+        let is_left = |seat: &Stretch| seat.right.x < stretches[stretches.len() / 2].left.x;
+        // Backing ends at the top of an abutment.
+        let is_abutment = |origin| matches!(origin, Origin::Abutment { .. } | Origin::AbutmentCourse { .. });
+        let last = valley.seat.filter(|seat| is_abutment(self.build.origins[seat.block]));
+        let end = last.map(|seat| valley.flat[usize::from(!is_left(&seat))].x);
         if !(valley.head > foot + NEAR) {
             if let Some(seat) = valley.seat {
-                self.on(&Stretch { left: valley.flat[0], right: valley.flat[1], ..seat }, &ends);
+                self.on(&Stretch { left: valley.flat[0], right: valley.flat[1], ..seat }, end);
             }
             return Ok(());
         }
@@ -211,12 +204,12 @@ impl Laying<'_, '_> {
         };
         let mut top = None;
         for stone in stones(&left, &right, &layout).map_err(DiscretiseError::Backing)? {
-            top = Some(self.piece(stone.outline, &ends));
+            top = Some(self.piece(stone.outline, end));
         }
         if self.level - valley.head >= LEAST
             && let Ok(outline) = Polygon::rectangle(bed[0], bed[1].x - bed[0].x, self.level - valley.head)
         {
-            let block = self.piece(outline, &ends);
+            let block = self.piece(outline, end);
             let at = |p: Vec2| vec2(p.x, self.level);
             self.upper.push(Stretch { block, left: at(bed[0]), right: at(bed[1]), ground: false });
         } else if let Some(block) = top {
@@ -226,7 +219,7 @@ impl Laying<'_, '_> {
     }
 
     /// A column on a flat back, and what it leaves bare.
-    fn on(&mut self, stretch: &Stretch, ends: &[f64]) {
+    fn on(&mut self, stretch: &Stretch, end: Option<f64>) {
         let Some((left, right, outline)) = column(stretch, self.level) else {
             self.upper.push(*stretch);
             return;
@@ -235,7 +228,7 @@ impl Laying<'_, '_> {
         if left > stretch.left.x {
             self.upper.push(part(stretch.left.x, left));
         }
-        let block = self.piece(outline, ends);
+        let block = self.piece(outline, end);
         let [a, b] = [left, right].map(|x| vec2(x, self.level));
         self.upper.push(Stretch { block, left: a, right: b, ground: false });
         if right < stretch.right.x {
@@ -243,19 +236,17 @@ impl Laying<'_, '_> {
         }
     }
 
-    fn piece(&mut self, outline: Polygon, ends: &[f64]) -> BlockId {
-        let faces: Vec<(f64, [f64; 2], f64)> = ends
-            .iter()
-            .filter_map(|&x| {
-                let [low, high] = extent(outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y));
-                (high - low > NEAR).then_some((x, [low, high], (outline.centroid().x - x).signum()))
-            })
-            .collect();
+    /// A piece, and its plumb face where it reaches an end of the backing.
+    fn piece(&mut self, outline: Polygon, end: Option<f64>) -> BlockId {
+        let face = end.and_then(|x| {
+            let [low, high] = extent(outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y));
+            (high - low > NEAR).then_some((x, [low, high], (outline.centroid().x - x).signum()))
+        });
         let origin = Origin::Backing { column: self.pieces };
         self.pieces += 1;
-        let block = self.build.block(outline, self.group, Held::FREE, origin, None);
+        let block = self.build.block(outline, self.group, Held::FREE, origin);
         self.build.blocks[block].density = self.backing.density;
-        self.faces.extend(faces.into_iter().map(|(x, levels, inwards)| Face { block, x, levels, inwards }));
+        self.faces.extend(face.map(|(x, levels, inwards)| Face { block, x, levels, inwards }));
         block
     }
 }

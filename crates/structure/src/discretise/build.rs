@@ -59,16 +59,9 @@ impl<'a> Build<'a> {
         }
     }
 
-    pub(super) fn block(
-        &mut self,
-        outline: Polygon,
-        group: GroupId,
-        held: Held,
-        origin: Origin,
-        faces: Option<Faces>,
-    ) -> BlockId {
+    pub(super) fn block(&mut self, outline: Polygon, group: GroupId, held: Held, origin: Origin) -> BlockId {
         self.origins.push(origin);
-        self.faces.push(faces);
+        self.faces.push(None);
         let Bridge { masonry, .. } = self.bridge;
         self.blocks.push(Block { outline, rounding: masonry.rounding, density: masonry.density, group, held })
     }
@@ -96,7 +89,8 @@ impl<'a> Build<'a> {
                     group
                 });
                 let origin = Origin::Voussoir { span, ring, voussoir };
-                let block = self.block(outline, group, Held::FREE, origin, Some(faces));
+                let block = self.block(outline, group, Held::FREE, origin);
+                self.faces[block] = Some(faces);
                 if ring == uppermost {
                     self.stretch(block, faces.back, false);
                     self.seats.push(Seat { left: faces.back[0], right: faces.back[1], span: Some(span) });
@@ -138,15 +132,8 @@ impl<'a> Build<'a> {
         Ok((road, layout.top))
     }
 
-    pub(super) fn brick(
-        &mut self,
-        wall: &SpandrelWall,
-        outline: Polygon,
-        group: GroupId,
-        held: Held,
-        origin: Origin,
-    ) -> BlockId {
-        let id = self.block(outline, group, held, origin, None);
+    fn brick(&mut self, wall: &SpandrelWall, outline: Polygon, group: GroupId, held: Held, origin: Origin) -> BlockId {
+        let id = self.block(outline, group, held, origin);
         self.blocks[id].density = wall.density;
         self.blocks[id].rounding = wall.rounding;
         id
@@ -178,7 +165,7 @@ impl<'a> Build<'a> {
         }
         let density = weight / (self.bridge.gravity * outline.area());
         let held = Held { x: true, y: false, rotation: true };
-        let block = self.block(outline, group, held, Origin::LoadingBlock { load }, None);
+        let block = self.block(outline, group, held, Origin::LoadingBlock { load });
         (self.blocks[block].density, self.blocks[block].rounding) = (density, rounding);
         let at = vec2(strip.middle, to.y + height);
         let forces = vec![mechanics::blocks::PointForce { block, at, force: vec2(0.0, -strip.force) }];
@@ -206,13 +193,7 @@ impl<'a> Build<'a> {
         }
         let mut region = None;
         if fill::wanted(bridge).is_some() {
-            if bridge.cover.road.is_some() {
-                return Err(DiscretiseError::RoadNotLevel { what: "fill as particles" });
-            }
-            voids::solid(bridge, "fill as particles")?;
-            if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
-                return Err(DiscretiseError::MovableAbutment { what: "fill as particles" });
-            }
+            voids::solid(bridge, "fill as particles", false)?;
             let (filled, upper) = self.fill(surface.highest())?;
             (region, road) = (Some(filled), Some(upper));
         }

@@ -60,7 +60,7 @@ pub(super) struct Column {
     /// Top of the lowest layer, and its weight density [N/m^3].
     fill: (Surface, f64),
     /// Weight of the layers of constant thickness [Pa].
-    above: f64,
+    pub(super) above: f64,
     /// Water in the pores of the lowest layer.
     water: Option<Pores>,
 }
@@ -112,10 +112,6 @@ impl Column {
     /// Places between two others at which the gradient of an upper face changes [m].
     pub(super) fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
         self.fill.0.kinks(from, to).chain(self.inner().flat_map(move |face| face.kinks(from, to)))
-    }
-    /// Weight of the layers of constant thickness [Pa].
-    pub(super) fn above(&self) -> f64 {
-        self.above
     }
     /// Upper faces of backing and internal walls, where there are some.
     fn inner(&self) -> impl Iterator<Item = &Surface> {

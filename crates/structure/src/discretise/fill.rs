@@ -40,7 +40,7 @@ impl Build<'_> {
             let corner = vec2(if right { foot.x } else { foot.x - WALL }, foot.y.min(feet[usize::from(right)]));
             let wall = Polygon::rectangle(corner, WALL, surface + PARAPET - corner.y)
                 .map_err(|_| DiscretiseError::NoRegion)?;
-            self.block(wall, group, Held::FIXED, Origin::EndWall { right }, None);
+            self.block(wall, group, Held::FIXED, Origin::EndWall { right });
         }
         let area = area(&outline);
         if !(area > 0.0) {
@@ -94,12 +94,8 @@ impl Build<'_> {
             Some(backing) => self.backed(&backing, backing.height)?.0,
             None => self.extrados.stretches.clone(),
         };
-        let mut floor: Vec<Vec2> = Vec::new();
-        for point in stretches.iter().flat_map(|s| [s.left, s.right]) {
-            if floor.last().is_none_or(|last| (*last - point).norm() > 1e-9) {
-                floor.push(point);
-            }
-        }
+        let mut floor: Vec<Vec2> = stretches.iter().flat_map(|s| [s.left, s.right]).collect();
+        floor.dedup_by(|point, last| (*last - *point).norm() <= 1e-9);
         Ok(floor)
     }
 
@@ -137,7 +133,7 @@ impl Build<'_> {
                 let left = from + pitch * slab as f64 + 0.5 * SLAB_GAP;
                 let corner = vec2(left, level);
                 let Ok(outline) = Polygon::rectangle(corner, pitch - SLAB_GAP, layer.thickness) else { continue };
-                let block = self.block(outline, group, Held::FREE, Origin::Slab { layer: index, slab }, None);
+                let block = self.block(outline, group, Held::FREE, Origin::Slab { layer: index, slab });
                 self.blocks[block].density = layer.density;
                 let y = level + layer.thickness;
                 let (left, right) = (vec2(left, y), vec2(left + pitch - SLAB_GAP, y));

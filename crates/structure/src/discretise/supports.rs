@@ -38,7 +38,7 @@ impl Build<'_> {
             let outline = turned(support, vec![vec2(head.x, low), vec2(a.x, low), a, b, head], side)?;
             let origin = Origin::Abutment { support };
             let group = self.groups.push(origin.name());
-            let block = self.block(outline, group, Held::FIXED, origin, None);
+            let block = self.block(outline, group, Held::FIXED, origin);
             self.stretch(block, top, true);
         }
         self.seats.push(Seat { left: top[0], right: top[1], span: None });
@@ -80,10 +80,10 @@ impl Build<'_> {
         let origin = Origin::AbutmentGround { support };
         let group = self.groups.push(origin.name());
         self.grounds.push((group, body.ground_friction_angle.tan()));
-        let mut block = self.block(ground, group, Held::FIXED, origin, None);
+        let mut block = self.block(ground, group, Held::FIXED, origin);
         let group = self.groups.push(Origin::Abutment { support }.name());
         for (course, (outline, ends)) in courses.into_iter().enumerate() {
-            block = self.block(outline, group, Held::FREE, Origin::AbutmentCourse { support, course }, None);
+            block = self.block(outline, group, Held::FREE, Origin::AbutmentCourse { support, course });
             self.pressed.push(Back { block, ends, inwards: -side, top: head });
         }
         Ok(block)
@@ -141,13 +141,13 @@ impl Build<'_> {
         let foundation =
             Polygon::rectangle(vec2(a.x - toe, a.y - 2.0 * toe), b.x - a.x + 2.0 * toe, 2.0 * toe).map_err(wrong)?;
         let mut group = self.groups.push(format!("pier {support}"));
-        let mut block = self.block(foundation, group, Held::FIXED, Origin::Foundation { support }, None);
+        let mut block = self.block(foundation, group, Held::FIXED, Origin::Foundation { support });
         for (course, (outline, across)) in steps.into_iter().rev().chain(courses).enumerate() {
             let ratios = across.map(|ends| ends.map(|width| width / self.bridge.width));
             if ratios.is_some() {
                 group = self.groups.push(format!("pier {support} course {}", course + 1));
             }
-            block = self.block(outline, group, Held::FREE, Origin::Pier { support, course }, None);
+            block = self.block(outline, group, Held::FREE, Origin::Pier { support, course });
             if let Some([low, high]) = ratios {
                 self.blocks[block].density *= 0.5 * (low + high);
                 if low.min(high) < 1.0 {
@@ -193,7 +193,7 @@ pub(super) fn earth(bridge: &Bridge, extrados: &Extrados, backs: &[Back]) -> Vec
         let lowest = cover.layers.first().map_or(0.0, |layer| layer.density);
         let unit = body.earth_density.unwrap_or(lowest) * bridge.gravity;
         let level = column.top(back.top.x).max(back.top.y);
-        let stress = |y: f64| body.earth_coefficient * (unit * (level - y) + column.above());
+        let stress = |y: f64| body.earth_coefficient * (unit * (level - y) + column.above);
         let [low, high] = back.ends;
         let mut sum = Resultant::default();
         sum.trapezoid(low.y, stress(low.y), high.y, stress(high.y));
