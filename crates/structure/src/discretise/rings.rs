@@ -116,8 +116,7 @@ const FINE: usize = 1024;
 pub(super) fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
     let point = |i: usize| {
         let share = i as f64 / FINE as f64;
-        let (point, normal) = curve.at(share);
-        point + normal * faces(span, span.rings.len() - 1, share)[1]
+        curve.off(share, faces(span, span.rings.len() - 1, share)[1])
     };
     (0..=FINE).map(point).collect()
 }
@@ -139,11 +138,7 @@ fn joints(span: &Span, curve: &Curve) -> Vec<Joints> {
                 snapped.unwrap_or(share)
             })
             .collect();
-        let end = |share: f64, offset: f64| {
-            let (point, normal) = curve.at(share);
-            point + normal * offset
-        };
-        let [lower, upper] = [0, 1].map(|face| shares.iter().map(|&s| end(s, faces(span, k, s)[face])).collect());
+        let [lower, upper] = [0, 1].map(|face| shares.iter().map(|&s| curve.off(s, faces(span, k, s)[face])).collect());
         rings.push(Joints { shares, lower, upper });
     }
     for k in 1..rings.len() {
