@@ -93,15 +93,7 @@ impl Origin {
     }
     /// Whether it is part of the arches and what they stand on, and not of what stands on them.
     pub fn is_arch(self) -> bool {
-        matches!(
-            self,
-            Origin::Voussoir { .. }
-                | Origin::Abutment { .. }
-                | Origin::Foundation { .. }
-                | Origin::Pier { .. }
-                | Origin::AbutmentGround { .. }
-                | Origin::AbutmentCourse { .. }
-        )
+        matches!(self.role(), "voussoir" | "abutment" | "pier")
     }
     /// A name for tables and messages, counted from 1.
     pub fn name(self) -> String {
