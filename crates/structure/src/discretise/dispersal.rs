@@ -76,9 +76,7 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: &Surface, extrados: &Extra
     let corners = [strip.middle - half, strip.middle + half].map(|x| vec2(x, surface.at(x)));
     let ends = match rule.rule {
         DispersalRule::None => corners.map(|c| vec2(c.x, extrados.level(c.x))),
-        DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
-            [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)]
-        }
+        _ => [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)],
     };
     let depths = [0, 1].map(|k| (corners[k].y - ends[k].y).max(0.0));
     let mut found = gather(strip, rule.rule, (ends, depths), surface.at(strip.middle), extrados);

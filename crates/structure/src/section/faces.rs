@@ -177,5 +177,8 @@ fn score(arch: &[[f64; 2]], faces: &[Line]) -> Option<(f64, [f64; 2])> {
     // Two for each line, and the level that they share.
     let lines = if faces.is_empty() { 0 } else { 2 * faces.len() + 1 };
     let n = all as f64;
-    Some((n * (squares / n).max(LEAST * LEAST).ln() + (curve.terms() + lines) as f64 * n.ln(), polar.steepness(&curve)))
+    Some((
+        n * (squares / n).max(LEAST * LEAST).ln() + (curve.terms.len() + lines) as f64 * n.ln(),
+        polar.steepness(&curve),
+    ))
 }

@@ -104,9 +104,10 @@ impl FillRegion {
         let mut mould = model.clone();
         let [low, high] = extent(self.outline.iter().map(|p| p.x));
         let top = self.outline.last().map_or(0.0, |p| p.y);
-        if self.slabs {
-            // Slabs are a lid while they are held.
-        } else if let Ok(outline) = Polygon::rectangle(vec2(low, top), high - low, WALL) {
+        // Slabs are a lid while they are held.
+        if !self.slabs
+            && let Ok(outline) = Polygon::rectangle(vec2(low, top), high - low, WALL)
+        {
             let group = model.blocks.iter().last().map_or(GroupId(0), |b| b.group);
             mould.blocks.push(Block { outline, rounding: 0.0, density: 1.0, group, held: Held::FIXED });
         }

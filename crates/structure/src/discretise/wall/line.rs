@@ -25,9 +25,11 @@ pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallErro
     while let Some(group) = groups.next() {
         if group[0].span.is_none() {
             let (first, last) = (group[0].left, group[group.len() - 1].right);
-            flat = Some(clipped(between(first, last), layout.ends));
+            let inside = |p: Vec2| vec2(p.x.clamp(layout.ends[0], layout.ends[1]), p.y);
+            let here = between(inside(first), inside(last));
+            flat = Some(here);
             if groups.peek().is_none() {
-                valley(flat.unwrap_or(between(last, last)), [&before, &[]], layout, &mut ground)?;
+                valley(here, [&before, &[]], layout, &mut ground)?;
             }
             continue;
         }
@@ -50,12 +52,6 @@ pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallErro
 
 fn between(left: Vec2, right: Vec2) -> Seat {
     Seat { left, right, span: None }
-}
-
-/// A flat seat between the ends of the wall.
-fn clipped(flat: Seat, ends: [f64; 2]) -> Seat {
-    let inside = |p: Vec2| vec2(p.x.clamp(ends[0], ends[1]), p.y);
-    between(inside(flat.left), inside(flat.right))
 }
 
 /// Corners of steep backs from the springing up.
