@@ -2,13 +2,13 @@
 
 use crate::Point;
 use crate::curve::{self, Spline};
-use crate::entity::{Block, Content, Entity, Insert, Shape, Space, Vertex};
+use crate::entity::{Content, Record, Space};
 use crate::finding::{Findings, Place};
 use crate::options::{Options, is_ignored};
-use crate::shown::{Hidden, HiddenLayers, LeftOut};
+use crate::shapes::Circle;
+use crate::shown::{self, Hidden, LeftOut};
 use crate::through::Fit;
 use crate::transform::Transform;
-use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Points drawn in one go, from where a file is no drawing of a bridge.
@@ -20,7 +20,9 @@ const DEEPEST: usize = 16;
 /// Coordinates beyond this belong to no bridge [m].
 pub(crate) const FARTHEST: f64 = 1e6;
 
-/// A curve as points, or a circle.
+const ORIGIN: Space = [0.0; 3];
+
+/// A curve as points.
 #[derive(Debug, Clone)]
 pub(crate) struct Strand {
     pub(crate) place: Place,
@@ -31,25 +33,16 @@ pub(crate) struct Strand {
     pub(crate) flattened: bool,
 }
 
-/// A circle as drawn.
-#[derive(Debug, Clone)]
-pub(crate) struct Ring {
-    pub(crate) place: Place,
-    pub(crate) centre: Point,
-    pub(crate) radius: f64,
-}
-
 /// What the entities of a drawing amount to.
 #[derive(Debug, Default)]
 pub(crate) struct Strands {
     pub(crate) strands: Vec<Strand>,
-    pub(crate) rings: Vec<Ring>,
+    pub(crate) circles: Vec<Circle>,
 }
 
 pub(crate) struct Expansion<'a> {
     pub(crate) options: &'a Options,
-    pub(crate) blocks: &'a BTreeMap<String, Block>,
-    hidden_layers: &'a HiddenLayers,
+    content: &'a Content,
     left_out: LeftOut,
     pub(crate) out: Strands,
     pub(crate) findings: &'a mut Findings,
@@ -71,8 +64,7 @@ struct Context {
 pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings: &mut Findings) -> Strands {
     let mut expansion = Expansion {
         options,
-        blocks: &content.blocks,
-        hidden_layers: &content.hidden_layers,
+        content,
         left_out: LeftOut::default(),
         out: Strands::default(),
         findings,
@@ -84,12 +76,12 @@ pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings
     for entity in &content.entities {
         expansion.entity(entity, &context);
     }
-    expansion.left_out.tell(options, expansion.findings);
+    shown::tell(expansion.left_out, options, expansion.findings);
     expansion.out
 }
 
 impl Expansion<'_> {
-    fn entity(&mut self, entity: &Entity, context: &Context) {
+    fn entity(&mut self, entity: &Record, context: &Context) {
         if self.full {
             return;
         }
@@ -98,71 +90,46 @@ impl Expansion<'_> {
             return;
         }
         // What lies in paper space within a block is a part of its sheet.
-        if let Some(hidden) = entity.hidden.or_else(|| self.hidden_layers.hide(&place.layer, entity.kind)) {
+        if let Some(hidden) = entity.hidden.or_else(|| self.content.hidden_layers.hide(&place.layer, entity.kind)) {
             if hidden != Hidden::PaperSpace || context.depth == 0 {
-                self.left_out.count(&place.layer, hidden);
+                *self.left_out.entry((place.layer, hidden)).or_insert(0) += 1;
             }
             return;
         }
-        if let Shape::Insert(insert) = &entity.shape {
-            return self.insert(insert, &place, context);
+        if entity.kind == "INSERT" {
+            return self.insert(entity, &place, context);
         }
         if is_ignored(self.options, &place.layer) {
             return;
         }
-        match &entity.shape {
-            Shape::Line(ends) => {
+        match entity.kind {
+            "LINE" => {
+                let ends = [10, 11].map(|code| entity.space(code, ORIGIN));
                 if self.is_flat(&place, context, ends.iter().map(|p| p[2])) {
                     self.strand(place, ends.map(|p| [p[0], p[1]]).to_vec(), &context.map, false, false);
                 }
             }
-            Shape::Polyline { mesh: true, .. } => {
-                let help = "explode it and draw the outlines of the blocks";
-                self.findings.error("D105", place, "a mesh in space is no outline", help);
-            }
-            Shape::Polyline { vertices, height, closed, normal, mesh: false } => {
-                let Some(map) = self.plane(&place, context, normal) else { return };
-                if self.is_flat(&place, context, vertices.iter().map(|v| v.height).chain([*height])) {
-                    self.polyline(place, vertices, *closed, &map);
-                }
-            }
-            Shape::Arc { centre: [x, y, z], radius, from, to, normal } => {
-                let Some(map) = self.plane(&place, context, normal) else { return };
-                let from = from.to_radians();
-                let sweep = curve::sweep(from, to.to_radians());
-                if self.is_flat(&place, context, [*z].into_iter()) && self.has_size(&place, *radius) {
-                    let points = curve::arc([*x, *y], *radius, from, sweep, self.tolerance(&map));
-                    self.strand(place, points, &map, false, true);
-                }
-            }
-            Shape::Circle { centre: [x, y, z], radius, normal } => {
-                let Some(map) = self.plane(&place, context, normal) else { return };
-                if self.is_flat(&place, context, [*z].into_iter()) && self.has_size(&place, *radius) {
-                    self.circle(place, [*x, *y], *radius, &map);
-                }
-            }
-            Shape::Ellipse { .. } => self.ellipse(place, &entity.shape, context),
-            Shape::Spline { degree, knots, weights, points, fit, closed, tangents } => {
-                let flat = |points: &[Space]| -> Vec<Point> { points.iter().map(|p| [p[0], p[1]]).collect() };
-                if !self.is_flat(&place, context, points.iter().chain(fit).map(|p| p[2])) {
-                    return;
-                }
-                let (points, fit) = (flat(points), flat(fit));
-                let curve = Spline { degree: *degree, knots, points: &points, weights };
-                if points.is_empty() || (curve.defect().is_some() && fit.len() > 1) {
-                    let tangents = tangents.map(|tangent| tangent.map(|t| [t[0], t[1]]));
-                    self.fitted(place, &Fit { points: &fit, closed: *closed, tangents }, context);
-                } else {
-                    self.spline(place, &curve, context);
-                }
-            }
-            // Expanded above, on ignored layers too.
-            Shape::Insert(_) => {}
+            "LWPOLYLINE" | "POLYLINE" => self.polyline(place, entity, context),
+            "ARC" | "CIRCLE" => self.arc(place, entity, context),
+            "ELLIPSE" => self.ellipse(place, entity, context),
+            _ => self.spline(place, entity, context),
         }
     }
 
-    fn polyline(&mut self, place: Place, vertices: &[Vertex], closed: bool, map: &Transform) {
-        let tolerance = self.tolerance(map);
+    fn polyline(&mut self, place: Place, entity: &Record, context: &Context) {
+        let (flags, light) = (entity.whole(70, 0), entity.kind == "LWPOLYLINE");
+        // 16 and 64: meshes in space. 8 is a line in space, which may lie in the plane.
+        if !light && flags & (16 | 64) != 0 {
+            let help = "explode it and draw the outlines of the blocks";
+            return self.findings.error("D105", place, "a mesh in space is no outline", help);
+        }
+        let Some(map) = self.plane(&place, context, entity) else { return };
+        let (vertices, closed) = (entity.vertices(), flags & 1 != 0);
+        let height = entity.number(if light { 38 } else { 30 }, 0.0);
+        if !self.is_flat(&place, context, vertices.iter().map(|v| v.height).chain([height])) {
+            return;
+        }
+        let tolerance = self.tolerance(&map);
         let (Some(first), Some(last)) = (vertices.first(), vertices.last()) else { return };
         let mut points = vec![first.at];
         let mut flattened = false;
@@ -175,32 +142,48 @@ impl Expansion<'_> {
             points.extend(curve::bulge(last.at, first.at, last.bulge, tolerance));
             points.pop();
         }
-        self.strand(place, points, map, closed, flattened);
+        self.strand(place, points, &map, closed, flattened);
     }
 
-    fn circle(&mut self, place: Place, centre: Point, radius: f64, map: &Transform) {
+    /// An arc, its angles in degrees, or a circle.
+    fn arc(&mut self, place: Place, entity: &Record, context: &Context) {
+        let ([x, y, z], radius) = (entity.space(10, ORIGIN), entity.number(40, 0.0));
+        let Some(map) = self.plane(&place, context, entity) else { return };
+        if !self.is_flat(&place, context, [z].into_iter()) || !self.has_size(&place, radius) {
+            return;
+        }
+        let centre = [x, y];
+        if entity.kind == "ARC" {
+            let from = entity.number(50, 0.0).to_radians();
+            let sweep = curve::sweep(from, entity.number(51, 360.0).to_radians());
+            let points = curve::arc(centre, radius, from, sweep, self.tolerance(&map));
+            return self.strand(place, points, &map, false, true);
+        }
         match map.similarity() {
             Some(size) => {
                 let (centre, radius) = (map.point(centre), radius * size);
                 if self.is_near(&place, &[centre, [radius, 0.0]]) {
                     self.points += 1;
-                    self.out.rings.push(Ring { place, centre, radius });
+                    let layer = place.layer.clone();
+                    self.out.circles.push(Circle { layer, place: place.at(centre), centre, radius });
                 }
             }
             // Stretched in one direction, it is an ellipse.
             None => {
-                let mut points = curve::arc(centre, radius, 0.0, TAU, self.tolerance(map));
+                let mut points = curve::arc(centre, radius, 0.0, TAU, self.tolerance(&map));
                 points.pop();
-                self.strand(place, points, map, true, true);
+                self.strand(place, points, &map, true, true);
             }
         }
     }
 
-    fn ellipse(&mut self, place: Place, shape: &Shape, context: &Context) {
-        let Shape::Ellipse { centre, major: long, share, from, to, normal } = shape else { return };
+    /// An ellipse, its parameters in radians.
+    fn ellipse(&mut self, place: Place, entity: &Record, context: &Context) {
+        let (centre, long) = (entity.space(10, ORIGIN), entity.space(11, [1.0, 0.0, 0.0]));
+        let (share, from, to) = (entity.number(40, 1.0), entity.number(41, 0.0), entity.number(42, TAU));
         // Centre and axes are in the drawing's own coordinates; the normal only decides which way round.
-        let Some(_) = self.plane(&place, context, normal) else { return };
-        let turn = if normal[2] < 0.0 { -1.0 } else { 1.0 };
+        let Some(_) = self.plane(&place, context, entity) else { return };
+        let turn = if entity.normal()[2] < 0.0 { -1.0 } else { 1.0 };
         let major = [long[0], long[1]];
         if !self.is_flat(&place, context, [centre[2], long[2]].into_iter())
             || !self.has_size(&place, share * major[0].hypot(major[1]))
@@ -209,9 +192,9 @@ impl Expansion<'_> {
         }
         let minor = [-turn * share * major[1], turn * share * major[0]];
         let whole = (to - from).abs() >= TAU - 1e-9;
-        let sweep = if whole { TAU } else { curve::sweep(*from, *to) };
+        let sweep = if whole { TAU } else { curve::sweep(from, to) };
         let centre = [centre[0], centre[1]];
-        let mut points = curve::ellipse(centre, major, minor, *from, sweep, self.tolerance(&context.map));
+        let mut points = curve::ellipse(centre, major, minor, from, sweep, self.tolerance(&context.map));
         let closed = sweep >= TAU - 1e-9;
         if closed {
             points.pop();
@@ -219,8 +202,23 @@ impl Expansion<'_> {
         self.strand(place, points, &context.map, closed, true);
     }
 
-    fn spline(&mut self, place: Place, curve: &Spline<'_>, context: &Context) {
-        if let Some(defect) = curve.defect() {
+    fn spline(&mut self, place: Place, entity: &Record, context: &Context) {
+        let (points, fit) = (entity.points([10, 20, 30]), entity.points([11, 21, 31]));
+        if !self.is_flat(&place, context, points.iter().chain(&fit).map(|p| p[2])) {
+            return;
+        }
+        let [points, fit] = [points, fit].map(|points| points.iter().map(|p| [p[0], p[1]]).collect::<Vec<Point>>());
+        let [knots, weights] = [40, 41].map(|code| entity.all(code).collect::<Vec<f64>>());
+        let degree = usize::try_from(entity.whole(71, 1)).unwrap_or(0);
+        let curve = Spline { degree, knots: &knots, points: &points, weights: &weights };
+        let defect = curve.defect();
+        if points.is_empty() || (defect.is_some() && fit.len() > 1) {
+            let direction = |code: i32| entity.all(code).next().map(|_| entity.space(code, ORIGIN));
+            let tangents = [12, 13].map(|code| direction(code).map(|t| [t[0], t[1]]));
+            let closed = entity.whole(70, 0) & 1 != 0;
+            return self.fitted(place, &Fit { points: &fit, closed, tangents }, context);
+        }
+        if let Some(defect) = defect {
             let message = format!("the spline cannot be drawn: it has {defect}");
             return self.findings.error("D103", place, message, "convert it to a polyline");
         }
@@ -250,8 +248,9 @@ impl Expansion<'_> {
         self.strand(place, points, &context.map, false, true);
     }
 
-    fn insert(&mut self, insert: &Insert, place: &Place, context: &Context) {
-        let Some(block) = self.blocks.get(&insert.name.to_uppercase()) else {
+    /// A reference to a block, with its rows and columns.
+    fn insert(&mut self, insert: &Record, place: &Place, context: &Context) {
+        let Some(block) = self.content.blocks.get(&insert.name.to_uppercase()) else {
             let message = format!("the block {} is not in the file", insert.name);
             let help = "bind external references before the export, or take this one out";
             return self.findings.error("D107", place.clone(), message, help);
@@ -260,18 +259,21 @@ impl Expansion<'_> {
             let message = format!("block references lie more than {DEEPEST} deep inside one another");
             return self.findings.error("D107", place.clone(), message, "explode the references");
         }
-        let Some(map) = self.plane(place, context, &insert.normal) else { return };
-        let (scales, [across, up]) = (insert.scales, insert.spacings);
+        let Some(map) = self.plane(place, context, insert) else { return };
+        let (at, scales) = (insert.space(10, ORIGIN), [41, 42].map(|code| insert.number(code, 1.0)));
         if scales.contains(&0.0) {
             let message = format!("the block {} is inserted with a scale of zero", insert.name);
             return self.findings.error("D107", place.clone(), message, "take it out");
         }
-        if !self.is_flat(place, context, [insert.at[2]].into_iter()) {
+        if !self.is_flat(place, context, [at[2]].into_iter()) {
             return;
         }
-        let (s, c) = insert.rotation.to_radians().sin_cos();
-        for row in 0..insert.rows.max(1) {
-            for column in 0..insert.columns.max(1) {
+        let (s, c) = insert.number(50, 0.0).to_radians().sin_cos();
+        // Of columns and of rows.
+        let [across, up] = [44, 45].map(|code| insert.number(code, 0.0));
+        let [columns, rows] = [70, 71].map(|code| insert.whole(code, 1).max(1));
+        for row in 0..rows {
+            for column in 0..columns {
                 // Every repetition counts, even of an empty block.
                 if self.is_full(place) {
                     return;
@@ -280,7 +282,7 @@ impl Expansion<'_> {
                 let mut own = Transform {
                     x: [scales[0] * c, scales[0] * s],
                     y: [-scales[1] * s, scales[1] * c],
-                    origin: [insert.at[0] + c * dx - s * dy, insert.at[1] + s * dx + c * dy],
+                    origin: [at[0] + c * dx - s * dy, at[1] + s * dx + c * dy],
                 };
                 let moved = own.vector(block.base);
                 own.origin = [own.origin[0] - moved[0], own.origin[1] - moved[1]];
@@ -324,7 +326,8 @@ impl Expansion<'_> {
     }
 
     /// The map of an entity drawn in its own plane: seen from above, or from below as a mirror image.
-    fn plane(&mut self, place: &Place, context: &Context, &[x, y, z]: &Space) -> Option<Transform> {
+    fn plane(&mut self, place: &Place, context: &Context, entity: &Record) -> Option<Transform> {
+        let [x, y, z] = entity.normal();
         let size = (x * x + y * y + z * z).sqrt();
         // Round-off of a turned coordinate system.
         let upright = x.hypot(y) <= 1e-9 * size && size > 0.0;
@@ -369,7 +372,7 @@ impl Expansion<'_> {
 }
 
 /// Where an entity stands. What a block draws on layer 0 lies on the layer of its reference.
-fn place(entity: &Entity, context: &Context) -> Place {
+fn place(entity: &Record, context: &Context) -> Place {
     let own = format!("{} {}", entity.kind, entity.handle).trim_end().to_owned();
     let inside = |outer: &String| if outer.is_empty() { own.clone() } else { format!("{own} in {outer}") };
     let layer = match &context.layer {

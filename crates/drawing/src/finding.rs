@@ -30,18 +30,11 @@ impl findings::Place for Place {
 /// In words: "layer RING, LWPOLYLINE 2F, at (1.250, 3.000) m".
 impl fmt::Display for Place {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut parts = Vec::new();
-        if !self.layer.is_empty() {
-            parts.push(format!("layer {}", self.layer));
-        }
-        if !self.entity.is_empty() {
-            parts.push(self.entity.clone());
-        }
-        if let Some([x, y]) = self.at {
-            // Adding zero takes the sign off a negative zero.
-            parts.push(format!("at ({:.4}, {:.4}) m", x + 0.0, y + 0.0));
-        }
-        to.write_str(&parts.join(", "))
+        let layer = (!self.layer.is_empty()).then(|| format!("layer {}", self.layer));
+        let entity = (!self.entity.is_empty()).then(|| self.entity.clone());
+        // Adding zero takes the sign off a negative zero.
+        let at = self.at.map(|[x, y]| format!("at ({:.4}, {:.4}) m", x + 0.0, y + 0.0));
+        to.write_str(&[layer, entity, at].into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
 }
 

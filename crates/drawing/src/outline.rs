@@ -56,7 +56,17 @@ pub(crate) fn check(strand: Strand, options: &Options, findings: &mut Findings) 
     let Some(&(corner, depth)) = reflex.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { return vec![outline(points)] };
     match options.concave {
         Concave::Refuse => {
-            refuse_concave(&place, points[corner], &reflex, depth, flattened, findings);
+            let others = match reflex.len() {
+                1 => String::new(),
+                n => format!(", the deepest of {n} such corners"),
+            };
+            let message = format!("the outline is concave here, by {:.3} mm{others}", 1e3 * depth);
+            let help = if flattened {
+                "state a chord_tolerance that makes one chord of the hollow arc, cut the block in two, or state concave = \"cut\""
+            } else {
+                "cut the block into convex ones, or state concave = \"cut\""
+            };
+            findings.error("D303", place.at(points[corner]), message, help);
             Vec::new()
         }
         Concave::Cut => {
@@ -69,27 +79,6 @@ pub(crate) fn check(strand: Strand, options: &Options, findings: &mut Findings) 
             pieces.into_iter().map(outline).collect()
         }
     }
-}
-
-fn refuse_concave(
-    place: &Place,
-    at: Point,
-    reflex: &[(usize, f64)],
-    depth: f64,
-    flattened: bool,
-    findings: &mut Findings,
-) {
-    let others = match reflex.len() {
-        1 => String::new(),
-        n => format!(", the deepest of {n} such corners"),
-    };
-    let message = format!("the outline is concave here, by {:.3} mm{others}", 1e3 * depth);
-    let help = if flattened {
-        "state a chord_tolerance that makes one chord of the hollow arc, cut the block in two, or state concave = \"cut\""
-    } else {
-        "cut the block into convex ones, or state concave = \"cut\""
-    };
-    findings.error("D303", place.at(at), message, help);
 }
 
 fn without_duplicates(points: Vec<Point>, place: &Place, findings: &mut Findings) -> Vec<Point> {

@@ -18,27 +18,20 @@ type Bounds = (Point, Point);
 
 /// Reports every pair of outlines that overlap, on whatever layers they lie.
 pub(crate) fn check(outlines: &[Outline], findings: &mut Findings) {
-    let boxes: Vec<Bounds> = outlines.iter().map(|o| bounds(&o.points)).collect();
+    let boxes: &[Bounds] = &outlines.iter().map(|o| bounds(&o.points)).collect::<Vec<_>>();
     let mut order: Vec<usize> = (0..outlines.len()).collect();
     order.sort_by(|&i, &j| boxes[i].0[0].total_cmp(&boxes[j].0[0]).then(i.cmp(&j)));
-    let (mut pairs, mut found) = (0usize, Vec::new());
-    'all: for (k, &i) in order.iter().enumerate() {
-        for &j in &order[k + 1..] {
-            if boxes[j].0[0] >= boxes[i].1[0] {
-                break;
-            }
-            pairs += 1;
-            if pairs > MOST_PAIRS || found.len() >= MOST {
-                break 'all;
-            }
-            let apart = boxes[j].0[1] >= boxes[i].1[1] || boxes[i].0[1] >= boxes[j].1[1];
-            let half = |b: &Bounds| 0.5 * (b.1[0] - b.0[0]).hypot(b.1[1] - b.0[1]);
-            let allowed = ROUND_OFF * half(&boxes[i]).min(half(&boxes[j]));
-            if !apart && depth(&outlines[i].points, &outlines[j].points) > allowed {
-                found.push((i.min(j), i.max(j)));
-            }
-        }
-    }
+    let pairs = order.iter().enumerate().flat_map(|(k, &i)| {
+        let reached = order[k + 1..].iter().take_while(move |&&j| boxes[j].0[0] < boxes[i].1[0]);
+        reached.map(move |&j| (i.min(j), i.max(j)))
+    });
+    let overlaps = |&(i, j): &(usize, usize)| {
+        let apart = boxes[j].0[1] >= boxes[i].1[1] || boxes[i].0[1] >= boxes[j].1[1];
+        let half = |b: &Bounds| 0.5 * (b.1[0] - b.0[0]).hypot(b.1[1] - b.0[1]);
+        let allowed = ROUND_OFF * half(&boxes[i]).min(half(&boxes[j]));
+        !apart && depth(&outlines[i].points, &outlines[j].points) > allowed
+    };
+    let mut found: Vec<_> = pairs.take(MOST_PAIRS).filter(overlaps).take(MOST).collect();
     found.sort_unstable();
     for (i, j) in found {
         report(&outlines[i], &outlines[j], findings);

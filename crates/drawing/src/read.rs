@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Findings, Place};
 use crate::options::{Options, is_ignored};
-use crate::shapes::{Circle, Drawing, Outline};
+use crate::shapes::{Drawing, Outline};
 use crate::units::{Header, numbered};
 use crate::{chain, entities, entity, outline, overlap, sieve};
 use findings::Severity;
@@ -48,48 +48,38 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
     let closed = chain::close(drawn.strands, options, findings);
     let outlines: Vec<Outline> =
         closed.into_iter().flat_map(|strand| outline::check(strand, options, findings)).collect();
-    let circle = |r: entities::Ring| Circle {
-        layer: r.place.layer.clone(),
-        place: r.place.at(r.centre),
-        centre: r.centre,
-        radius: r.radius,
-    };
-    let circles = drawn.rings.into_iter().map(circle).collect();
     overlap::check(&outlines, findings);
     if layers.is_empty() && !findings.list.iter().any(|f| f.severity == Severity::Error) {
         let help = "export the outlines of the blocks; see also what was left out";
         findings.error("D101", Place::default(), "there is no outline and no circle in the drawing", help);
     }
-    Some(Drawing { outlines, circles, layers, unit })
+    Some(Drawing { outlines, circles: drawn.circles, layers, unit })
 }
 
 /// Every layer on which something is drawn, in order of first use.
 fn layers(drawn: &entities::Strands) -> Vec<String> {
-    let places = drawn.strands.iter().map(|s| &s.place).chain(drawn.rings.iter().map(|r| &r.place));
+    let layers = drawn.strands.iter().map(|s| &s.place.layer).chain(drawn.circles.iter().map(|c| &c.layer));
     let mut known = BTreeSet::new();
-    places.filter(|place| known.insert(place.layer.as_str())).map(|place| place.layer.clone()).collect()
+    layers.filter(|layer| known.insert(layer.as_str())).cloned().collect()
 }
 
 /// Metres in one unit of the drawing: what the caller says, else the header.
 fn unit(header: Header, options: &Options, findings: &mut Findings) -> f64 {
     let known = header.unit.and_then(numbered);
     match (options.unit, known, header.unit) {
-        (Some(said), Some(unit), _) if (said - unit.metres).abs() > 1e-9 * said => {
-            let message = format!("the header says {}, the unit stated for this drawing is {said} m", unit.symbol);
+        (Some(said), Some((symbol, metres)), _) if (said - metres).abs() > 1e-9 * said => {
+            let message = format!("the header says {symbol}, the unit stated for this drawing is {said} m");
             findings.warning("D108", Place::default(), message, "take `unit` out if the header is right");
             said
         }
         (Some(said), _, _) => said,
-        (None, Some(unit), _) => {
+        (None, Some((symbol, metres)), _) => {
             if let Some(other) = header.contradiction() {
-                let message = format!(
-                    "the header says two things: $INSUNITS {}, and {other}; {} is taken",
-                    unit.symbol, unit.symbol
-                );
+                let message = format!("the header says two things: $INSUNITS {symbol}, and {other}; {symbol} is taken");
                 let help = "see whether a known length comes out right; if not, state the unit, such as unit = \"mm\" or --unit mm";
                 findings.warning("D111", Place::default(), message, help);
             }
-            unit.metres
+            metres
         }
         (None, None, number) => {
             let message = match number {

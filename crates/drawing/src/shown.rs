@@ -44,42 +44,27 @@ impl HiddenLayers {
 }
 
 /// Entities that were left out, counted by layer and reason.
-#[derive(Debug, Default)]
-pub(crate) struct LeftOut(BTreeMap<(String, Hidden), usize>);
+pub(crate) type LeftOut = BTreeMap<(String, Hidden), usize>;
 
-impl LeftOut {
-    pub(crate) fn count(&mut self, layer: &str, hidden: Hidden) {
-        *self.0.entry((layer.to_owned(), hidden)).or_insert(0) += 1;
-    }
-
-    /// Says what was left out, but for layers that the reader was told to pass over.
-    pub(crate) fn tell(self, options: &Options, findings: &mut Findings) {
-        for ((layer, hidden), count) in self.0 {
-            if is_ignored(options, &layer) {
+/// Says what was left out, but for layers that the reader was told to pass over.
+pub(crate) fn tell(left_out: LeftOut, options: &Options, findings: &mut Findings) {
+    for ((layer, hidden), count) in left_out {
+        if is_ignored(options, &layer) {
+            continue;
+        }
+        let entities = counted(count, "entity");
+        let place = Place { layer: layer.clone(), ..Place::default() };
+        let on_hidden = |state: &str| format!("the layer {layer} is {state}: {entities} on it left out");
+        let hidden_on = |state: &str| format!("{entities} on the layer {layer} left out: {state}");
+        let (message, what) = match hidden {
+            Hidden::Off => (on_hidden("off"), "switch the layer on in the drawing if it is"),
+            Hidden::Frozen => (on_hidden("frozen"), "thaw the layer in the drawing if it is"),
+            Hidden::Invisible => (hidden_on("marked invisible"), "show the objects in the drawing if they are"),
+            Hidden::PaperSpace => {
+                findings.note("D109", place, hidden_on("in paper space"));
                 continue;
             }
-            let entities = counted(count, "entity");
-            let place = Place { layer: layer.clone(), ..Place::default() };
-            let (message, help) = match hidden {
-                Hidden::Off => (
-                    format!("the layer {layer} is off: {entities} on it left out"),
-                    "switch the layer on in the drawing if it is part of the bridge",
-                ),
-                Hidden::Frozen => (
-                    format!("the layer {layer} is frozen: {entities} on it left out"),
-                    "thaw the layer in the drawing if it is part of the bridge",
-                ),
-                Hidden::Invisible => (
-                    format!("{entities} on the layer {layer} left out: marked invisible"),
-                    "show the objects in the drawing if they are part of the bridge",
-                ),
-                Hidden::PaperSpace => {
-                    let message = format!("{entities} on the layer {layer} left out: in paper space");
-                    findings.note("D109", place, message);
-                    continue;
-                }
-            };
-            findings.warning("D109", place, message, help);
-        }
+        };
+        findings.warning("D109", place, message, &format!("{what} part of the bridge"));
     }
 }

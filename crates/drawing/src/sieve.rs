@@ -57,34 +57,38 @@ const KEPT: [(&str, &[i32]); 12] = [
 
 /// Takes a file apart.
 pub(crate) fn sieve(bytes: &[u8], findings: &mut Findings) -> Option<Sieved> {
-    let whole = Place::default;
     const SAVE: &str = "save the drawing as DXF with text (ASCII), version R2000 or later";
+    let mut refuse = |code: &'static str, message: &str, help: &str| {
+        findings.error(code, Place::default(), message, help);
+        None
+    };
     if bytes.len() > LONGEST {
         let message = format!("the file is {:.0} MB long", bytes.len() as f64 / 1e6);
-        findings.error("D106", whole(), message, "export only the outlines of the blocks");
-        return None;
+        return refuse("D106", &message, "export only the outlines of the blocks");
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        findings.error("D101", whole(), "the file is empty", "export the drawing again");
-        return None;
+        return refuse("D101", "the file is empty", "export the drawing again");
     }
     if bytes.starts_with(b"AutoCAD Binary DXF") || bytes.starts_with(b"AutoCAD DXB") || bytes.starts_with(b"AC10") {
-        findings.error("D101", whole(), "the file is binary: a binary DXF, a DXB or a DWG file", SAVE);
-        return None;
+        return refuse("D101", "the file is binary: a binary DXF, a DXB or a DWG file", SAVE);
     }
     let text = decode(bytes);
     let groups = match groups(&text) {
         Ok(groups) => groups,
         Err(line) => {
             let message = format!("line {line} is not a group code: a DXF file is pairs of a number and a value");
-            findings.error("D101", whole(), message, SAVE);
-            return None;
+            return refuse("D101", &message, SAVE);
         }
     };
     let sieved = sections(&groups, findings);
     if !groups.last().is_some_and(|g| g.code == 0 && g.value == "EOF") {
         let line = groups.last().map_or(0, |g| g.line);
-        findings.error("D101", whole(), format!("the file breaks off after line {line}"), "export the drawing again");
+        findings.error(
+            "D101",
+            Place::default(),
+            format!("the file breaks off after line {line}"),
+            "export the drawing again",
+        );
     }
     Some(sieved)
 }
@@ -230,8 +234,6 @@ fn entity(
     let handle = body.iter().find(|g| g.code == 5).map_or("", |g| g.value);
     let place = || Place { layer: layer(body), entity: format!("{kind} {}", shorten(handle)).trim().into(), at: None };
     let mut record = Record { kind, layer: "0".to_owned(), ..Record::default() };
-    let mut coordinates = [0usize; 2];
-    let mut fit = [0usize; 2];
     for group in body {
         let known = matches!(group.code, 5 | 8) || codes.contains(&group.code);
         if !known {
@@ -249,24 +251,13 @@ fn entity(
                 None => return unreadable(place(), group, findings),
             },
             _ => match group.value.parse::<f64>() {
-                Ok(number) if number.is_finite() => {
-                    // A vertex starts with its x; a bulge or a height before the first belongs to none.
-                    let early = kind == "LWPOLYLINE" && matches!(group.code, 20 | 42) && coordinates[0] == 0;
-                    match group.code {
-                        10 => coordinates[0] += 1,
-                        20 => coordinates[1] += 1,
-                        11 => fit[0] += 1,
-                        21 => fit[1] += 1,
-                        _ => {}
-                    }
-                    if !early {
-                        record.numbers.push((group.code, number));
-                    }
-                }
+                Ok(number) if number.is_finite() => record.numbers.push((group.code, number)),
                 _ => return unreadable(place(), group, findings),
             },
         }
     }
+    let count = |code: i32| record.all(code).count();
+    let (coordinates, fit) = ([10, 20].map(count), [11, 21].map(count));
     let needed = !matches!(kind, "SEQEND" | "ENDBLK" | "BLOCK" | "POLYLINE");
     let is_fitted = kind == "SPLINE" && fit[0] > 1 && fit[0] == fit[1];
     if coordinates[0] != coordinates[1] || (needed && coordinates[0] == 0 && !is_fitted) {
@@ -275,8 +266,7 @@ fn entity(
         findings.error("D103", place(), message, "draw it again, or take it out");
         return None;
     }
-    let heights = body.iter().filter(|g| g.code == 30).count();
-    if kind == "SPLINE" && heights > coordinates[0] {
+    if kind == "SPLINE" && count(30) > coordinates[0] {
         findings.error("D103", place(), "a spline has more heights than points", "draw it again, or take it out");
         return None;
     }

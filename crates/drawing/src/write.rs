@@ -119,6 +119,10 @@ impl Groups {
         let _ = write!(self.text, "{code:>3}\r\n{value}\r\n");
     }
 
+    fn all(&mut self, pairs: &[(u32, &str)]) {
+        pairs.iter().for_each(|(code, value)| self.put(*code, value));
+    }
+
     /// A number with decimals: the shortest that reads back to the same, never with an exponent.
     fn number(&mut self, code: u32, number: f64) {
         let point = if number.fract() == 0.0 { ".0" } else { "" };
@@ -126,8 +130,7 @@ impl Groups {
     }
 
     fn section(&mut self, name: &str, content: impl FnOnce(&mut Groups)) {
-        self.put(0, "SECTION");
-        self.put(2, name);
+        self.all(&[(0, "SECTION"), (2, name)]);
         content(self);
         self.put(0, "ENDSEC");
     }
@@ -143,8 +146,7 @@ impl Groups {
             // R2010; metres; metric; the next free handle.
             let variables = [("$ACADVER", 1, "AC1024"), ("$INSUNITS", 70, "6"), ("$MEASUREMENT", 70, "1")];
             for (name, code, value) in variables.into_iter().chain([("$HANDSEED", 5, seed.as_str())]) {
-                groups.put(9, name);
-                groups.put(code, value);
+                groups.all(&[(9, name), (code, value)]);
             }
         });
     }
@@ -152,27 +154,17 @@ impl Groups {
     /// A table and its rows: name, special handle, groups after the name.
     fn table(&mut self, kind: &str, class: &str, rows: &[Row<'_>]) {
         let table = self.next();
-        self.put(0, "TABLE");
-        self.put(2, kind);
-        self.put(5, &table);
-        self.put(330, NOBODY);
-        self.put(100, "AcDbSymbolTable");
+        self.all(&[(0, "TABLE"), (2, kind), (5, &table), (330, NOBODY), (100, "AcDbSymbolTable")]);
         self.put(70, rows.len());
         if kind == "DIMSTYLE" {
             self.put(100, "AcDbDimStyleTable");
         }
         for row in rows {
             let handle = row.handle.map_or_else(|| self.next(), str::to_owned);
-            self.put(0, kind);
             // Group 5 is the size of arrow heads there.
-            self.put(if kind == "DIMSTYLE" { 105 } else { 5 }, handle);
-            self.put(330, &table);
-            self.put(100, "AcDbSymbolTableRecord");
-            self.put(100, class);
-            self.put(2, row.name);
-            for (code, value) in row.rest {
-                self.put(*code, value);
-            }
+            self.all(&[(0, kind), (if kind == "DIMSTYLE" { 105 } else { 5 }, &handle), (330, &table)]);
+            self.all(&[(100, "AcDbSymbolTableRecord"), (100, class), (2, row.name)]);
+            self.all(row.rest);
         }
         self.put(0, "ENDTAB");
     }
@@ -210,13 +202,11 @@ impl Groups {
         self.section("BLOCKS", |groups| {
             for (name, space) in [("*Model_Space", MODEL_SPACE), ("*Paper_Space", PAPER_SPACE)] {
                 groups.entity("BLOCK", space, "0", "AcDbBlockBegin");
-                groups.put(2, name);
-                groups.put(70, 0);
+                groups.all(&[(2, name), (70, "0")]);
                 for code in [10, 20, 30] {
                     groups.number(code, 0.0);
                 }
-                groups.put(3, name);
-                groups.put(1, "");
+                groups.all(&[(3, name), (1, "")]);
                 groups.entity("ENDBLK", space, "0", "AcDbBlockEnd");
             }
         });
@@ -224,11 +214,7 @@ impl Groups {
 
     fn entity(&mut self, kind: &str, space: &str, layer: &str, class: &str) {
         let handle = self.next();
-        self.put(0, kind);
-        self.put(5, handle);
-        self.put(330, space);
-        self.put(100, "AcDbEntity");
-        self.put(8, layer);
+        self.all(&[(0, kind), (5, &handle), (330, space), (100, "AcDbEntity"), (8, layer)]);
         if space == MODEL_SPACE && !matches!(kind, "BLOCK" | "ENDBLK") {
             self.put(370, BY_LAYER);
             self.put(440, OPAQUE);
@@ -261,14 +247,9 @@ impl Groups {
     fn objects(&mut self) {
         self.section("OBJECTS", |groups| {
             for (handle, owner) in [(ROOT, NOBODY), (GROUPS, ROOT)] {
-                groups.put(0, "DICTIONARY");
-                groups.put(5, handle);
-                groups.put(330, owner);
-                groups.put(100, "AcDbDictionary");
-                groups.put(281, 1);
+                groups.all(&[(0, "DICTIONARY"), (5, handle), (330, owner), (100, "AcDbDictionary"), (281, "1")]);
                 if handle == ROOT {
-                    groups.put(3, "ACAD_GROUP");
-                    groups.put(350, GROUPS);
+                    groups.all(&[(3, "ACAD_GROUP"), (350, GROUPS)]);
                 }
             }
         });

@@ -3,6 +3,7 @@
 
 pub mod blocks;
 pub mod discretise;
+mod extent;
 pub mod packing_file;
 pub mod section;
 

@@ -87,17 +87,17 @@ fn grain(row: &csv::StringRecord, columns: [usize; 3]) -> Result<[f64; 3], Strin
 pub fn write(found: &Collapse) -> String {
     let Some(packing) = &found.packing else { return String::new() };
     let origin = packing.seed.map_or("read from a file".to_string(), |seed| format!("seed {seed}"));
-    let mut text =
-        format!("# Packing of {} particles for {}, {origin}.\n", packing.grains.len(), harmless_line(&found.bridge));
-    let _ = writeln!(text, "# Centres and radii as packed, under the lid. At rest under its own weight:");
-    let _ = writeln!(
-        text,
-        "# solid fraction {}, {} contacts a particle, mean stress {} kPa.",
+    let mut text = format!(
+        "# Packing of {} particles for {}, {origin}.\n\
+         # Centres and radii as packed, under the lid. At rest under its own weight:\n\
+         # solid fraction {}, {} contacts a particle, mean stress {} kPa.\n\
+         # To use it again, copy it beside the bridge file and write file = \"packing.csv\" in [particles].\n",
+        packing.grains.len(),
+        harmless_line(&found.bridge),
         packing.solid_fraction,
         packing.coordination,
         packing.mean_stress / 1e3
     );
-    text += "# To use it again, copy it beside the bridge file and write file = \"packing.csv\" in [particles].\n";
     text += "x_m,y_m,radius_m,layer\n";
     let discs = &found.picture.particles;
     for (k, [x, y, radius]) in packing.grains.iter().enumerate() {

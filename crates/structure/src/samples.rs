@@ -96,9 +96,7 @@ pub(crate) fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge 
         span,
         rise: 0.5 * span,
         rings: vec![Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs }],
-        defects: Vec::new(),
-        skew: 0.0,
-        right_springing: 0.0,
+        ..b.spans[0].clone()
     };
     b.masonry.rounding = 0.0;
     b.cover.depth = 0.0;
@@ -117,19 +115,7 @@ pub(crate) fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, 
 /// Case 2: the weight of the fill acts on the ring, loads disperse through the whole cover.
 pub(crate) fn case_two() -> Bridge {
     let mut b = bridgemill();
-    let layer = |name, thickness, weighs| Layer {
-        name,
-        thickness,
-        density: 1890.0,
-        weighs,
-        elastic_modulus: None,
-        friction_angle: None,
-        cohesion: None,
-        particles: false,
-        slabs: None,
-        continuum: false,
-        tensile_strength: None,
-    };
+    let layer = |name, thickness, weighs| Layer { name, weighs, ..fill(thickness, 1890.0) };
     b.cover.layers = vec![
         layer(LayerKind::Fill, 0.203, true),
         layer(LayerKind::SubBase, 0.125, false),
@@ -141,15 +127,7 @@ pub(crate) fn case_two() -> Bridge {
 /// Two spans of 6 m on a pier, with fill and ballast over them.
 pub(crate) fn railway() -> Bridge {
     let ring = Ring { crown_thickness: 0.54, springing_thickness: 0.54, voussoirs: 19 };
-    let span = Span {
-        profile: Profile::Segmental,
-        span: 6.0,
-        rise: 1.5,
-        rings: vec![ring],
-        defects: Vec::new(),
-        skew: 0.0,
-        right_springing: 0.0,
-    };
+    let span = Span { span: 6.0, rise: 1.5, rings: vec![ring], ..bridgemill().spans[0].clone() };
     let mut b = spans(vec![span; 2], 1.5, 1.5, 3.0, 6);
     b.name = "railway".into();
     b.width = 4.87;

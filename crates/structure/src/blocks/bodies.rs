@@ -1,5 +1,6 @@
 //! Bodies: those that the file lists, and those that its drawing holds on mapped layers.
 
+use super::loads::centroid;
 use super::{Said, overlaps};
 use bridge::TextRange;
 use bridge::blocks::{BlockFile, DrawingPart, MappedLayer, Role};
@@ -47,7 +48,7 @@ pub(super) fn bodies(
     let mut particles = Vec::new();
     for block in &file.blocks {
         let mut outline = block.outline.clone();
-        if signed_area(&outline) < 0.0 {
+        if centroid(&outline).0 < 0.0 {
             outline.reverse();
         }
         let name = bodies.name(block.name.clone(), &block.layer);
@@ -116,15 +117,6 @@ impl Bodies {
         }
         self.list.push(body);
     }
-}
-
-fn signed_area(points: &[[f64; 2]]) -> f64 {
-    let n = points.len();
-    let cross = |i: usize| {
-        let (o, a, b) = (points[0], points[i], points[(i + 1) % n]);
-        (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
-    };
-    (0..n).map(cross).sum()
 }
 
 fn same(a: &str, b: &str) -> bool {

@@ -1,7 +1,7 @@
 //! Contact laws of all pairs of materials.
 
 use super::{Body, Particle, Said};
-use crate::discretise::laws::{LEAST_LENGTH_SHARE, stiffness};
+use crate::discretise::laws::{LEAST_LENGTH_SHARE, contact, moduli};
 use bridge::blocks::{BlockFile, Material, MaterialJoint};
 use bridge::{Joint, TextRange};
 use mechanics::blocks::{ContactLaw, LawTable, Stiffness};
@@ -89,17 +89,9 @@ fn frictionless(least_length: f64) -> ContactLaw {
 fn law(joint: &Joint, [a, b]: [&Material; 2], least: f64) -> ContactLaw {
     // Half of the way between the two centres lies in each material.
     let together = |p: Option<f64>, q: Option<f64>| Some(2.0 / (1.0 / p? + 1.0 / q?));
-    let shear = |m: &Material| Some(m.masonry.elastic_modulus? / (2.0 * (1.0 + m.masonry.poisson_ratio?)));
+    let [p, q] = [a, b].map(|m| moduli(m.masonry.elastic_modulus, m.masonry.poisson_ratio));
     let strength = |m: &Material| m.masonry.compressive_strength.unwrap_or(f64::INFINITY);
-    ContactLaw {
-        normal: stiffness(joint.normal_stiffness, together(a.masonry.elastic_modulus, b.masonry.elastic_modulus)),
-        shear: stiffness(joint.shear_stiffness, together(shear(a), shear(b))),
-        friction: joint.friction_angle.tan(),
-        cohesion: joint.cohesion,
-        tension: joint.tensile_strength,
-        // The weaker of the two crushes.
-        crushing: strength(a).min(strength(b)),
-        fixed_length: joint.fixed_length,
-        least_length: joint.least_length.unwrap_or(least),
-    }
+    // The weaker of the two crushes.
+    let crushing = strength(a).min(strength(b));
+    contact(joint, [together(p[0], q[0]), together(p[1], q[1])], crushing, least)
 }

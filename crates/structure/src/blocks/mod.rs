@@ -113,16 +113,8 @@ struct Said {
 
 impl Said {
     fn error(&mut self, code: &'static str, range: TextRange, message: String, label: &str, help: String) {
-        let severity = Severity::Error;
-        self.list.push(Diagnostic {
-            code,
-            severity,
-            message,
-            range,
-            label: label.into(),
-            note: None,
-            help: Some(help),
-        });
+        let (severity, label, help) = (Severity::Error, label.into(), Some(help));
+        self.list.push(Diagnostic { code, severity, message, range, label, note: None, help });
     }
 
     fn any_error(&self) -> bool {

@@ -2,6 +2,7 @@
 
 use super::Said;
 use super::bodies::{Body, Particle};
+use crate::extent::extent;
 use bridge::TextRange;
 
 /// Particles that press on one another overlap by their deflection, and a packing that was written down keeps it. Beyond
@@ -16,35 +17,24 @@ const MOST_PAIRS: usize = 4_000_000;
 /// circle stands in the file, and as what in its drawing.
 pub(super) fn check(bodies: &[Body], particles: &[Particle], places: &[(TextRange, String)], said: &mut Said) {
     let wide = |p: &Particle| [p.centre[0] - p.radius, p.centre[0] + p.radius];
-    let wide_body = |b: &Body| {
-        let x = || b.outline.iter().map(|p| p[0]);
-        [x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max)]
-    };
+    let wide_body = |b: &Body| extent(b.outline.iter().map(|p| p[0]));
     // Circles come first, blocks after them.
-    let spans: Vec<[f64; 2]> = particles.iter().map(wide).chain(bodies.iter().map(wide_body)).collect();
+    let spans: &[[f64; 2]] = &particles.iter().map(wide).chain(bodies.iter().map(wide_body)).collect::<Vec<_>>();
     let mut order: Vec<usize> = (0..spans.len()).collect();
     order.sort_by(|&i, &j| spans[i][0].total_cmp(&spans[j][0]).then(i.cmp(&j)));
-    let (mut pairs, mut found) = (0usize, Vec::new());
-    'all: for (k, &i) in order.iter().enumerate() {
-        for &j in order[k + 1..].iter().take_while(|&&j| spans[j][0] < spans[i][1]) {
-            pairs += 1;
-            if pairs > MOST_PAIRS || found.len() >= MOST {
-                break 'all;
-            }
-            let (first, other) = (i.min(j), i.max(j));
-            if first >= particles.len() {
-                continue;
-            }
-            let p = &particles[first];
-            let (depth, radius) = match particles.get(other) {
-                Some(q) => (p.radius + q.radius - distance(p.centre, q.centre), p.radius.min(q.radius)),
-                None => (p.radius - from_outline(p.centre, &bodies[other - particles.len()].outline), p.radius),
-            };
-            if depth > PRESSED * radius {
-                found.push((first, other, depth));
-            }
-        }
-    }
+    let pairs = order.iter().enumerate().flat_map(|(k, &i)| {
+        let reached = order[k + 1..].iter().take_while(move |&&j| spans[j][0] < spans[i][1]);
+        reached.map(move |&j| (i.min(j), i.max(j)))
+    });
+    let reaches = |(first, other): (usize, usize)| {
+        let p = particles.get(first)?;
+        let (depth, radius) = match particles.get(other) {
+            Some(q) => (p.radius + q.radius - distance(p.centre, q.centre), p.radius.min(q.radius)),
+            None => (p.radius - from_outline(p.centre, &bodies[other - particles.len()].outline), p.radius),
+        };
+        (depth > PRESSED * radius).then_some((first, other, depth))
+    };
+    let mut found: Vec<_> = pairs.take(MOST_PAIRS).filter_map(reaches).take(MOST).collect();
     found.sort_by_key(|&(first, other, _)| (first, other));
     for (first, other, depth) in found {
         let (range, place) = &places[first];

@@ -44,10 +44,9 @@ pub fn skeleton(name: &str, drawing: &drawing::Drawing) -> String {
 
 /// A block model file from a model, with every number that decides an analysis: read again, it gives the same model.
 pub fn toml(scene: &Scene) -> String {
-    let mut page = format!("# {}: every block listed, in metres.\n\n", one_line(&scene.name));
-    let _ = writeln!(
-        page,
-        "[model]\nname = {}\nwidth = \"{} m\"\ngravity = \"{} m/s^2\"\n",
+    let mut page = format!(
+        "# {}: every block listed, in metres.\n\n[model]\nname = {}\nwidth = \"{} m\"\ngravity = \"{} m/s^2\"\n\n",
+        one_line(&scene.name),
         text(&scene.name),
         scene.width,
         scene.gravity
@@ -61,13 +60,8 @@ pub fn toml(scene: &Scene) -> String {
         if let Some(ratio) = m.poisson_ratio {
             let _ = writeln!(page, "poisson_ratio = {ratio:?}");
         }
-        match m.compressive_strength {
-            Some(strength) => {
-                let _ = writeln!(page, "compressive_strength = \"{strength} Pa\"");
-            }
-            None => page += "compressive_strength = \"unlimited\"\n",
-        }
-        let _ = writeln!(page, "rounding = \"{} m\"\n", m.rounding);
+        let strength = m.compressive_strength.map_or("unlimited".to_owned(), |strength| format!("{strength} Pa"));
+        let _ = writeln!(page, "compressive_strength = \"{strength}\"\nrounding = \"{} m\"\n", m.rounding);
     }
     let names: Vec<String> = scene.materials.iter().map(|material| material.name.clone()).collect();
     joints(&mut page, &names, |a, b| *scene.laws.between(GroupId(a as u32), GroupId(b as u32)));

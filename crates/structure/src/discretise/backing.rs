@@ -9,8 +9,9 @@ use super::build::Build;
 use super::extrados::{Face, Stretch};
 use super::springings::are_level;
 use super::wall::Layout;
-use super::wall::haunch::{Chain, stones};
+use super::wall::haunch::stones;
 use super::{DiscretiseError, Origin};
+use crate::extent::extent;
 use bridge::Backing;
 use mechanics::blocks::Held;
 use mechanics::ids::{BlockId, GroupId};
@@ -21,14 +22,6 @@ const LEAST: f64 = 0.05;
 
 /// Points nearer than this are one [m].
 const NEAR: f64 = 1e-9;
-
-/// Backing on the extrados.
-pub(super) struct Backed {
-    /// Upper faces of the backing, and the backs that it leaves bare, from left to right.
-    pub upper: Vec<Stretch>,
-    /// Plumb faces at its ends, with fill behind them.
-    pub faces: Vec<Face>,
-}
 
 /// The foot of the backing between two spans, or between a span and the end of an abutment.
 struct Valley {
@@ -43,8 +36,13 @@ struct Valley {
 }
 
 impl Build<'_> {
-    /// Lays backing up to a level [m] on the extrados.
-    pub(super) fn backed(&mut self, backing: &Backing, level: f64) -> Result<Backed, DiscretiseError> {
+    /// Lays backing up to a level [m] on the extrados. Gives the upper faces of the backing and the backs that it leaves bare, from left to right,
+    /// and the plumb faces at its ends, with fill behind them.
+    pub(super) fn backed(
+        &mut self,
+        backing: &Backing,
+        level: f64,
+    ) -> Result<(Vec<Stretch>, Vec<Face>), DiscretiseError> {
         if !are_level(self.bridge) {
             return Err(DiscretiseError::SpringingsNotLevel { what: "backing as blocks" });
         }
@@ -66,12 +64,12 @@ impl Build<'_> {
             if laying.span(stretch).is_some()
                 && let Some(rest) = above(stretch, covered[k])
             {
-                laying.on(&rest, &[]);
+                laying.on(&rest, None);
             }
         }
         let (mut upper, faces) = (laying.upper, laying.faces);
         upper.sort_by(|a, b| a.left.x.total_cmp(&b.left.x));
-        Ok(Backed { upper, faces })
+        Ok((upper, faces))
     }
 }
 
@@ -110,11 +108,6 @@ impl Laying<'_, '_> {
             Origin::Voussoir { span, .. } => Some(span),
             _ => None,
         }
-    }
-
-    /// Whether a stretch is the top of an abutment: backing ends there.
-    fn ends(&self, stretch: &Stretch) -> bool {
-        matches!(self.build.origins[stretch.block], Origin::Abutment { .. } | Origin::AbutmentCourse { .. })
     }
 
     fn valleys(&self, stretches: &[Stretch]) -> Vec<Valley> {
@@ -165,23 +158,21 @@ impl Laying<'_, '_> {
     /// Stones with level beds in a valley, and the block on them up to the backing's level.
     fn fill(&mut self, valley: &Valley, stretches: &[Stretch]) -> Result<(), DiscretiseError> {
         let foot = valley.flat[0].y.max(valley.flat[1].y);
-        let ends: Vec<f64> = match &valley.seat {
-            Some(seat) if self.ends(seat) && seat.right.x < stretches[stretches.len() / 2].left.x => {
-                vec![valley.flat[0].x]
-            }
-            Some(seat) if self.ends(seat) => vec![valley.flat[1].x],
-            _ => vec![],
-        };
+        let is_left = |seat: &Stretch| seat.right.x < stretches[stretches.len() / 2].left.x;
+        // Backing ends at the top of an abutment.
+        let is_abutment = |origin| matches!(origin, Origin::Abutment { .. } | Origin::AbutmentCourse { .. });
+        let last = valley.seat.filter(|seat| is_abutment(self.build.origins[seat.block]));
+        let end = last.map(|seat| valley.flat[usize::from(!is_left(&seat))].x);
         if !(valley.head > foot + NEAR) {
             if let Some(seat) = valley.seat {
-                self.on(&Stretch { left: valley.flat[0], right: valley.flat[1], ..seat }, &ends);
+                self.on(&Stretch { left: valley.flat[0], right: valley.flat[1], ..seat }, end);
             }
             return Ok(());
         }
         let chain = |side: usize| {
             let backs = &valley.sides[side];
             if backs.is_empty() {
-                return Chain::plumb(valley.flat[side], valley.head);
+                return vec![valley.flat[side], vec2(valley.flat[side].x, valley.head)];
             }
             let mut corners = vec![valley.flat[side]];
             for &k in backs {
@@ -196,10 +187,10 @@ impl Laying<'_, '_> {
                     high
                 });
             }
-            Chain::backs(&corners)
+            corners
         };
         let [left, right] = [chain(0), chain(1)];
-        let bed = [left.head(), right.head()];
+        let bed = [left[left.len() - 1], right[right.len() - 1]];
         let layout = Layout {
             ends: [valley.flat[0].x, valley.flat[1].x],
             top: valley.head,
@@ -213,12 +204,12 @@ impl Laying<'_, '_> {
         };
         let mut top = None;
         for stone in stones(&left, &right, &layout).map_err(DiscretiseError::Backing)? {
-            top = Some(self.piece(stone.outline, &ends));
+            top = Some(self.piece(stone.outline, end));
         }
         if self.level - valley.head >= LEAST
             && let Ok(outline) = Polygon::rectangle(bed[0], bed[1].x - bed[0].x, self.level - valley.head)
         {
-            let block = self.piece(outline, &ends);
+            let block = self.piece(outline, end);
             let at = |p: Vec2| vec2(p.x, self.level);
             self.upper.push(Stretch { block, left: at(bed[0]), right: at(bed[1]), ground: false });
         } else if let Some(block) = top {
@@ -228,7 +219,7 @@ impl Laying<'_, '_> {
     }
 
     /// A column on a flat back, and what it leaves bare.
-    fn on(&mut self, stretch: &Stretch, ends: &[f64]) {
+    fn on(&mut self, stretch: &Stretch, end: Option<f64>) {
         let Some((left, right, outline)) = column(stretch, self.level) else {
             self.upper.push(*stretch);
             return;
@@ -237,7 +228,7 @@ impl Laying<'_, '_> {
         if left > stretch.left.x {
             self.upper.push(part(stretch.left.x, left));
         }
-        let block = self.piece(outline, ends);
+        let block = self.piece(outline, end);
         let [a, b] = [left, right].map(|x| vec2(x, self.level));
         self.upper.push(Stretch { block, left: a, right: b, ground: false });
         if right < stretch.right.x {
@@ -245,20 +236,17 @@ impl Laying<'_, '_> {
         }
     }
 
-    fn piece(&mut self, outline: Polygon, ends: &[f64]) -> BlockId {
-        let faces: Vec<(f64, [f64; 2], f64)> = ends
-            .iter()
-            .filter_map(|&x| {
-                let on = outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y);
-                let (low, high) = on.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
-                (high - low > NEAR).then_some((x, [low, high], (outline.centroid().x - x).signum()))
-            })
-            .collect();
+    /// A piece, and its plumb face where it reaches an end of the backing.
+    fn piece(&mut self, outline: Polygon, end: Option<f64>) -> BlockId {
+        let face = end.and_then(|x| {
+            let [low, high] = extent(outline.vertices().iter().filter(|p| (p.x - x).abs() < NEAR).map(|p| p.y));
+            (high - low > NEAR).then_some((x, [low, high], (outline.centroid().x - x).signum()))
+        });
         let origin = Origin::Backing { column: self.pieces };
         self.pieces += 1;
-        let block = self.build.block(outline, self.group, Held::FREE, origin, None);
+        let block = self.build.block(outline, self.group, Held::FREE, origin);
         self.build.blocks[block].density = self.backing.density;
-        self.faces.extend(faces.into_iter().map(|(x, levels, inwards)| Face { block, x, levels, inwards }));
+        self.faces.extend(face.map(|(x, levels, inwards)| Face { block, x, levels, inwards }));
         block
     }
 }

@@ -6,11 +6,8 @@ use super::dispersal::{Spread, Strip};
 use super::extrados::{Extrados, Stretch};
 use super::fill::FillRegion;
 use super::movement::movements;
-use super::supports::Skewback;
 use super::wall::{Seat, WallError};
-use super::{
-    DiscretiseError, Faces, Origin, cover, defects, dispersal, fill, laws, pressure, rings, supports, voids, wall,
-};
+use super::{DiscretiseError, Faces, Origin, cover, defects, dispersal, fill, laws, pressure, supports, voids, wall};
 use bridge::{Bridge, SpandrelWall, Strip as Width};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading};
 use mechanics::ids::{BlockId, GroupId, Table};
@@ -62,16 +59,9 @@ impl<'a> Build<'a> {
         }
     }
 
-    pub(super) fn block(
-        &mut self,
-        outline: Polygon,
-        group: GroupId,
-        held: Held,
-        origin: Origin,
-        faces: Option<Faces>,
-    ) -> BlockId {
+    pub(super) fn block(&mut self, outline: Polygon, group: GroupId, held: Held, origin: Origin) -> BlockId {
         self.origins.push(origin);
-        self.faces.push(faces);
+        self.faces.push(None);
         let Bridge { masonry, .. } = self.bridge;
         self.blocks.push(Block { outline, rounding: masonry.rounding, density: masonry.density, group, held })
     }
@@ -82,25 +72,11 @@ impl<'a> Build<'a> {
         }
     }
 
-    pub(super) fn abutment(&mut self, support: usize, skewback: Skewback, side: f64) -> Result<(), DiscretiseError> {
-        let described = &self.bridge.abutments[usize::from(side > 0.0)];
-        if let Some(body) = &described.body {
-            return self.movable_abutment(support, described, body, skewback, side);
-        }
-        let (outline, top) = supports::abutment(support, described, skewback, side)?;
-        let group = self.groups.push(Origin::Abutment { support }.name());
-        let block = self.block(outline, group, Held::FIXED, Origin::Abutment { support }, None);
-        self.stretch(block, top, true);
-        self.seats.push(Seat { left: top[0], right: top[1], span: None });
-        self.extrados.line.extend(top);
-        Ok(())
-    }
-
-    pub(super) fn span(&mut self, span: usize, rings: Vec<Vec<rings::Cut>>) {
+    pub(super) fn span(&mut self, span: usize, rings: Vec<Vec<(Polygon, Faces)>>) {
         let uppermost = rings.len() - 1;
         for (ring, cuts) in rings.into_iter().enumerate() {
             let mut groups: Vec<RingGroup> = Vec::new();
-            for (voussoir, cut) in cuts.into_iter().enumerate() {
+            for (voussoir, (outline, faces)) in cuts.into_iter().enumerate() {
                 let state = defects::State::of(&self.bridge.spans[span], ring, voussoir);
                 if state.is_missing {
                     continue;
@@ -112,81 +88,16 @@ impl<'a> Build<'a> {
                     groups.push(RingGroup { group, span, ring, state });
                     group
                 });
-                let faces = Faces { bed: cut.bed, back: cut.back };
                 let origin = Origin::Voussoir { span, ring, voussoir };
-                let block = self.block(cut.outline, group, Held::FREE, origin, Some(faces));
+                let block = self.block(outline, group, Held::FREE, origin);
+                self.faces[block] = Some(faces);
                 if ring == uppermost {
-                    self.stretch(block, cut.back, false);
-                    self.seats.push(Seat { left: cut.back[0], right: cut.back[1], span: Some(span) });
+                    self.stretch(block, faces.back, false);
+                    self.seats.push(Seat { left: faces.back[0], right: faces.back[1], span: Some(span) });
                 }
             }
             self.rings.extend(groups);
         }
-    }
-
-    pub(super) fn pier(
-        &mut self,
-        support: usize,
-        pier: &bridge::Pier,
-        left: Skewback,
-        right: Skewback,
-    ) -> Result<(), DiscretiseError> {
-        let cut = supports::pier(support, pier, left, right)?;
-        let mut group = self.groups.push(format!("pier {support}"));
-        self.block(cut.foundation, group, Held::FIXED, Origin::Foundation { support }, None);
-        let courses = cut.courses.len();
-        for (course, supports::Course { outline, across }) in cut.courses.into_iter().enumerate() {
-            let ratios = across.map(|ends| ends.map(|width| width / self.bridge.width));
-            if ratios.is_some() {
-                group = self.groups.push(format!("pier {support} course {}", course + 1));
-            }
-            let block = self.block(outline, group, Held::FREE, Origin::Pier { support, course }, None);
-            if let Some([low, high]) = ratios {
-                self.blocks[block].density *= 0.5 * (low + high);
-                if low.min(high) < 1.0 {
-                    self.shares.push((group, low.min(high)));
-                }
-            }
-            if course + 1 == courses {
-                self.stretch(block, cut.top, false);
-            }
-        }
-        if cut.top[1].x > cut.top[0].x {
-            self.seats.push(Seat { left: cut.top[0], right: cut.top[1], span: None });
-        }
-        Ok(())
-    }
-
-    /// An abutment of blocks on the ground.
-    pub(super) fn movable_abutment(
-        &mut self,
-        support: usize,
-        described: &bridge::Abutment,
-        body: &bridge::AbutmentBody,
-        skewback: Skewback,
-        side: f64,
-    ) -> Result<(), DiscretiseError> {
-        let cut = supports::movable(support, described, body, skewback, side)?;
-        let ground = self.groups.push(Origin::AbutmentGround { support }.name());
-        self.grounds.push((ground, body.ground_friction_angle.tan()));
-        self.block(cut.ground, ground, Held::FIXED, Origin::AbutmentGround { support }, None);
-        let group = self.groups.push(format!("{} abutment", if support == 0 { "left" } else { "right" }));
-        let courses = cut.courses.len();
-        for (course, (outline, back)) in cut.courses.into_iter().enumerate() {
-            let block = self.block(outline, group, Held::FREE, Origin::AbutmentCourse { support, course }, None);
-            self.pressed.push(supports::Back {
-                block,
-                ends: back,
-                inwards: -side,
-                top: cut.top[usize::from(side > 0.0)],
-            });
-            if course + 1 == courses {
-                self.stretch(block, cut.top, false);
-            }
-        }
-        self.seats.push(Seat { left: cut.top[0], right: cut.top[1], span: None });
-        self.extrados.line.extend(cut.top);
-        Ok(())
     }
 
     /// Bricks on the extrados and the fixed walls at their ends; gives the upper faces.
@@ -221,15 +132,8 @@ impl<'a> Build<'a> {
         Ok((road, layout.top))
     }
 
-    pub(super) fn brick(
-        &mut self,
-        wall: &SpandrelWall,
-        outline: Polygon,
-        group: GroupId,
-        held: Held,
-        origin: Origin,
-    ) -> BlockId {
-        let id = self.block(outline, group, held, origin, None);
+    fn brick(&mut self, wall: &SpandrelWall, outline: Polygon, group: GroupId, held: Held, origin: Origin) -> BlockId {
+        let id = self.block(outline, group, held, origin);
         self.blocks[id].density = wall.density;
         self.blocks[id].rounding = wall.rounding;
         id
@@ -238,28 +142,32 @@ impl<'a> Build<'a> {
     /// The block of a load that stands on the wall or on particles; gives the force that the load puts on it.
     pub(super) fn loading_block(
         &mut self,
-        stands: &Stands,
+        on_particles: bool,
         road: &Extrados,
         load: usize,
         weight: f64,
         strip: Strip,
     ) -> Result<Spread, WallError> {
+        let (height, rounding) = match &self.bridge.spandrel_wall {
+            Some(wall) if !on_particles => (wall.brick_height, wall.rounding),
+            _ => (BLOCK_HEIGHT, self.bridge.masonry.rounding),
+        };
         let [from, to] = [road.line[0], road.line[1]];
         let half = 0.5 * strip.length;
         if strip.middle - half < from.x || strip.middle + half > to.x {
             return Err(WallError::BesideWall { x: strip.middle, from: from.x, to: to.x });
         }
-        let outline = Polygon::rectangle(vec2(strip.middle - half, to.y), strip.length, stands.height)
+        let outline = Polygon::rectangle(vec2(strip.middle - half, to.y), strip.length, height)
             .map_err(|source| WallError::Outline { x: strip.middle, y: to.y, source })?;
         let group = self.groups.push(Origin::LoadingBlock { load }.name());
-        if !stands.on_particles {
+        if !on_particles {
             self.walls.push(group);
         }
         let density = weight / (self.bridge.gravity * outline.area());
         let held = Held { x: true, y: false, rotation: true };
-        let block = self.block(outline, group, held, Origin::LoadingBlock { load }, None);
-        (self.blocks[block].density, self.blocks[block].rounding) = (density, stands.rounding);
-        let at = vec2(strip.middle, to.y + stands.height);
+        let block = self.block(outline, group, held, Origin::LoadingBlock { load });
+        (self.blocks[block].density, self.blocks[block].rounding) = (density, rounding);
+        let at = vec2(strip.middle, to.y + height);
         let forces = vec![mechanics::blocks::PointForce { block, at, force: vec2(0.0, -strip.force) }];
         let ends = [strip.middle - half, strip.middle + half].map(|x| vec2(x, to.y));
         Ok(Spread { strip, ends, depths: [0.0; 2], pressures: [0.0; 2], forces, to_ground: 0.0, shift: 0.0 })
@@ -285,13 +193,7 @@ impl<'a> Build<'a> {
         }
         let mut region = None;
         if fill::wanted(bridge).is_some() {
-            if bridge.cover.road.is_some() {
-                return Err(DiscretiseError::RoadNotLevel { what: "fill as particles" });
-            }
-            voids::solid(bridge, "fill as particles")?;
-            if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
-                return Err(DiscretiseError::MovableAbutment { what: "fill as particles" });
-            }
+            voids::solid(bridge, "fill as particles", false)?;
             let (filled, upper) = self.fill(surface.highest())?;
             (region, road) = (Some(filled), Some(upper));
         }
@@ -356,14 +258,13 @@ impl<'a> Build<'a> {
         for (index, load) in self.bridge.loads.iter().enumerate() {
             let block = &load.block;
             for strip in dispersal::strips(load, 0.0) {
-                let stands = Stands::of(self.bridge, region);
-                spreads.push(match (block, road, stands) {
-                    (Some(block), Some(road), Some(stands)) => {
+                spreads.push(match (block, road) {
+                    (Some(block), Some(road)) => {
                         weight += block.weight;
-                        self.loading_block(&stands, road, index, block.weight, strip)?
+                        self.loading_block(region.is_some(), road, index, block.weight, strip)?
                     }
-                    (Some(_), ..) => return Err(DiscretiseError::BlockOnCover { load: index + 1 }),
-                    (None, Some(road), _) if region.is_some_and(|r| r.slabs) => {
+                    (Some(_), None) => return Err(DiscretiseError::BlockOnCover { load: index + 1 }),
+                    (None, Some(road)) if region.is_some_and(|r| r.slabs) => {
                         dispersal::spread(strip, self.bridge.dispersal, surface, road)
                     }
                     _ if region.is_some() => return Err(DiscretiseError::LoadOnParticles { load: index + 1 }),
@@ -418,22 +319,5 @@ impl<'a> Build<'a> {
     }
 }
 
-/// What a loading block stands on, and how it is made.
-pub(super) struct Stands {
-    height: f64,
-    rounding: f64,
-    on_particles: bool,
-}
-
 /// Height of a loading block that stands on particles [m]: to be seen in drawings.
 const BLOCK_HEIGHT: f64 = 0.4;
-
-impl Stands {
-    fn of(bridge: &Bridge, region: Option<&FillRegion>) -> Option<Stands> {
-        if region.is_some() {
-            return Some(Stands { height: BLOCK_HEIGHT, rounding: bridge.masonry.rounding, on_particles: true });
-        }
-        let wall = bridge.spandrel_wall.as_ref()?;
-        Some(Stands { height: wall.brick_height, rounding: wall.rounding, on_particles: false })
-    }
-}

@@ -13,7 +13,7 @@ mod loaded;
 use super::dispersal::{Strip, strips};
 use super::{DiscretiseError, Discretised, Origin};
 use bridge::{Bridge, ContinuumPlan, Layer};
-use chain::{Tag, floor};
+use chain::floor;
 use confinement::panels;
 use layout::{Layout, distinct};
 use mechanics::blocks::{BlockModel, Loading};
@@ -148,16 +148,7 @@ pub fn loads(bridge: &Bridge) -> Vec<Strip> {
 /// A road, loads, voids or abutments that a continuum does not know, or no depth of it over the crown.
 pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>, DiscretiseError> {
     let Some(plan) = wanted(bridge) else { return Ok(None) };
-    if bridge.cover.road.is_some() {
-        return Err(DiscretiseError::RoadNotLevel { what: "fill as a continuum" });
-    }
-    if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
-        return Err(DiscretiseError::Horizontal { what: "fill as a continuum" });
-    }
-    super::voids::solid(bridge, "fill as a continuum")?;
-    if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
-        return Err(DiscretiseError::MovableAbutment { what: "fill as a continuum" });
-    }
+    super::voids::solid(bridge, "fill as a continuum", true)?;
     let backed = bridge.cover.backing.is_some_and(|backing| backing.body == bridge::BackingBody::Continuum);
     if backed && !super::springings::are_level(bridge) {
         return Err(DiscretiseError::SpringingsNotLevel { what: "backing as a continuum" });
@@ -197,7 +188,7 @@ pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>
         for piece in chain.raise(level, &layout.cuts(level)) {
             let material = layout.material(vec2(piece.middle(), middle));
             for (ends, tag) in piece.sides() {
-                if let Tag::Against(against) = tag {
+                if let Some(against) = tag {
                     edges.push(Edge { ends, against, material });
                 }
             }

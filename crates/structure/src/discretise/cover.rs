@@ -55,14 +55,12 @@ pub fn surface(bridge: &Bridge, extrados: &Extrados) -> Surface {
 
 /// Weight of the column above a point, per metre along the bridge [N/m per metre of width].
 pub(super) struct Column {
-    /// Top of backing and its weight density [N/m^3].
-    backing: Option<(Surface, f64)>,
-    /// Tops of internal walls and their mean weight density [N/m^3].
-    walls: Option<(Surface, f64)>,
+    /// Tops of backing and of internal walls, and their mean weight densities [N/m^3].
+    solid: Vec<(Surface, f64)>,
     /// Top of the lowest layer, and its weight density [N/m^3].
     fill: (Surface, f64),
     /// Weight of the layers of constant thickness [Pa].
-    above: f64,
+    pub(super) above: f64,
     /// Water in the pores of the lowest layer.
     water: Option<Pores>,
 }
@@ -86,13 +84,13 @@ impl Column {
     pub(super) fn of(bridge: &Bridge, extrados: &Extrados) -> Column {
         let unit = |l: &Layer| if l.weighs && !fill::is_bodies(bridge, l) { l.density * bridge.gravity } else { 0.0 };
         let lowest = bridge.cover.layers.first();
-        let weight = bridge.cover.backing.filter(|b| b.body != BackingBody::Blocks || fill::wanted(bridge).is_some());
+        let backing = bridge.cover.backing.filter(|b| b.body != BackingBody::Blocks || fill::wanted(bridge).is_some());
+        let walls = bridge.cover.internal_walls.map(|w| (w.height, w.density));
+        let solid = backing.map(|b| (b.height, b.density)).into_iter().chain(walls);
         Column {
-            backing: weight.map(|b| (above_springings(bridge, b.height), b.density * bridge.gravity)),
-            walls: bridge
-                .cover
-                .internal_walls
-                .map(|w| (above_springings(bridge, w.height), w.density * bridge.gravity)),
+            solid: solid
+                .map(|(height, density)| (above_springings(bridge, height), density * bridge.gravity))
+                .collect(),
             fill: (fill_top(bridge, extrados), lowest.map_or(0.0, unit)),
             above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
             water: bridge.cover.water.map(|pores| Pores {
@@ -104,9 +102,7 @@ impl Column {
     }
     /// The column that presses in any case: backing weighs no more than the fill it replaces.
     pub(super) fn pressing(mut self) -> Column {
-        let fill = self.fill.1;
-        self.backing = self.backing.map(|(top, weight)| (top, weight.min(fill)));
-        self.walls = self.walls.map(|(top, weight)| (top, weight.min(fill)));
+        self.solid.iter_mut().for_each(|(_, weight)| *weight = weight.min(self.fill.1));
         self
     }
     /// Level of the lowest layer's upper face at a place [m].
@@ -117,18 +113,14 @@ impl Column {
     pub(super) fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
         self.fill.0.kinks(from, to).chain(self.inner().flat_map(move |face| face.kinks(from, to)))
     }
-    /// Weight of the layers of constant thickness [Pa].
-    pub(super) fn above(&self) -> f64 {
-        self.above
-    }
     /// Upper faces of backing and internal walls, where there are some.
     fn inner(&self) -> impl Iterator<Item = &Surface> {
-        [&self.backing, &self.walls].into_iter().flatten().map(|(face, _)| face)
+        self.solid.iter().map(|(face, _)| face)
     }
     /// Weight of what lies above a point [Pa].
     pub(super) fn pressure(&self, at: Vec2) -> f64 {
         let (mut solid, mut floor) = (0.0, at.y);
-        for (top, weight) in [&self.backing, &self.walls].into_iter().flatten() {
+        for (top, weight) in &self.solid {
             let top = top.at(at.x);
             solid += weight * (top - floor).max(0.0);
             floor = floor.max(top);

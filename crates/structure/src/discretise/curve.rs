@@ -20,4 +20,9 @@ impl Curve {
         let station = self.intrados.at(share);
         (self.origin + vec2(station.point[0], station.point[1]), vec2(station.normal[0], station.normal[1]))
     }
+    /// Point at a share of the arc length, so far out along the normal [m].
+    pub(super) fn off(&self, share: f64, distance: f64) -> Vec2 {
+        let (point, normal) = self.at(share);
+        point + normal * distance
+    }
 }

@@ -76,29 +76,10 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: &Surface, extrados: &Extra
     let corners = [strip.middle - half, strip.middle + half].map(|x| vec2(x, surface.at(x)));
     let ends = match rule.rule {
         DispersalRule::None => corners.map(|c| vec2(c.x, extrados.level(c.x))),
-        DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
-            [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)]
-        }
+        _ => [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)],
     };
     let depths = [0, 1].map(|k| (corners[k].y - ends[k].y).max(0.0));
-    let length = ends[1].x - ends[0].x;
-    let shape = if length <= 0.0 {
-        Shape::Line
-    } else {
-        match rule.rule {
-            DispersalRule::InverseDepth if depths[0] + depths[1] > 0.0 => {
-                // Rouxinol, Providência and Lemos, equation (2).
-                let q = 2.0 * strip.force / (length * (depths[0] + depths[1]));
-                Shape::Linear(q * depths[1], q * depths[0])
-            }
-            DispersalRule::Boussinesq if depths[0].min(depths[1]) > 0.0 => Shape::Boussinesq,
-            // The last two where there is no depth to divide by.
-            DispersalRule::None | DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
-                Shape::Linear(strip.force / length, strip.force / length)
-            }
-        }
-    };
-    let mut found = gather(strip, ends, depths, shape, surface.at(strip.middle), extrados);
+    let mut found = gather(strip, rule.rule, (ends, depths), surface.at(strip.middle), extrados);
     strip.pull(&mut found.forces, surface);
     found
 }
@@ -121,62 +102,62 @@ fn end(from: Vec2, direction: f64, slope: f64, extrados: &Extrados) -> Vec2 {
     vec2(x, extrados.level(x))
 }
 
-enum Shape {
-    Line,
-    Linear(f64, f64),
-    Boussinesq,
-}
-
-fn gather(strip: Strip, ends: [Vec2; 2], depths: [f64; 2], shape: Shape, surface: f64, extrados: &Extrados) -> Spread {
+fn gather(
+    strip: Strip,
+    rule: DispersalRule,
+    (ends, depths): ([Vec2; 2], [f64; 2]),
+    surface: f64,
+    extrados: &Extrados,
+) -> Spread {
     let (x1, x2) = (ends[0].x, ends[1].x);
-    let mut shares: Vec<Resultant> = vec![Resultant::default(); extrados.stretches.len()];
-    let mut beyond = Resultant::default();
-    let mut on_roofs = vec![Resultant::default(); extrados.voids.len()];
+    let (roofs, beyond) = (extrados.stretches.len(), extrados.stretches.len() + extrados.voids.len());
+    // What comes to each stretch, then to each roof of a void, and beyond the extrados.
+    let mut shares = vec![Resultant::default(); beyond + 1];
     let mut pressures = [0.0; 2];
-    match shape {
-        Shape::Line => {
-            let here = extrados.stretches.iter().position(|s| s.left.x <= x1 && x1 <= s.right.x);
-            match (voids::over(&extrados.voids, x1), here) {
-                (Some(void), _) => on_roofs[void].point(x1, strip.force),
-                (None, Some(k)) => shares[k].point(x1, strip.force),
-                (None, None) => beyond.point(x1, strip.force),
-            }
+    let length = x2 - x1;
+    if length <= 0.0 {
+        let here = extrados.stretches.iter().position(|s| s.left.x <= x1 && x1 <= s.right.x);
+        let roof = voids::over(&extrados.voids, x1).map(|void| roofs + void);
+        shares[roof.or(here).unwrap_or(beyond)].point(x1, strip.force);
+    } else if rule == DispersalRule::Boussinesq && depths[0].min(depths[1]) > 0.0 {
+        let stress = |x: f64| strip_stress(strip, x, surface - extrados.level(x));
+        each_part(extrados, x1, x2, |on, a, b| {
+            let sum = quadrature(a, b, stress);
+            shares[on].force += sum.force;
+            shares[on].moment += sum.moment;
+        });
+        let on_roofs: f64 = shares[roofs..beyond].iter().fold(0.0, |sum, s| sum + s.force);
+        let total: f64 = shares[..roofs].iter().map(|s| s.force).sum::<f64>() + shares[beyond].force + on_roofs;
+        let scale = strip.force / total;
+        for s in &mut shares {
+            s.force *= scale;
+            s.moment *= scale;
         }
-        Shape::Linear(q1, q2) => {
-            pressures = [q1, q2];
-            let q = |x: f64| q1 + (q2 - q1) * (x - x1) / (x2 - x1);
-            each_part(extrados, x1, x2, |on, a, b| {
-                on.among(&mut shares, &mut on_roofs, &mut beyond).trapezoid(a, q(a), b, q(b));
-            });
+        pressures = [x1, x2].map(|x| stress(x) * scale);
+    } else {
+        pressures = if rule == DispersalRule::InverseDepth && depths[0] + depths[1] > 0.0 {
+            // Rouxinol, Providência and Lemos, equation (2).
+            let q = 2.0 * strip.force / (length * (depths[0] + depths[1]));
+            [q * depths[1], q * depths[0]]
+        } else {
+            // Uniform, and all where there is no depth to divide by.
+            [strip.force / length; 2]
+        };
+        let [q1, q2] = pressures;
+        let q = |x: f64| q1 + (q2 - q1) * (x - x1) / (x2 - x1);
+        each_part(extrados, x1, x2, |on, a, b| shares[on].trapezoid(a, q(a), b, q(b)));
+    }
+    for (k, void) in extrados.voids.iter().enumerate() {
+        let on_roof = shares[roofs + k];
+        if on_roof.force == 0.0 {
+            continue;
         }
-        Shape::Boussinesq => {
-            let stress = |x: f64| strip_stress(strip, x, surface - extrados.level(x));
-            each_part(extrados, x1, x2, |on, a, b| {
-                let sum = quadrature(a, b, stress);
-                let target = on.among(&mut shares, &mut on_roofs, &mut beyond);
-                target.force += sum.force;
-                target.moment += sum.moment;
-            });
-            let roofs: f64 = on_roofs.iter().fold(0.0, |sum, s| sum + s.force);
-            let total: f64 = shares.iter().map(|s| s.force).sum::<f64>() + beyond.force + roofs;
-            let scale = strip.force / total;
-            for s in shares.iter_mut().chain(&mut on_roofs).chain([&mut beyond]) {
-                s.force *= scale;
-                s.moment *= scale;
-            }
-            pressures = [x1, x2].map(|x| stress(x) * scale);
+        for (side, (x, force)) in voids::carried(void, &on_roof).into_iter().enumerate() {
+            shares[voids::bearing(&extrados.stretches, void, side).unwrap_or(beyond)].point(x, force);
         }
     }
-    for (void, on_roof) in extrados.voids.iter().zip(&on_roofs).filter(|(_, on_roof)| on_roof.force != 0.0) {
-        for (side, (x, force)) in voids::carried(void, on_roof).into_iter().enumerate() {
-            match voids::bearing(&extrados.stretches, void, side) {
-                Some(k) => shares[k].point(x, force),
-                None => beyond.point(x, force),
-            }
-        }
-    }
-    let (mut forces, mut to_ground) = (Vec::new(), beyond.force);
-    let mut sum = beyond;
+    let mut sum = shares[beyond];
+    let (mut forces, mut to_ground) = (Vec::new(), sum.force);
     for (stretch, share) in extrados.stretches.iter().zip(&shares) {
         sum.force += share.force;
         sum.moment += share.moment;
@@ -191,37 +172,16 @@ fn gather(strip: Strip, ends: [Vec2; 2], depths: [f64; 2], shape: Shape, surface
     Spread { strip, ends, depths, pressures, forces, to_ground, shift }
 }
 
-/// What a piece of a load comes to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum On {
-    Stretch(usize),
-    Roof(usize),
-    Beyond,
-}
-
-impl On {
-    fn among<'a>(
-        self,
-        shares: &'a mut [Resultant],
-        on_roofs: &'a mut [Resultant],
-        beyond: &'a mut Resultant,
-    ) -> &'a mut Resultant {
-        match self {
-            On::Stretch(k) => &mut shares[k],
-            On::Roof(k) => &mut on_roofs[k],
-            On::Beyond => beyond,
-        }
-    }
-}
-
-/// Calls `part` for each piece of [x1, x2] with the stretch or the roof of a void it lies on, or that it lies beyond the extrados.
-fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(On, f64, f64)) {
+/// Calls `part` for each piece of [x1, x2] with the place among the shares of what it comes to: the stretch or the roof of a void it lies on, or
+/// what lies beyond the extrados.
+fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(usize, f64, f64)) {
+    let (roofs, beyond) = (extrados.stretches.len(), extrados.stretches.len() + extrados.voids.len());
     let (first, last) = match (extrados.stretches.first(), extrados.stretches.last()) {
         (Some(a), Some(b)) => (a.left.x, b.right.x),
         _ => (x2, x2),
     };
     if x1 < first {
-        part(On::Beyond, x1, first.min(x2));
+        part(beyond, x1, first.min(x2));
     }
     for (k, s) in extrados.stretches.iter().enumerate() {
         let (a, b) = (s.left.x.max(x1), s.right.x.min(x2));
@@ -232,13 +192,13 @@ fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(On, f64
         ends.sort_by(f64::total_cmp);
         let mut from = a;
         for to in ends.into_iter().chain([b]) {
-            let on = voids::over(&extrados.voids, 0.5 * (from + to)).map_or(On::Stretch(k), On::Roof);
+            let on = voids::over(&extrados.voids, 0.5 * (from + to)).map_or(k, |void| roofs + void);
             part(on, from, to);
             from = to;
         }
     }
     if x2 > last {
-        part(On::Beyond, last.max(x1), x2);
+        part(beyond, last.max(x1), x2);
     }
 }
 

@@ -4,7 +4,6 @@ mod region;
 
 pub use region::{FillLayer, FillRegion, is_bodies, wanted};
 
-use super::backing::Backed;
 use super::build::Build;
 use super::extrados::{Extrados, Stretch};
 use super::laws;
@@ -16,12 +15,6 @@ use mechanics::ids::GroupId;
 use mechanics::plane::{Polygon, Vec2, vec2};
 use region::WALL;
 
-/// Levels of upper faces [m]: of the particles, and of the slabs on them.
-struct Levels {
-    particles: f64,
-    bodies: f64,
-}
-
 /// Width of the gap between two slabs [m]: a road carries no thrust from end to end.
 const SLAB_GAP: f64 = 5e-3;
 
@@ -32,13 +25,13 @@ impl Build<'_> {
     /// The region between the extrados, the ends and the road, the fixed walls at its ends, backing and slabs that are
     /// blocks. Gives the upper faces on which loads stand, too.
     pub(super) fn fill(&mut self, surface: f64) -> Result<(FillRegion, Extrados), DiscretiseError> {
-        let levels = self.levels()?;
+        let [particles, bodies] = self.levels()?;
         let mut outline = self.floor()?;
         let (Some(&first), Some(&last)) = (outline.first(), outline.last()) else {
             return Err(DiscretiseError::NoRegion);
         };
         let layers = self.layers();
-        outline.extend([vec2(last.x, levels.particles), vec2(first.x, levels.particles)]);
+        outline.extend([vec2(last.x, particles), vec2(first.x, particles)]);
         let group = self.groups.push("end walls".into());
         // End walls stand on the abutments and hold backing as they hold particles.
         let below = |s: Option<&Stretch>| s.map_or(f64::INFINITY, |s| s.left.y.min(s.right.y));
@@ -47,14 +40,14 @@ impl Build<'_> {
             let corner = vec2(if right { foot.x } else { foot.x - WALL }, foot.y.min(feet[usize::from(right)]));
             let wall = Polygon::rectangle(corner, WALL, surface + PARAPET - corner.y)
                 .map_err(|_| DiscretiseError::NoRegion)?;
-            self.block(wall, group, Held::FIXED, Origin::EndWall { right }, None);
+            self.block(wall, group, Held::FIXED, Origin::EndWall { right });
         }
         let area = area(&outline);
         if !(area > 0.0) {
             return Err(DiscretiseError::NoRegion);
         }
-        let line = vec![vec2(first.x, levels.bodies), vec2(last.x, levels.bodies)];
-        let stretches = self.slabs(&levels, [first.x, last.x]);
+        let line = vec![vec2(first.x, bodies), vec2(last.x, bodies)];
+        let stretches = self.slabs(particles, [first.x, last.x]);
         let slabs = !stretches.is_empty();
         Ok((FillRegion { outline, area, layers, slabs }, Extrados { stretches, line, ..Extrados::default() }))
     }
@@ -64,14 +57,13 @@ impl Build<'_> {
         let backing = self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks);
         let Some(backing) = backing else { return Ok(()) };
         let level = backing.height.min(self.extrados.crown());
-        let Backed { upper, faces } = self.backed(&backing, level)?;
-        (self.extrados.stretches, self.extrados.faces) = (upper, faces);
+        (self.extrados.stretches, self.extrados.faces) = self.backed(&backing, level)?;
         self.extrados.line.iter_mut().for_each(|p| p.y = p.y.max(level));
         Ok(())
     }
 
-    /// Levels of the layers' upper faces; particles below slabs below what is weight alone.
-    fn levels(&self) -> Result<Levels, DiscretiseError> {
+    /// Levels of the upper faces of the particles and of the slabs on them [m]; particles below slabs below what is weight alone.
+    fn levels(&self) -> Result<[f64; 2], DiscretiseError> {
         let cover = &self.bridge.cover;
         if cover.backing.is_some_and(|b| matches!(b.body, BackingBody::Weight | BackingBody::Continuum)) {
             return Err(DiscretiseError::BackingUnderParticles);
@@ -93,21 +85,17 @@ impl Build<'_> {
         }
         let depth = |most: u32| cover.layers.iter().filter(|l| rank(l) <= most).map(|l| l.thickness).sum::<f64>();
         let crown = self.extrados.crown();
-        Ok(Levels { particles: crown + depth(0), bodies: crown + depth(1) })
+        Ok([crown + depth(0), crown + depth(1)])
     }
 
     /// The lower boundary of the region: the backs of the rings, or of the backing that stands on them as blocks.
     fn floor(&mut self) -> Result<Vec<Vec2>, DiscretiseError> {
         let stretches = match self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks) {
-            Some(backing) => self.backed(&backing, backing.height)?.upper,
+            Some(backing) => self.backed(&backing, backing.height)?.0,
             None => self.extrados.stretches.clone(),
         };
-        let mut floor: Vec<Vec2> = Vec::new();
-        for point in stretches.iter().flat_map(|s| [s.left, s.right]) {
-            if floor.last().is_none_or(|last| (*last - point).norm() > 1e-9) {
-                floor.push(point);
-            }
-        }
+        let mut floor: Vec<Vec2> = stretches.iter().flat_map(|s| [s.left, s.right]).collect();
+        floor.dedup_by(|point, last| (*last - *point).norm() <= 1e-9);
         Ok(floor)
     }
 
@@ -132,9 +120,8 @@ impl Build<'_> {
         layers
     }
 
-    /// Slabs that lie on the particles, course by course; the upper faces of the uppermost.
-    fn slabs(&mut self, levels: &Levels, [from, to]: [f64; 2]) -> Vec<Stretch> {
-        let mut level = levels.particles;
+    /// Slabs that lie on the particles, from their level up, course by course; the upper faces of the uppermost.
+    fn slabs(&mut self, mut level: f64, [from, to]: [f64; 2]) -> Vec<Stretch> {
         let mut upper = Vec::new();
         for (index, layer) in self.bridge.cover.layers.iter().enumerate() {
             let Some(length) = layer.slabs else { continue };
@@ -146,7 +133,7 @@ impl Build<'_> {
                 let left = from + pitch * slab as f64 + 0.5 * SLAB_GAP;
                 let corner = vec2(left, level);
                 let Ok(outline) = Polygon::rectangle(corner, pitch - SLAB_GAP, layer.thickness) else { continue };
-                let block = self.block(outline, group, Held::FREE, Origin::Slab { layer: index, slab }, None);
+                let block = self.block(outline, group, Held::FREE, Origin::Slab { layer: index, slab });
                 self.blocks[block].density = layer.density;
                 let y = level + layer.thickness;
                 let (left, right) = (vec2(left, y), vec2(left + pitch - SLAB_GAP, y));
@@ -186,18 +173,9 @@ fn between(particles: &Particles, a: &FillLayer, b: &FillLayer) -> ContactLaw {
 
 /// A contact of particles; the series rule takes the modulus of the particles.
 pub fn law(particles: &Particles, joint: &Joint) -> ContactLaw {
-    let shear_modulus = || Some(particles.elastic_modulus? / (2.0 * (1.0 + particles.poisson_ratio?)));
-    ContactLaw {
-        normal: laws::stiffness(joint.normal_stiffness, particles.elastic_modulus),
-        shear: laws::stiffness(joint.shear_stiffness, shear_modulus()),
-        friction: joint.friction_angle.tan(),
-        cohesion: joint.cohesion,
-        tension: 0.0,
-        crushing: f64::INFINITY,
-        fixed_length: joint.fixed_length,
-        // Particles stand for a fixed length.
-        least_length: joint.least_length.unwrap_or(1.0),
-    }
+    // Particles stand for a fixed length.
+    let moduli = laws::moduli(particles.elastic_modulus, particles.poisson_ratio);
+    ContactLaw { tension: 0.0, ..laws::contact(joint, moduli, f64::INFINITY, 1.0) }
 }
 
 /// Area of a simple polygon [m^2].

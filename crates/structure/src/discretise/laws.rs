@@ -32,20 +32,31 @@ pub fn wall(bridge: &Bridge, wall: &SpandrelWall) -> ContactLaw {
 /// The law of joints that are at least so long [m].
 fn of_length(bridge: &Bridge, joint: &Joint, length: f64) -> ContactLaw {
     let masonry = &bridge.masonry;
-    let shear_modulus = || Some(masonry.elastic_modulus? / (2.0 * (1.0 + masonry.poisson_ratio?)));
+    let crushing = masonry.compressive_strength.unwrap_or(f64::INFINITY);
+    contact(joint, moduli(masonry.elastic_modulus, masonry.poisson_ratio), crushing, LEAST_LENGTH_SHARE * length)
+}
+
+/// Elastic and shear modulus of a material.
+pub(crate) fn moduli(elastic: Option<f64>, poisson_ratio: Option<f64>) -> [Option<f64>; 2] {
+    let shear = || Some(elastic? / (2.0 * (1.0 + poisson_ratio?)));
+    [elastic, shear()]
+}
+
+/// The law of a joint between bodies of these moduli and this strength; the least length is for joints that give none.
+pub(crate) fn contact(joint: &Joint, moduli: [Option<f64>; 2], crushing: f64, least_length: f64) -> ContactLaw {
     ContactLaw {
-        normal: stiffness(joint.normal_stiffness, masonry.elastic_modulus),
-        shear: stiffness(joint.shear_stiffness, shear_modulus()),
+        normal: stiffness(joint.normal_stiffness, moduli[0]),
+        shear: stiffness(joint.shear_stiffness, moduli[1]),
         friction: joint.friction_angle.tan(),
         cohesion: joint.cohesion,
         tension: joint.tensile_strength,
-        crushing: masonry.compressive_strength.unwrap_or(f64::INFINITY),
+        crushing,
         fixed_length: joint.fixed_length,
-        least_length: joint.least_length.unwrap_or(LEAST_LENGTH_SHARE * length),
+        least_length: joint.least_length.unwrap_or(least_length),
     }
 }
 
-pub(crate) fn stiffness(given: Option<JointStiffness>, body: Option<f64>) -> Stiffness {
+fn stiffness(given: Option<JointStiffness>, body: Option<f64>) -> Stiffness {
     match (given, body) {
         (Some(JointStiffness::Contact(k)), _) => Stiffness::Given(k),
         (Some(JointStiffness::Series(joint)), Some(body)) => Stiffness::Series { joint, body },

@@ -50,11 +50,10 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     for (i, span) in bridge.spans.iter().enumerate() {
         let curve =
             Curve::new(span, places[i][0]).map_err(|misfit| DiscretiseError::Intrados { span: i + 1, misfit })?;
-        skewbacks.push([0.0, 1.0].map(|share| {
-            let (intrados, normal) = curve.at(share);
-            Skewback { intrados, extrados: intrados + normal * rings::faces(span, span.rings.len() - 1, share)[1] }
-        }));
-        lines.push(rings::extrados(span, &curve));
+        let line = rings::extrados(span, &curve);
+        let ends = [(0.0, line[0]), (1.0, line[line.len() - 1])];
+        skewbacks.push(ends.map(|(share, extrados)| Skewback { intrados: curve.at(share).0, extrados }));
+        lines.push(line);
         let sound = Span { defects: Vec::new(), ..span.clone() };
         built = built.max(highest(&rings::extrados(&sound, &curve)));
         spans.push(rings::cut(i, span, &curve)?);
@@ -87,7 +86,6 @@ pub fn defect_line(bridge: &Bridge, span: usize, defect: &Defect) -> Vec<Vec2> {
     let last = described.rings.len() - 1;
     let point = |step: usize| {
         let share = defect.shares[0] + (defect.shares[1] - defect.shares[0]) * step as f64 / STEPS as f64;
-        let (at, normal) = curve.at(share);
         let [lowest, highest] = [rings::faces(described, 0, share)[0], rings::faces(described, last, share)[1]];
         let offset = match defect.kind {
             DefectKind::LostMortar { face: Face::Extrados, .. } | DefectKind::ThinRing { face: Face::Extrados, .. } => {
@@ -108,7 +106,7 @@ pub fn defect_line(bridge: &Bridge, span: usize, defect: &Defect) -> Vec<Vec2> {
             }
             DefectKind::WeakMasonry { ring: None, .. } => 0.5 * (lowest + highest),
         };
-        at + normal * offset
+        curve.off(share, offset)
     };
     (0..=STEPS).map(point).collect()
 }

@@ -93,15 +93,7 @@ impl Origin {
     }
     /// Whether it is part of the arches and what they stand on, and not of what stands on them.
     pub fn is_arch(self) -> bool {
-        matches!(
-            self,
-            Origin::Voussoir { .. }
-                | Origin::Abutment { .. }
-                | Origin::Foundation { .. }
-                | Origin::Pier { .. }
-                | Origin::AbutmentGround { .. }
-                | Origin::AbutmentCourse { .. }
-        )
+        matches!(self.role(), "voussoir" | "abutment" | "pier")
     }
     /// A name for tables and messages, counted from 1.
     pub fn name(self) -> String {
@@ -110,8 +102,7 @@ impl Origin {
             Origin::Voussoir { span, ring, voussoir } => {
                 format!("span {} ring {} voussoir {}", span + 1, ring + 1, voussoir + 1)
             }
-            Origin::Abutment { support: 0 } => "left abutment".into(),
-            Origin::Abutment { .. } => "right abutment".into(),
+            Origin::Abutment { support } => format!("{} abutment", side(support)),
             Origin::Foundation { support } => format!("foundation of pier {support}"),
             Origin::Pier { support, course } => format!("pier {support} course {}", course + 1),
             Origin::AbutmentGround { support } => format!("ground under the {} abutment", side(support)),
@@ -119,8 +110,7 @@ impl Origin {
             Origin::Block { number } => format!("block {}", number + 1),
             Origin::Brick { course: Some(course), brick } => format!("wall course {} brick {}", course + 1, brick + 1),
             Origin::Brick { course: None, brick } => format!("wall haunch stone {}", brick + 1),
-            Origin::EndWall { right: false } => "left end wall".into(),
-            Origin::EndWall { right: true } => "right end wall".into(),
+            Origin::EndWall { right } => format!("{} end wall", side(usize::from(right))),
             Origin::Backing { column } => format!("backing column {}", column + 1),
             Origin::Slab { layer, slab } => format!("layer {} slab {}", layer + 1, slab + 1),
             Origin::LoadingBlock { load } => format!("block of load {}", load + 1),

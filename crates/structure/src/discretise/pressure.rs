@@ -3,6 +3,7 @@
 use super::cover::{Column, Resultant};
 use super::extrados::{Extrados, Stretch};
 use super::voids;
+use crate::extent::extent;
 use bridge::{Bridge, FillPressure, LeastPressure};
 use mechanics::blocks::{PointForce, Restraint};
 use mechanics::ids::BlockId;
@@ -207,10 +208,7 @@ impl Presses {
 
     /// Fill between the falling backs of one span and the rising backs of the next.
     fn between(&self, left: &[Back], right: &[Back], all: &mut Vec<Restraint>) {
-        let range = |side: &[Back]| {
-            let lows = side.iter().map(|b| b.levels()[0]).fold(f64::INFINITY, f64::min);
-            [lows, side.iter().map(|b| b.levels()[1]).fold(f64::NEG_INFINITY, f64::max)]
-        };
+        let range = |side: &[Back]| extent(side.iter().flat_map(Back::levels));
         for a in left {
             for b in right {
                 let [[low, high], [lower, higher]] = [a.levels(), b.levels()];

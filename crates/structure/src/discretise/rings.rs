@@ -5,21 +5,11 @@
 //! lower voussoirs get a corner where a joint of the upper ring falls on their back. That way two rings with different
 //! numbers of voussoirs fit without gap or overlap and every voussoir stays convex.
 
-use super::DiscretiseError;
 use super::curve::Curve;
+use super::{DiscretiseError, Faces};
 use bridge::Span;
 use bridge::defect::{Face, raked, thinned};
 use mechanics::plane::{Polygon, Vec2};
-
-/// A voussoir as drawn: outline and the edge on its back.
-pub(super) struct Cut {
-    /// Outline, counter-clockwise from the left intrados corner.
-    pub outline: Polygon,
-    /// Upper face, left to right.
-    pub back: [Vec2; 2],
-    /// Lower face, left to right.
-    pub bed: [Vec2; 2],
-}
 
 /// Share of a voussoir below which a joint of the upper ring is moved onto the joint it nearly meets: thinner slivers
 /// of a back would be rounded away.
@@ -43,8 +33,9 @@ pub(super) fn faces(span: &Span, ring: usize, share: f64) -> [f64; 2] {
     [below + lost(Face::Intrados, ring == 0), upper - lost(Face::Extrados, ring + 1 == span.rings.len())]
 }
 
-/// The voussoirs of every ring of `span`, from the intrados up, each from left to right.
-pub(super) fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, DiscretiseError> {
+/// The voussoirs of every ring of `span`, from the intrados up, each from left to right: outlines, counter-clockwise from the left intrados
+/// corner, and faces.
+pub(super) fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<(Polygon, Faces)>>, DiscretiseError> {
     let joints = joints(span, curve);
     let mut rings = Vec::new();
     for (k, ring) in span.rings.iter().enumerate() {
@@ -66,7 +57,8 @@ pub(super) fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cu
                 voussoir: i + 1,
                 source,
             })?;
-            cuts.push(Cut { outline, back: [own.upper[i], own.upper[i + 1]], bed: [own.lower[i], own.lower[i + 1]] });
+            let [bed, back] = [&own.lower, &own.upper].map(|ends| [ends[i], ends[i + 1]]);
+            cuts.push((outline, Faces { bed, back }));
         }
         rings.push(cuts);
     }
@@ -124,8 +116,7 @@ const FINE: usize = 1024;
 pub(super) fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
     let point = |i: usize| {
         let share = i as f64 / FINE as f64;
-        let (point, normal) = curve.at(share);
-        point + normal * faces(span, span.rings.len() - 1, share)[1]
+        curve.off(share, faces(span, span.rings.len() - 1, share)[1])
     };
     (0..=FINE).map(point).collect()
 }
@@ -147,11 +138,7 @@ fn joints(span: &Span, curve: &Curve) -> Vec<Joints> {
                 snapped.unwrap_or(share)
             })
             .collect();
-        let end = |share: f64, offset: f64| {
-            let (point, normal) = curve.at(share);
-            point + normal * offset
-        };
-        let [lower, upper] = [0, 1].map(|face| shares.iter().map(|&s| end(s, faces(span, k, s)[face])).collect());
+        let [lower, upper] = [0, 1].map(|face| shares.iter().map(|&s| curve.off(s, faces(span, k, s)[face])).collect());
         rings.push(Joints { shares, lower, upper });
     }
     for k in 1..rings.len() {

@@ -60,12 +60,23 @@ pub(super) fn check(bridge: &Bridge, extrados: &Extrados) -> Result<(), Discreti
     Ok(())
 }
 
-/// Refuses what is hollow under cover that is a body.
-pub(super) fn solid(bridge: &Bridge, what: &'static str) -> Result<(), DiscretiseError> {
+/// Refuses what cover that is a body does not know: a road that is not level, what is hollow, abutments that move and, some of it, loads along
+/// the bridge.
+pub(super) fn solid(bridge: &Bridge, what: &'static str, only_vertical: bool) -> Result<(), DiscretiseError> {
     let hollow = if !bridge.cover.voids.is_empty() {
         Some("[[void]]")
     } else {
         bridge.cover.internal_walls.map(|_| "[internal_walls]")
     };
-    hollow.map_or(Ok(()), |part| Err(DiscretiseError::Hollow { part, what }))
+    if bridge.cover.road.is_some() {
+        Err(DiscretiseError::RoadNotLevel { what })
+    } else if only_vertical && bridge.loads.iter().any(|load| load.horizontal != 0.0) {
+        Err(DiscretiseError::Horizontal { what })
+    } else if let Some(part) = hollow {
+        Err(DiscretiseError::Hollow { part, what })
+    } else if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
+        Err(DiscretiseError::MovableAbutment { what })
+    } else {
+        Ok(())
+    }
 }

@@ -5,6 +5,8 @@
 //! it and a smooth curve above. Schwarz's criterion (1978) says whether the lines are worth their parameters.
 
 use super::fit::{FEWEST, Polar, chosen, in_order, robust, robust_circle};
+use super::ground::straight;
+use crate::extent::extent;
 use outcome::section::Face;
 
 /// Levels that are tried, and how many more about the best one.
@@ -40,14 +42,13 @@ const CLEARLY: f64 = 10.0;
 /// The points of the arch, and the faces below it.
 pub(super) fn cut(points: &[[f64; 2]]) -> (Vec<[f64; 2]>, Vec<Face>) {
     let whole = || (points.to_vec(), Vec::new());
-    let heights = || points.iter().map(|point| point[1]);
-    let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+    let [low, high] = extent(points.iter().map(|point| point[1]));
     let height = high - low;
     if !(height > 2.0 * LOWEST) {
         return whole();
     }
-    let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, p| [ends[0].min(p[0]), ends[1].max(p[0])]);
-    let radius = BENT * (ends[1] - ends[0]);
+    let [left, right] = extent(points.iter().map(|point| point[0]));
+    let radius = BENT * (right - left);
     let best = |tried: &[[f64; 2]], levels: &mut dyn Iterator<Item = f64>| {
         let at = |level: f64| {
             let (arch, faces) = split(tried, level);
@@ -106,17 +107,13 @@ struct Line {
 
 impl Line {
     fn through(points: &[[f64; 2]], is_right: bool) -> Line {
-        let n = points.len() as f64;
-        let mean = [0, 1].map(|i| points.iter().map(|p| p[i]).sum::<f64>() / n);
-        let product = |i: usize| points.iter().map(|p| (p[i] - mean[i]) * (p[1] - mean[1])).sum::<f64>();
-        let batter = product(0) / product(1).max(f64::MIN_POSITIVE);
+        let (mean, batter) = straight(points, 1);
         let off = |p: &[f64; 2]| (p[0] - mean[0]) - batter * (p[1] - mean[1]);
-        let heights = || points.iter().map(|p| p[1]);
         Line {
             count: points.len(),
             is_right,
             mean,
-            ends: [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)],
+            ends: extent(points.iter().map(|p| p[1])),
             batter,
             bend: bend(points, mean, batter, if is_right { -1.0 } else { 1.0 }),
             squares: points.iter().map(|p| off(p).powi(2).min(ROUGH * ROUGH)).sum(),
@@ -157,8 +154,8 @@ fn bend(points: &[[f64; 2]], mean: [f64; 2], batter: f64, inwards: f64) -> [f64;
 /// Points at and above a level, and lines through those below it on either side.
 fn split(points: &[[f64; 2]], level: f64) -> (Vec<[f64; 2]>, Vec<Line>) {
     let (below, arch): (Vec<[f64; 2]>, Vec<[f64; 2]>) = points.iter().copied().partition(|point| point[1] < level);
-    let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, p| [ends[0].min(p[0]), ends[1].max(p[0])]);
-    let middle = 0.5 * (ends[0] + ends[1]);
+    let [from, to] = extent(points.iter().map(|point| point[0]));
+    let middle = 0.5 * (from + to);
     let (left, right): (Vec<[f64; 2]>, Vec<[f64; 2]>) = below.into_iter().partition(|point| point[0] < middle);
     let sides = [(left, false), (right, true)];
     (arch, sides.iter().filter(|(side, _)| !side.is_empty()).map(|(side, right)| Line::through(side, *right)).collect())
@@ -180,5 +177,8 @@ fn score(arch: &[[f64; 2]], faces: &[Line]) -> Option<(f64, [f64; 2])> {
     // Two for each line, and the level that they share.
     let lines = if faces.is_empty() { 0 } else { 2 * faces.len() + 1 };
     let n = all as f64;
-    Some((n * (squares / n).max(LEAST * LEAST).ln() + (curve.terms() + lines) as f64 * n.ln(), polar.steepness(&curve)))
+    Some((
+        n * (squares / n).max(LEAST * LEAST).ln() + (curve.terms.len() + lines) as f64 * n.ln(),
+        polar.steepness(&curve),
+    ))
 }

@@ -159,7 +159,7 @@ pub(super) struct Radius {
     ends: [f64; 2],
     /// Angles of its own ends [rad].
     drawn: [f64; 2],
-    terms: Vec<f64>,
+    pub(super) terms: Vec<f64>,
 }
 
 impl Radius {
@@ -175,11 +175,6 @@ impl Radius {
         let slope = (self.at(angle + STEP) - self.at(angle - STEP)) / (2.0 * STEP);
         let at = self.at(angle);
         (radius - at) / (1.0 + (slope / at).powi(2)).sqrt()
-    }
-
-    /// How many terms it has.
-    pub(super) fn terms(&self) -> usize {
-        self.terms.len()
     }
 }
 

@@ -1,5 +1,7 @@
 //! The ground in a closed scan: what lies under the arch, between the abutments.
 
+use crate::extent::extent;
+
 /// Strips of the width in which the highest point is sought.
 const STRIPS: usize = 100;
 /// The ground lies in this lowest share of the height of all points, this share of the width away from either end: there an arch is higher, and
@@ -15,10 +17,7 @@ const NEAR: f64 = 0.03;
 
 /// Points without those of the ground, and these.
 pub(super) fn part(points: &[[f64; 2]]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
-    let bounds = |i: usize| {
-        points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |found, p| [found[0].min(p[i]), found[1].max(p[i])])
-    };
-    let ([left, right], [low, high]) = (bounds(0), bounds(1));
+    let [[left, right], [low, high]] = [0, 1].map(|i| extent(points.iter().map(|p| p[i])));
     let (width, height) = (right - left, high - low);
     let strip = |x: f64| ((STRIPS as f64 * (x - left) / width) as usize).min(STRIPS - 1);
     let mut highest = [f64::NEG_INFINITY; STRIPS];
@@ -36,17 +35,17 @@ pub(super) fn part(points: &[[f64; 2]]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     if seen.len() < FEWEST {
         return (points.to_vec(), Vec::new());
     }
-    let line = through(&seen);
+    let (mean, slope) = straight(&seen, 0);
+    let line = |x: f64| mean[1] + slope * (x - mean[0]);
     let (ground, others) =
         points.iter().copied().partition(|p| is_ground(p) || (p[1] - line(p[0])).abs() < NEAR * height);
     (others, ground)
 }
 
-/// The height of a straight line through points at a place.
-fn through(points: &[[f64; 2]]) -> impl Fn(f64) -> f64 + use<> {
+/// The mean of points, and what the other coordinate of a straight line through them gains over one of this number, by least squares.
+pub(super) fn straight(points: &[[f64; 2]], over: usize) -> ([f64; 2], f64) {
     let n = points.len() as f64;
     let mean = [0, 1].map(|i| points.iter().map(|p| p[i]).sum::<f64>() / n);
-    let product = |i: usize| points.iter().map(|p| (p[0] - mean[0]) * (p[i] - mean[i])).sum::<f64>();
-    let slope = product(1) / product(0).max(f64::MIN_POSITIVE);
-    move |x| mean[1] + slope * (x - mean[0])
+    let product = |i: usize| points.iter().map(|p| (p[over] - mean[over]) * (p[i] - mean[i])).sum::<f64>();
+    (mean, product(1 - over) / product(over).max(f64::MIN_POSITIVE))
 }

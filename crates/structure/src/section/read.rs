@@ -1,6 +1,7 @@
 //! Tables of points as scanners and spreadsheets write them.
 
 use super::SectionError;
+use crate::extent::extent;
 
 /// Units of length that a table may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,8 +91,8 @@ pub fn read(text: &str, given: Option<LengthUnit>) -> Result<Table, SectionError
 
 /// Refuses a length that no arch has, and says in which units it would be one.
 fn doubt(points: &[[f64; 2]], unit: LengthUnit) -> Result<(), SectionError> {
-    let along = || points.iter().map(|point| point[0]);
-    let number = along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min);
+    let [from, to] = extent(points.iter().map(|point| point[0]));
+    let number = to - from;
     let span = number * unit.size;
     if points.len() < 2 || (SHORTEST..LONGEST).contains(&span) {
         return Ok(());

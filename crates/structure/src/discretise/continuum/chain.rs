@@ -10,13 +10,8 @@ use crate::discretise::extrados::{Face, Stretch};
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
 
-/// What a side of the chain is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Tag {
-    Against(Against),
-    /// Between two regions.
-    Inside,
-}
+/// What a side of the chain bears against; none between two regions.
+type Tag = Option<Against>;
 
 /// Sides one after the other, never to the left, with the continuum above them.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,7 +93,7 @@ impl Chain {
                 raised.to(run.last(), self.tags[k]);
             } else {
                 for piece in run.parts(level, cuts) {
-                    raised.to(piece.last(), Tag::Inside);
+                    raised.to(piece.last(), None);
                     pieces.push(piece);
                 }
             }
@@ -117,10 +112,10 @@ impl Chain {
             let Some(foot) = rest.points.iter().position(|p| (p.x - x).abs() < NEAR) else { continue };
             let head = vec2(x, level);
             let mut part = Chain { points: rest.points[..=foot].to_vec(), tags: rest.tags[..foot].to_vec() };
-            part.to(head, Tag::Inside);
+            part.to(head, None);
             parts.push(part);
             let mut next = Chain::from(head);
-            next.to(rest.points[foot], Tag::Inside);
+            next.to(rest.points[foot], None);
             rest.points[foot + 1..].iter().zip(&rest.tags[foot..]).for_each(|(p, tag)| next.to(*p, *tag));
             rest = next;
         }
@@ -144,11 +139,11 @@ pub(super) fn floor(discretised: &Discretised, ends: [f64; 2], ground: [f64; 2],
         return None;
     }
     let mut chain = Chain::from(vec2(ends[0], top));
-    let end = Tag::Against(Against::End);
+    let end = Some(Against::End);
     let level = if first.left.x - ends[0] > SNAP { ground[0] } else { first.left.y };
     chain.to(vec2(ends[0], level), end);
     if first.left.x - ends[0] > SNAP {
-        chain.to(vec2(first.left.x, level), Tag::Against(Against::Ground));
+        chain.to(vec2(first.left.x, level), Some(Against::Ground));
     }
     let mut before = first.block;
     for stretch in &stretches {
@@ -164,12 +159,12 @@ pub(super) fn floor(discretised: &Discretised, ends: [f64; 2], ground: [f64; 2],
             }
         }
         join(&mut chain, left, [before, stretch.block], &extrados.faces);
-        chain.to(stretch.right, Tag::Against(Against::Block(stretch.block)));
+        chain.to(stretch.right, Some(Against::Block(stretch.block)));
         before = stretch.block;
     }
     if ends[1] - last.right.x > SNAP {
         join(&mut chain, vec2(last.right.x, ground[1]), [before; 2], &extrados.faces);
-        chain.to(vec2(ends[1], ground[1]), Tag::Against(Against::Ground));
+        chain.to(vec2(ends[1], ground[1]), Some(Against::Ground));
     }
     chain.to(vec2(ends[1], top), end);
     Some(chain)
@@ -179,7 +174,7 @@ pub(super) fn floor(discretised: &Discretised, ends: [f64; 2], ground: [f64; 2],
 /// those whose faces stand there.
 pub(super) fn join(chain: &mut Chain, to: Vec2, [before, after]: [BlockId; 2], faces: &[Face]) {
     let from = chain.last();
-    let tag = |block: BlockId| Tag::Against(Against::Block(block));
+    let tag = |block: BlockId| Some(Against::Block(block));
     let upper = if to.y > from.y { after } else { before };
     let mut levels = vec![from.y, to.y];
     let here = |face: &&Face| (face.x - from.x).abs() < SNAP;

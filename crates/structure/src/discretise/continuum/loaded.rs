@@ -79,13 +79,8 @@ impl Earth {
             regions.push(Region { outline, soil: self.soil(piece.material, strength) });
         }
         let confinement = (!self.panels.is_empty()).then(|| Confinement { panels: self.panels.clone() });
-        let left_out = if plates.total > 0.0 { plates.left_out / plates.total } else { 0.0 };
-        Ok(LoadedEarth {
-            continuum: Continuum { regions, sides, water: self.water, confinement },
-            model,
-            loading,
-            left_out,
-        })
+        let continuum = Continuum { regions, sides, water: self.water, confinement };
+        Ok(LoadedEarth { continuum, model, loading, left_out: plates.left_out })
     }
 
     fn soil(&self, material: usize, strength: Strength) -> Soil {
@@ -128,12 +123,13 @@ impl Earth {
             ends.into_iter().flatten().map(|p| p.x)
         });
         let mut marks: Vec<f64> = corners.collect();
-        let mut found = Plates { marks: Vec::new(), on: Vec::new(), pressures: Vec::new(), total: 0.0, left_out: 0.0 };
+        let (mut on, mut pressures): (Vec<Plate>, Vec<Plate>) = (Vec::new(), Vec::new());
+        let (mut total, mut left_out) = (0.0, 0.0);
         for strip in strips {
             if !(strip.length >= LEAST_STRIP) {
                 return Err(DiscretiseError::PointLoadOnContinuum { x: strip.middle, length: strip.length });
             }
-            found.total += strip.force;
+            total += strip.force;
             let half = 0.5 * strip.length;
             let [from, to] = [strip.middle - half, strip.middle + half].map(|x| x.clamp(self.ends[0], self.ends[1]));
             let [a, b] = [from, to].map(|x| {
@@ -144,19 +140,19 @@ impl Earth {
                 })
             });
             let inside = if b > a { strip.force * (to - from) / strip.length } else { 0.0 };
-            found.left_out += strip.force - inside;
-            let on = Plate { ends: [a, b], force: inside, at: 0.5 * (from + to) };
+            left_out += strip.force - inside;
+            let plate = Plate { ends: [a, b], force: inside, at: 0.5 * (from + to) };
             match strip.is_pressure {
                 _ if b <= a => {}
-                true => found.pressures.push(on),
-                false => found.on.push(on),
+                true => pressures.push(plate),
+                false => on.push(plate),
             }
         }
         marks.sort_by(f64::total_cmp);
         marks.dedup();
-        found.on.sort_by(|p, q| p.ends[0].total_cmp(&q.ends[0]));
-        let mut merged: Vec<Plate> = Vec::with_capacity(found.on.len());
-        for plate in found.on {
+        on.sort_by(|p, q| p.ends[0].total_cmp(&q.ends[0]));
+        let mut merged: Vec<Plate> = Vec::with_capacity(on.len());
+        for plate in on {
             match merged.last_mut() {
                 Some(last) if plate.ends[0] <= last.ends[1] => last.join(plate),
                 _ => merged.push(plate),
@@ -164,14 +160,15 @@ impl Earth {
         }
         // A pressure that meets a plate presses on it.
         for plate in &mut merged {
-            for pressure in &found.pressures {
+            for pressure in &pressures {
                 let [a, b] = [plate.ends[0].max(pressure.ends[0]), plate.ends[1].min(pressure.ends[1])];
                 if b > a {
                     plate.join(Plate { ends: [a, b], force: pressure.mean() * (b - a), at: 0.5 * (a + b) });
                 }
             }
         }
-        Ok(Plates { marks, on: merged, ..found })
+        let left_out = if total > 0.0 { left_out / total } else { 0.0 };
+        Ok(Plates { marks, on: merged, pressures, left_out })
     }
 }
 
@@ -183,9 +180,7 @@ struct Plates {
     on: Vec<Plate>,
     /// Pressures that follow the ground, in the order of the loads.
     pressures: Vec<Plate>,
-    /// Sum of all forces [N/m].
-    total: f64,
-    /// What stands beyond the ends [N/m].
+    /// Share of the loads that stands beyond the ends.
     left_out: f64,
 }
 

@@ -1,5 +1,6 @@
 //! Which layers of the cover are bodies, and the region that particles fill: what is in it, how it is filled.
 
+use crate::extent::extent;
 use bridge::{Analysis, Bridge, Layer, Method, Packing, Particles, Sizes, Strip};
 use mechanics::blocks::{Block, BlockModel, Held};
 use mechanics::dem::{Recipe, Target};
@@ -78,11 +79,10 @@ impl FillRegion {
     /// How to fill the region, as the file wants it.
     pub fn recipe(&self, bridge: &Bridge, particles: &Particles) -> Recipe {
         let lowest = self.layer_at(f64::NEG_INFINITY);
-        let length = self.outline.iter().map(|p| p.x).fold(f64::NEG_INFINITY, f64::max)
-            - self.outline.iter().map(|p| p.x).fold(f64::INFINITY, f64::min);
+        let [left, right] = extent(self.outline.iter().map(|p| p.x));
         let target = match particles.density {
             // Half the mean depth of soil.
-            Packing::OwnWeight => Target::Stress(0.5 * lowest.density * bridge.gravity * self.area / length),
+            Packing::OwnWeight => Target::Stress(0.5 * lowest.density * bridge.gravity * self.area / (right - left)),
             Packing::Stress(stress) => Target::Stress(stress),
             Packing::SolidFraction(fraction) => Target::SolidFraction(fraction),
         };
@@ -102,14 +102,12 @@ impl FillRegion {
     /// The blocks that hold the particles while they grow: all of `model`, and a lid on the road.
     pub fn mould(&self, model: &BlockModel) -> BlockModel {
         let mut mould = model.clone();
-        let (low, high) = self
-            .outline
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p.x), high.max(p.x)));
+        let [low, high] = extent(self.outline.iter().map(|p| p.x));
         let top = self.outline.last().map_or(0.0, |p| p.y);
-        if self.slabs {
-            // Slabs are a lid while they are held.
-        } else if let Ok(outline) = Polygon::rectangle(vec2(low, top), high - low, WALL) {
+        // Slabs are a lid while they are held.
+        if !self.slabs
+            && let Ok(outline) = Polygon::rectangle(vec2(low, top), high - low, WALL)
+        {
             let group = model.blocks.iter().last().map_or(GroupId(0), |b| b.group);
             mould.blocks.push(Block { outline, rounding: 0.0, density: 1.0, group, held: Held::FIXED });
         }

@@ -38,9 +38,8 @@ pub(super) struct Arch<'a> {
 impl Arch<'_> {
     /// A point of ring `ring`, at a share of its depth from its intrados.
     pub(super) fn at(&self, share: f64, ring: usize, depth: f64) -> Vec2 {
-        let (point, normal) = self.curve.at(share);
         let [lower, upper] = faces(self.span, ring, share);
-        point + normal * (lower + depth * (upper - lower))
+        self.curve.off(share, lower + depth * (upper - lower))
     }
 
     /// A point of the intrados.

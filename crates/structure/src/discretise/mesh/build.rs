@@ -3,46 +3,34 @@
 use super::arch::{Arch, End};
 use super::layout::{Layout, arches, backs, layout, levels, refuse_too_fine, room_on_piers, sides, surface};
 use super::patch::{Points, spaced};
-use super::saddle::{self, Layers};
+use super::saddle::{self, Layer};
 use super::sets::{NodeSets, Role, Seam, SpanSets, Voussoir};
 use super::stations::{self, Stations};
 use super::supports::{Flank, Support, support};
 use super::{LEAST_JACOBIAN, MeshError, MeshOptions, Meshed, quality};
 use bridge::Bridge;
 use mechanics::fem::{Interface, Mesh, Quad, Quadrature};
-use mechanics::ids::{Id, InterfaceId, NodeId, QuadId, Table, ZoneId};
+use mechanics::ids::{InterfaceId, NodeId, QuadId, Table, ZoneId};
 use mechanics::plane::{Vec2, vec2};
 
 /// Rows of nodes from the bottom, each from left to right.
 type Grid = Vec<Vec<NodeId>>;
 
-/// How fill over supports is cut into rows.
-#[derive(Debug, Clone, Copy)]
-struct Rows {
-    /// Up to the levels at which materials change.
-    to_levels: bool,
-    /// Further where the extrados is steep.
-    where_steep: bool,
-}
-
-/// Ways to cut fill into rows, the best first.
-const WAYS: [Rows; 4] = [
-    Rows { to_levels: true, where_steep: true },
-    Rows { to_levels: false, where_steep: true },
-    Rows { to_levels: true, where_steep: false },
-    Rows { to_levels: false, where_steep: false },
-];
-
-/// A way whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
+/// A way to cut fill into rows whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
 const FAIR: f64 = 0.15;
 
-pub(super) fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
+/// Meshes a bridge with other options.
+///
+/// # Errors
+/// Those of [`super::mesh()`].
+pub fn mesh_with(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
     let arches = arches(bridge)?;
     room_on_piers(&arches, options.size)?;
     let (surface, ballast_pressure) = surface(bridge, &arches)?;
     let mut best: Option<Meshed> = None;
-    for way in WAYS {
-        let meshed = build_by(bridge, &arches, options, way, surface, ballast_pressure)?;
+    // Fill over supports is cut into rows up to the levels at which materials change, and further where the extrados is steep; the best way first.
+    for [to_levels, where_steep] in [[true, true], [false, true], [true, false], [false, false]] {
+        let meshed = build_by(bridge, &arches, options, [to_levels, where_steep], [surface, ballast_pressure])?;
         let value = meshed.quality.scaled_jacobian;
         if value >= FAIR {
             return Ok(meshed);
@@ -62,17 +50,16 @@ fn build_by(
     bridge: &Bridge,
     arches: &[Arch<'_>],
     options: MeshOptions,
-    way: Rows,
-    surface: f64,
-    ballast_pressure: f64,
+    [to_levels, where_steep]: [bool; 2],
+    [surface, ballast_pressure]: [f64; 2],
 ) -> Result<Meshed, MeshError> {
     let size = options.size;
     let backs = backs(bridge, arches);
-    let layers: Vec<Layers> = (0..=arches.len())
+    let layers: Vec<Vec<Layer>> = (0..=arches.len())
         .map(|i| {
             let [left, right] = sides(arches, backs, i);
-            let levels = if way.to_levels { levels(bridge, arches, i) } else { Vec::new() };
-            saddle::layers(&left, &right, &levels, way.where_steep, size)
+            let levels = if to_levels { levels(bridge, arches, i) } else { Vec::new() };
+            saddle::layers(&left, &right, &levels, where_steep, size)
         })
         .collect();
     let stations: Vec<Stations> =
@@ -88,7 +75,7 @@ fn build_by(
         build.support(i, arches, &stations);
     }
     build.columns();
-    Ok(build.finish(surface, ballast_pressure))
+    Ok(build.finish(ballast_pressure))
 }
 
 struct Build<'a> {
@@ -107,8 +94,6 @@ struct Build<'a> {
     ends: Vec<Vec<[Vec<NodeId>; 2]>>,
     /// Feet of the columns of fill, from left to right.
     feet: Vec<NodeId>,
-    /// Elements of voussoirs: span, ring, voussoir, and their places in the zone of the span.
-    voussoir_quads: Vec<(usize, usize, usize, std::ops::Range<usize>)>,
 }
 
 impl<'a> Build<'a> {
@@ -132,7 +117,6 @@ impl<'a> Build<'a> {
             backs: Vec::new(),
             ends: Vec::new(),
             feet: Vec::new(),
-            voussoir_quads: Vec::new(),
         }
     }
 
@@ -203,13 +187,9 @@ impl<'a> Build<'a> {
                     })
                     .collect();
                 let grid = self.grid(&points, |_, _| None);
-                let zone = self.zone(Role::Voussoirs(span));
-                let first = zone.len();
-                zone.extend(quads_of(&grid));
-                let range = first..zone.len();
-                self.voussoir_quads.push((span, ring, voussoirs.len(), range));
+                self.solid(&grid, Role::Voussoirs(span));
                 let nodes = (0..grid[0].len()).flat_map(|j| grid.iter().map(move |row| row[j])).collect();
-                voussoirs.push(Voussoir { nodes, across, quads: Vec::new() });
+                voussoirs.push(Voussoir { nodes, across });
             }
             let column = |v: &Voussoir, last: bool| {
                 let n = v.nodes.len();
@@ -239,7 +219,8 @@ impl<'a> Build<'a> {
         }
         self.backs.push(fill);
         self.ends.push(ends);
-        self.span_sets(arch, stations, sets, joints);
+        let springings_at = [arch.intrados(0.0), arch.intrados(1.0)];
+        self.sets.spans.push(SpanSets { voussoirs: sets, joints, springings_at });
     }
 
     /// Interfaces between the backs of one ring and the beds of the next, one for each pair of voussoirs that touch.
@@ -263,39 +244,10 @@ impl<'a> Build<'a> {
         }
     }
 
-    fn span_sets(
-        &mut self,
-        arch: &Arch<'_>,
-        stations: &Stations,
-        voussoirs: Vec<Vec<Voussoir>>,
-        joints: Vec<Vec<InterfaceId>>,
-    ) {
-        let at_crown = |ring: usize, top: bool| {
-            let k = stations.joints[ring].partition_point(|j| *j < stations.crown).max(1) - 1;
-            let column = stations.crown - stations.joints[ring][k];
-            let voussoir = &voussoirs[ring][k];
-            voussoir.nodes[column * voussoir.across + if top { voussoir.across - 1 } else { 0 }]
-        };
-        let last = voussoirs.len() - 1;
-        let crown = [at_crown(0, false), at_crown(last, true)];
-        // The springings are those of the rings until the supports are there.
-        let ends = &self.ends[self.ends.len() - 1][0];
-        self.sets.spans.push(SpanSets {
-            intrados: voussoirs[0].iter().flat_map(|v| v.intrados().collect::<Vec<_>>()).collect(),
-            extrados: voussoirs[last].iter().flat_map(|v| v.extrados().collect::<Vec<_>>()).collect(),
-            crown,
-            crown_at: arch.intrados(stations.shares[stations.crown]),
-            springings: [ends[0][0], ends[1][0]],
-            springings_at: [arch.intrados(0.0), arch.intrados(1.0)],
-            voussoirs,
-            joints,
-        });
-    }
-
     /// Support `i`: its masonry, its joints, and the fill on and behind it.
     fn support(&mut self, i: usize, arches: &[Arch<'_>], stations: &[Stations]) {
         let [left, right] = [i.checked_sub(1), (i < arches.len()).then_some(i)];
-        let rows_to = |span: Option<usize>, end: usize| span.map_or(0, |k| rows_at(&stations[k], end));
+        let rows_to = |span: Option<usize>, end: usize| span.map_or(0, |k| stations[k].rows(end));
         let rows = rows_to(left, 1).max(rows_to(right, 0));
         // Fill's nodes up both extrados, from the springing.
         let climb = |span: Option<usize>, end: End, backs: &[Vec<NodeId>]| -> Option<Vec<NodeId>> {
@@ -334,29 +286,21 @@ impl<'a> Build<'a> {
         let over = self.rows_of_fill(&foot, rows, &up);
         let roles: Vec<Option<Role>> = (0..rows).map(|row| self.layout.over[i].role(row)).collect();
         self.fill_by_rows(&over, |row| roles[row]);
-        let feet = over[rows].clone();
-        match (left, right) {
-            (None, _) => {
-                let edge: Vec<NodeId> = over.iter().map(|row| row[0]).collect();
-                let mut behind = self.behind(0, &grid, &edge);
-                behind.extend(&feet[1..]);
-                self.join_feet(behind);
-            }
-            (Some(_), None) => {
-                let edge: Vec<NodeId> = over.iter().map(|row| row[last]).collect();
-                let behind = self.behind(1, &grid, &edge);
-                self.join_feet(feet);
-                self.join_feet(behind);
-            }
-            _ => self.join_feet(feet),
+        let edge = |j: usize| over.iter().map(|row| row[j]).collect::<Vec<NodeId>>();
+        if left.is_none() {
+            let behind = self.behind(0, &grid, &edge(0));
+            self.join_feet(behind);
         }
-        if let Some(span) = right {
+        self.join_feet(over[rows].clone());
+        let beyond = match right {
+            None => self.behind(1, &grid, &edge(last)),
             // From where rows end on this side of the span to where they end on the other.
-            let nodes = &self.backs[span];
-            let end = nodes.len() - 1 - rows_at(&stations[span], 1);
-            let ridge = nodes[rows..=end].to_vec();
-            self.join_feet(ridge);
-        }
+            Some(span) => {
+                let nodes = &self.backs[span];
+                nodes[rows..nodes.len() - stations[span].rows(1)].to_vec()
+            }
+        };
+        self.join_feet(beyond);
     }
 
     /// The masonry of a support.
@@ -392,13 +336,10 @@ impl<'a> Build<'a> {
                 (springing.y - self.bridge.abutments[1].height, [springing.x, self.layout.backs[1]])
             }
         };
-        let flank = |span: Option<usize>, end: usize, other: Option<usize>| match span {
-            Some(span) => Flank::Skewback(skewback(span, end), feet[1 - end]),
-            None => {
-                let k = other.unwrap_or(0);
-                let top = arches[k].extrados(if end == 1 { 0.0 } else { 1.0 }).y;
-                Flank::Back { x: self.layout.backs[1 - end], top }
-            }
+        let flank = |span: Option<usize>, end: usize, other: Option<usize>| {
+            let top = || arches[other.unwrap_or(0)].extrados(if end == 1 { 0.0 } else { 1.0 }).y;
+            let back = || vec![vec2(self.layout.backs[1 - end], top())];
+            Flank { points: span.map_or_else(back, |span| skewback(span, end)), base: feet[1 - end] }
         };
         let flanks = [flank(left, 1, right), flank(right, 0, left)];
         // As many elements as the width asks for, at the masonry's top and where rows of fill end.
@@ -429,7 +370,6 @@ impl<'a> Build<'a> {
             let joints = &mut self.sets.spans[span].joints[ring];
             if end == 0 { joints.insert(0, id) } else { joints.push(id) }
         }
-        self.sets.spans[span].springings[end] = skewback[0];
     }
 
     /// Rows of fill over a support, from its top to where columns begin.
@@ -464,7 +404,7 @@ impl<'a> Build<'a> {
     /// Fill behind an abutment, up to where columns begin: against the masonry's back, then beside the rows over it, whose outer
     /// edge is `edge`. Returns the feet of its columns, from left to right.
     fn behind(&mut self, side: usize, masonry: &Grid, edge: &[NodeId]) -> Vec<NodeId> {
-        let distances = self.layout.behind[side].clone();
+        let distances = self.layout.behind.clone();
         let column = if side == 0 { 0 } else { masonry[0].len() - 1 };
         let back: Vec<NodeId> = masonry.iter().map(|row| row[column]).collect();
         let outwards = if side == 0 { -1.0 } else { 1.0 };
@@ -476,26 +416,22 @@ impl<'a> Build<'a> {
         let corner = back.len() - 1;
         let mut grid = self.grid(&points, |i, j| if j == 0 && i >= corner { Some(edge[i - corner]) } else { None });
         let facing: Vec<NodeId> = grid[..=corner].iter().map(|row| row[0]).collect();
-        let role = Role::Abutment(if side == 0 { End::Left } else { End::Right });
+        let boundary: Vec<NodeId> = grid.iter().map(|row| row[distances.len() - 1]).collect();
         // Masonry on the right of the way walked: up the left abutment's back, down the right one's.
         let (mut one, mut two) = (back, facing);
-        if side == 1 {
+        let end = if side == 0 {
+            grid.iter_mut().for_each(|row| row.reverse());
+            self.sets.left = boundary;
+            End::Left
+        } else {
             one.reverse();
             two.reverse();
-        }
-        self.seam(one, two, Seam::Contact(role));
-        if side == 0 {
-            grid.iter_mut().for_each(|row| row.reverse());
-        }
+            self.sets.right = boundary;
+            End::Right
+        };
+        self.seam(one, two, Seam::Contact(Role::Abutment(end)));
         self.fill(&grid);
         self.sets.base.extend(&grid[0]);
-        let outer = if side == 0 { 0 } else { distances.len() - 1 };
-        let boundary: Vec<NodeId> = grid.iter().map(|row| row[outer]).collect();
-        if side == 0 {
-            self.sets.left = boundary
-        } else {
-            self.sets.right = boundary
-        }
         grid.swap_remove(grid.len() - 1)
     }
 
@@ -527,7 +463,7 @@ impl<'a> Build<'a> {
         self.sets.right.extend(grid[1..].iter().map(|row| row[feet.len() - 1]));
     }
 
-    fn finish(mut self, surface: f64, ballast_pressure: f64) -> Meshed {
+    fn finish(self, ballast_pressure: f64) -> Meshed {
         let mut mesh = Mesh {
             nodes: self.nodes,
             interfaces: self.interfaces,
@@ -541,14 +477,8 @@ impl<'a> Build<'a> {
             }
             let zone = mesh.zones.push(role.name());
             roles.push(role);
-            let first = mesh.quads.len();
             for nodes in quads {
                 mesh.quads.push(Quad { nodes, zone });
-            }
-            for (_, ring, voussoir, range) in self.voussoir_quads.iter().filter(|v| Role::Voussoirs(v.0) == role) {
-                let Role::Voussoirs(span) = role else { continue };
-                self.sets.spans[span].voussoirs[*ring][*voussoir].quads =
-                    range.clone().map(|k| QuadId::new(first + k)).collect();
             }
         }
         let quality = quality::quality(&mesh, self.sets.held());
@@ -559,7 +489,7 @@ impl<'a> Build<'a> {
             sets: self.sets,
             options: self.options,
             quality,
-            surface,
+            surface: self.layout.surface,
             ballast_pressure,
         }
     }
@@ -586,18 +516,10 @@ fn folded(meshed: &Meshed) -> MeshError {
     }
 }
 
-/// Stations of rows at the left (`end` 0) or the right end of a span.
-fn rows_at(stations: &Stations, end: usize) -> usize {
-    stations.layers[end].last().copied().unwrap_or(0)
-}
-
 /// Elements between rows and columns, counter-clockwise, row by row.
 fn quads_of(grid: &[Vec<NodeId>]) -> Vec<[NodeId; 4]> {
-    let mut quads = Vec::new();
-    for pair in grid.windows(2) {
-        for j in 0..pair[0].len().saturating_sub(1) {
-            quads.push([pair[0][j], pair[0][j + 1], pair[1][j + 1], pair[1][j]]);
-        }
-    }
-    quads
+    let between = |pair: &[Vec<NodeId>]| -> Vec<[NodeId; 4]> {
+        (1..pair[0].len()).map(|j| [pair[0][j - 1], pair[0][j], pair[1][j], pair[1][j - 1]]).collect()
+    };
+    grid.windows(2).flat_map(between).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::arch::{Arch, End};
 use super::patch::growing;
-use super::saddle::{Layers, Side};
+use super::saddle::{Layer, Side};
 use super::sets::Role;
 use super::stations::Stations;
 use super::{MeshError, MeshOptions};
@@ -18,8 +18,8 @@ pub(super) struct Layout {
     pub(super) backs: [f64; 2],
     /// How far fill behind the abutments reaches [m].
     pub(super) extent: f64,
-    /// Distances of columns behind the abutments from their backs [m].
-    pub(super) behind: [Vec<f64>; 2],
+    /// Distances of columns behind either abutment from its back [m].
+    pub(super) behind: Vec<f64>,
     /// What lies over each support, from the left.
     pub(super) over: Vec<Over>,
     /// Rows of fill between the columns' feet and the surface.
@@ -42,13 +42,7 @@ impl Over {
     /// What row `row` is, where it ends at a level.
     pub(super) fn role(&self, row: usize) -> Option<Role> {
         let level = self.rows.iter().find(|(end, _)| row < *end)?.1?;
-        Some(if level <= self.levels[0] {
-            Role::Backing
-        } else if level <= self.levels[1] {
-            Role::HaunchFill
-        } else {
-            Role::Fill
-        })
+        Some(fill(|k| level <= self.levels[k]))
     }
 }
 
@@ -61,14 +55,18 @@ impl Layout {
             return if depth < self.extent { Role::AbutmentFill(end) } else { Role::Fill };
         }
         let Some(over) = self.over.iter().find(|over| at.x <= over.right) else { return Role::Fill };
-        let below = |k: usize| !over.met[k] && at.y < over.levels[k];
-        if below(0) {
-            Role::Backing
-        } else if below(1) {
-            Role::HaunchFill
-        } else {
-            Role::Fill
-        }
+        fill(|k| !over.met[k] && at.y < over.levels[k])
+    }
+}
+
+/// What lies over a support: below the first of its levels, the second, or neither.
+fn fill(below: impl Fn(usize) -> bool) -> Role {
+    if below(0) {
+        Role::Backing
+    } else if below(1) {
+        Role::HaunchFill
+    } else {
+        Role::Fill
     }
 }
 
@@ -129,11 +127,15 @@ fn springing(arches: &[Arch<'_>], support: usize) -> f64 {
     }
 }
 
+/// Levels of the upper faces of backing and haunch fill over a support [m], where there are some.
+fn faces(bridge: &Bridge, arches: &[Arch<'_>], support: usize) -> [Option<f64>; 2] {
+    let heights = [bridge.cover.backing.map(|b| b.height), bridge.service.haunch_fill.map(|h| h.height)];
+    heights.map(|height| Some(springing(arches, support) + height?))
+}
+
 /// Levels at which the material over a support changes, from below [m].
 pub(super) fn levels(bridge: &Bridge, arches: &[Arch<'_>], support: usize) -> Vec<f64> {
-    let springing = springing(arches, support);
-    let mut levels: Vec<f64> = bridge.cover.backing.iter().map(|b| springing + b.height).collect();
-    levels.extend(bridge.service.haunch_fill.iter().map(|h| springing + h.height));
+    let mut levels: Vec<f64> = faces(bridge, arches, support).into_iter().flatten().collect();
     levels.sort_by(f64::total_cmp);
     levels.dedup();
     levels
@@ -163,7 +165,7 @@ pub(super) fn sides<'a>(arches: &'a [Arch<'a>], backs: [f64; 2], i: usize) -> [S
 
 pub(super) fn layout(
     bridge: &Bridge,
-    (arches, stations, layers): (&[Arch<'_>], &[Stations], &[Layers]),
+    (arches, stations, layers): (&[Arch<'_>], &[Stations], &[Vec<Layer>]),
     options: MeshOptions,
     surface: f64,
     backs: [f64; 2],
@@ -180,52 +182,33 @@ pub(super) fn layout(
     // Feet of the columns: the lowest, where rows end, and the highest, at the crown.
     let mut feet = [f64::INFINITY, f64::NEG_INFINITY];
     for (arch, s) in arches.iter().zip(stations) {
-        let last = s.shares.len() - 1;
-        let ends = [s.layers[0].last().copied().unwrap_or(0), last - s.layers[1].last().copied().unwrap_or(0)];
-        for k in [ends[0], ends[1], s.crown] {
+        for k in [s.rows(0), s.shares.len() - 1 - s.rows(1), s.crown] {
             let y = arch.extrados(s.shares[k]).y;
             feet = [feet[0].min(y), feet[1].max(y)];
         }
     }
     let (deep, shallow) = ((surface - feet[0]).max(0.0), (surface - feet[1]).max(0.0));
     let rows = ((deep * shallow).sqrt() / size).max(shallow / size).ceil().max(2.0) as usize;
-    let behind = |_: usize| {
-        let most = 6.0 * size;
-        let (first, growth) = (1.2 * size, 1.12);
-        if extent >= distance {
-            return growing(distance, first, growth, most);
-        }
-        let mut near = growing(extent, first, growth, most);
-        let step = near.windows(2).map(|w| w[1] - w[0]).fold(first, f64::max);
-        near.extend(growing(distance - extent, step, growth, most.max(step)).iter().skip(1).map(|d| extent + d));
-        near
-    };
-    Layout {
-        surface,
-        backs,
-        extent,
-        behind: [behind(0), behind(1)],
-        over: over(bridge, arches, stations, layers),
-        rows,
+    let most = 6.0 * size;
+    let (first, growth) = (1.2 * size, 1.12);
+    let mut behind = growing(extent.min(distance), first, growth, most);
+    if extent < distance {
+        let step = behind.windows(2).map(|w| w[1] - w[0]).fold(first, f64::max);
+        behind.extend(growing(distance - extent, step, growth, most.max(step)).iter().skip(1).map(|d| extent + d));
     }
+    Layout { surface, backs, extent, behind, over: over(bridge, arches, stations, layers), rows }
 }
 
 /// What lies over each support.
-pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Layers]) -> Vec<Over> {
+pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Vec<Layer>]) -> Vec<Over> {
     (0..=arches.len())
         .map(|i| {
-            let springing = springing(arches, i);
-            let backing = bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| springing + b.height);
-            let haunch = bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| springing + h.height);
-            let ends = match (stations.get(i), i.checked_sub(1)) {
-                (Some(right), _) => &right.layers[0],
-                (None, Some(k)) => &stations[k].layers[1],
-                (None, None) => return Over { right: 0.0, levels: [0.0; 2], met: [false; 2], rows: Vec::new() },
-            };
-            let rows: Vec<_> = ends.iter().copied().zip(layers[i].levels.iter().copied()).collect();
-            let met = [backing, haunch].map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
+            let levels = faces(bridge, arches, i).map(|level| level.unwrap_or(f64::NEG_INFINITY));
+            let ends = stations.get(i).map_or_else(|| &stations[i - 1].layers[1], |right| &right.layers[0]);
+            let rows: Vec<_> = ends.iter().copied().zip(layers[i].iter().map(|layer| layer.level)).collect();
+            let met = levels.map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
             let right = arches.get(i).map_or(f64::INFINITY, |arch| arch.intrados(0.5).x);
-            Over { right, levels: [backing, haunch], met, rows }
+            Over { right, levels, met, rows }
         })
         .collect()
 }
@@ -247,14 +230,14 @@ pub(super) fn refuse_too_fine(
         })
         .sum();
     let along: usize = stations.iter().map(|s| s.shares.len()).sum();
-    let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
+    let columns = along + 2 * layout.behind.len();
     // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
     let wide =
         bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
     let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
     let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
     let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
-    let behind = layout.behind.iter().map(|d| d.len() as f64).fold(0.0, f64::max) * tall / options.size;
+    let behind = layout.behind.len() as f64 * tall / options.size;
     let others = below / (options.size * options.size) + 2.0 * behind;
     let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1)).saturating_add(others as usize);
     let most = options.most_nodes;

@@ -21,6 +21,7 @@ mod stations;
 mod supports;
 
 pub use arch::End;
+pub use build::mesh_with;
 pub use options::MeshOptions;
 pub use quality::{Quality, corners, quality, scaled_jacobian};
 pub use sets::{NodeSets, Role, Seam, SpanSets, Substance, Voussoir};
@@ -132,14 +133,6 @@ pub const MOST_NODES: usize = 2_000_000;
 /// What the mesh does not know, no fill or no room on a pier, a folded element, or too many nodes.
 pub fn mesh(bridge: &Bridge) -> Result<Meshed, MeshError> {
     mesh_with(bridge, MeshOptions::of(bridge))
-}
-
-/// Meshes a bridge with other options.
-///
-/// # Errors
-/// Those of [`mesh()`].
-pub fn mesh_with(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
-    build::build(bridge, options)
 }
 
 #[cfg(test)]

@@ -38,12 +38,6 @@ pub(super) fn between(bottom: &[Vec2], top: &[Vec2], left: &[Vec2], right: &[Vec
         .collect()
 }
 
-/// Points at equal steps from one to another, both included.
-pub(super) fn line(from: Vec2, to: Vec2, parts: usize) -> Vec<Vec2> {
-    let at = |k: usize| if k == parts { to } else { from + (to - from) * (k as f64 / parts as f64) };
-    (0..=parts).map(at).collect()
-}
-
 /// Distances from 0 to `length` in steps that start with about `first` and grow by `growth` up to `most` [m].
 pub(super) fn growing(length: f64, first: f64, growth: f64, most: f64) -> Vec<f64> {
     let mut steps: Vec<f64> = Vec::new();

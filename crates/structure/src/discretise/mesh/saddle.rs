@@ -16,15 +16,12 @@ const LAST: f64 = 0.42;
 /// Columns alone do where they meet the extrados with at least this sine.
 const GOOD: f64 = 0.55;
 
-/// Tops of the layers of rows: shares of the arc length from the springing, on both sides of a support.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Layers {
-    /// Up the right end of the span on the left.
-    pub left: Vec<f64>,
-    /// Up the left end of the span on the right.
-    pub right: Vec<f64>,
-    /// The level that each reaches up to [m]; none for the one that follows the steepness of the extrados.
-    pub levels: Vec<Option<f64>>,
+/// The top of a layer of rows.
+pub(super) struct Layer {
+    /// Shares of the arc length from the springing: up the right end of the span on the left, and up the left end of the span on the right.
+    pub shares: [f64; 2],
+    /// The level that it reaches up to [m]; none for the one that follows the steepness of the extrados.
+    pub level: Option<f64>,
 }
 
 /// One side of a support: the arch that springs there, or the line over an abutment's back at this x.
@@ -66,10 +63,10 @@ impl Side<'_> {
 /// Rows that would meet an extrados with a smaller sine do not follow a level.
 const POOR: f64 = 0.25;
 
-/// The layers over a support. `levels` [m] are those at which materials change, from below; `size` [m] is the least
+/// The layers over a support, from below. `levels` [m] are those at which materials change, from below; `size` [m] is the least
 /// height of a layer. `steep` says whether rows reach further where the extrados is steep.
-pub(super) fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, size: f64) -> Layers {
-    let mut found = Layers::default();
+pub(super) fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, size: f64) -> Vec<Layer> {
+    let mut found = Vec::new();
     let mut from = [0.0, 0.0];
     let mut foot = left.at(0.0, f64::NEG_INFINITY).y.max(right.at(0.0, f64::NEG_INFINITY).y);
     for &level in levels {
@@ -79,9 +76,7 @@ pub(super) fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: b
         let next = [left.reach(level), right.reach(level)];
         let climbs = |side: &Side<'_>, k: usize| !side.is_arch() || next[k] > from[k] + 1e-6;
         if climbs(left, 0) && climbs(right, 1) && rows(left, right, from, next) > POOR {
-            found.left.push(next[0]);
-            found.right.push(next[1]);
-            found.levels.push(Some(level));
+            found.push(Layer { shares: next, level: Some(level) });
             (from, foot) = (next, level);
         }
     }
@@ -91,9 +86,7 @@ pub(super) fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: b
         && let Some((best, top)) = highest(left, right, from)
         && best > without + 0.05
     {
-        found.left.push(top[0]);
-        found.right.push(top[1]);
-        found.levels.push(None);
+        found.push(Layer { shares: top, level: None });
     }
     found
 }

@@ -1,7 +1,7 @@
 //! Nodes by what they are on a bridge.
 
 use bridge::{Backing, Bridge, Masonry, Soil};
-use mechanics::ids::{InterfaceId, NodeId, QuadId};
+use mechanics::ids::{InterfaceId, NodeId};
 use mechanics::plane::Vec2;
 use outcome::mesh::MadeOf;
 
@@ -124,8 +124,6 @@ pub struct Voussoir {
     pub nodes: Vec<NodeId>,
     /// How many of them stand at one station.
     pub across: usize,
-    /// Its elements.
-    pub quads: Vec<QuadId>,
 }
 
 impl Voussoir {
@@ -142,21 +140,11 @@ impl Voussoir {
 /// Nodes and joints of a span.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpanSets {
-    /// Nodes of the intrados from left to right; where voussoirs meet, that of the left one, then that of the right one.
-    pub intrados: Vec<NodeId>,
-    /// Nodes of the extrados, in the same way.
-    pub extrados: Vec<NodeId>,
     /// Voussoirs of each ring, from the left.
     pub voussoirs: Vec<Vec<Voussoir>>,
     /// Joints of each ring, from the left springing to the right one.
     pub joints: Vec<Vec<InterfaceId>>,
-    /// Nodes of the crown: at the intrados and at the extrados. Where a joint stands there, those of the voussoir left of it.
-    pub crown: [NodeId; 2],
-    /// Where the crown's intrados is [m].
-    pub crown_at: Vec2,
-    /// Nodes of the supports at the left and right springing, at the intrados.
-    pub springings: [NodeId; 2],
-    /// Where they are [m].
+    /// Its left and right springing at the intrados [m].
     pub springings_at: [Vec2; 2],
 }
 

@@ -4,7 +4,7 @@
 //! equal steps.
 
 use super::arch::{Arch, End};
-use super::saddle::Layers;
+use super::saddle::Layer;
 
 /// Share of a voussoir within which joints of two rings are one station: thinner slivers would be all but flat.
 const SLIVER: f64 = 0.05;
@@ -45,9 +45,16 @@ pub(super) struct Stations {
     pub layers: [Vec<usize>; 2],
 }
 
+impl Stations {
+    /// Stations of rows at the left (`end` 0) or the right end.
+    pub(super) fn rows(&self, end: usize) -> usize {
+        self.layers[end].last().copied().unwrap_or(0)
+    }
+}
+
 impl Breaks {
-    /// The breaks of `arch`, with the tops of layers at its left and its right end, and elements of about `size` [m].
-    pub(super) fn new(arch: &Arch<'_>, left: &[f64], right: &[f64], size: f64) -> Breaks {
+    /// The breaks of `arch`, with the layers over its left and its right support, and elements of about `size` [m].
+    fn new(arch: &Arch<'_>, [left, right]: [&[Layer]; 2], size: f64) -> Breaks {
         let mut shares: Vec<f64> = Vec::new();
         let rings = &arch.span.rings;
         let mut wanted: Vec<Vec<f64>> = Vec::new();
@@ -59,8 +66,9 @@ impl Breaks {
         }
         let finest = rings.iter().map(|ring| ring.voussoirs).max().unwrap_or(1) as f64;
         let crown = insert(&mut shares, 0.5, 1e-9);
-        let tops = [left.to_vec(), right.iter().map(|d| 1.0 - d).collect::<Vec<f64>>()]
-            .map(|side| side.iter().map(|&s| insert(&mut shares, s, NEAR / finest)).collect::<Vec<f64>>());
+        let mut top = |share: f64| insert(&mut shares, share, NEAR / finest);
+        let left: Vec<f64> = left.iter().map(|layer| top(layer.shares[1])).collect();
+        let right: Vec<f64> = right.iter().map(|layer| top(1.0 - layer.shares[0])).collect();
         let find = |share: f64| shares.partition_point(|s| *s < share - 1e-12);
         let joints: Vec<Vec<usize>> = wanted.iter().map(|ring| ring.iter().map(|s| find(*s)).collect()).collect();
         let crown = find(crown);
@@ -79,7 +87,7 @@ impl Breaks {
             }
             found
         };
-        let layers = [climb(&tops[0], End::Left), climb(&tops[1], End::Right)];
+        let layers = [climb(&left, End::Left), climb(&right, End::Right)];
         let lengths: Vec<f64> = shares.windows(2).map(|w| arch.extrados_length(w[0], w[1])).collect();
         let mut breaks: Vec<Break> = shares.iter().map(|&share| Break { share, parts: 0 }).collect();
         for (k, length) in lengths.iter().enumerate() {
@@ -145,12 +153,9 @@ pub(super) fn match_rows(left: &mut Breaks, right: &mut Breaks) {
 }
 
 /// The breaks of all spans.
-pub(super) fn count(arches: &[Arch<'_>], layers: &[Layers], size: f64) -> Vec<Breaks> {
-    let mut all: Vec<Breaks> = arches
-        .iter()
-        .enumerate()
-        .map(|(i, arch)| Breaks::new(arch, &layers[i].right, &layers[i + 1].left, size))
-        .collect();
+pub(super) fn count(arches: &[Arch<'_>], layers: &[Vec<Layer>], size: f64) -> Vec<Breaks> {
+    let mut all: Vec<Breaks> =
+        arches.iter().enumerate().map(|(i, arch)| Breaks::new(arch, [&layers[i], &layers[i + 1]], size)).collect();
     for i in 1..all.len() {
         let (left, right) = all.split_at_mut(i);
         match_rows(&mut left[i - 1], &mut right[0]);
@@ -164,15 +169,9 @@ fn insert(shares: &mut Vec<f64>, share: f64, near: f64) -> f64 {
     let close = |i: usize| shares.get(i).copied().filter(|s| (s - share).abs() <= near);
     let below = k.checked_sub(1).and_then(close);
     match (below, close(k)) {
-        (Some(a), Some(b)) => {
-            if share - a < b - share {
-                a
-            } else {
-                b
-            }
-        }
+        (Some(a), Some(b)) if share - a < b - share => a,
+        (_, Some(b)) => b,
         (Some(a), None) => a,
-        (None, Some(b)) => b,
         (None, None) => {
             shares.insert(k, share);
             share

@@ -3,51 +3,29 @@
 //! A skewback that lies flat is part of the upper side, so that lines run straight down from it; a steep one is part of the
 //! flank, so that rows run into it.
 
-use super::patch::{Points, between, growing, line};
+use super::patch::{Points, between, growing, spaced};
 use mechanics::plane::{Vec2, vec2};
 
 /// Skewbacks steeper than this [rad] belong to the flank: 50 degrees.
 const STEEP: f64 = 50.0 / 180.0 * std::f64::consts::PI;
 
 /// One flank of a support.
-pub(super) enum Flank {
-    /// A ring springs here: nodes of its skewback from the intrados to the extrados; the flank stands on the base at this x.
-    Skewback(Vec<Vec2>, f64),
-    /// The vertical back of an abutment, up to this level, at this x.
-    Back {
-        /// Where [m].
-        x: f64,
-        /// Level of its top [m].
-        top: f64,
-    },
+pub(super) struct Flank {
+    /// Where a ring springs, the nodes of its skewback from the intrados to the extrados; one point at the top of an abutment's vertical back.
+    pub points: Vec<Vec2>,
+    /// Where it stands on the base [m].
+    pub base: f64,
 }
 
 impl Flank {
     /// Its upper end: where the fill's lower edge begins.
     fn head(&self) -> Vec2 {
-        match self {
-            Flank::Skewback(points, _) => points[points.len() - 1],
-            Flank::Back { x, top } => vec2(*x, *top),
-        }
-    }
-    fn base(&self) -> f64 {
-        match self {
-            Flank::Skewback(_, x) => *x,
-            Flank::Back { x, .. } => *x,
-        }
-    }
-    /// The end of the part that goes straight down.
-    fn shoulder(&self) -> Vec2 {
-        match self {
-            Flank::Skewback(points, _) => points[0],
-            Flank::Back { .. } => self.head(),
-        }
+        self.points[self.points.len() - 1]
     }
     /// Steps of the skewback that belong to the flank, and those that belong to the upper side.
     fn steps(&self) -> [usize; 2] {
-        let Flank::Skewback(points, _) = self else { return [0, 0] };
-        let (a, b) = (points[0], points[points.len() - 1]);
-        let steps = points.len() - 1;
+        let (a, b) = (self.points[0], self.head());
+        let steps = self.points.len() - 1;
         if (b.y - a.y).atan2((b.x - a.x).abs()) > STEEP { [steps, 0] } else { [0, steps] }
     }
 }
@@ -64,34 +42,31 @@ pub(super) struct Support {
 pub(super) fn support(left: &Flank, right: &Flank, low: f64, across: usize, size: f64) -> Support {
     let flanks = [left, right];
     let steps = flanks.map(Flank::steps);
-    let height = flanks.map(|f| f.shoulder().y - low);
+    let height = flanks.map(|f| f.points[0].y - low);
     // Distances down from the shoulder: elements grow towards the base.
     let down = growing(height[0].max(height[1]), 1.2 * size, 1.12, 3.0 * size);
     let rows = down.len() - 1 + steps[0][0].max(steps[1][0]);
     let mut sides = [0, 1].map(|k| {
         let flank = flanks[k];
-        let (foot, shoulder) = (vec2(flank.base(), low), flank.shoulder());
+        // It goes straight down to the base from its lower end.
+        let (foot, shoulder) = (vec2(flank.base, low), flank.points[0]);
         let mut side: Vec<Vec2> = rise(&down, rows - steps[k][0]).into_iter().map(|t| mix(foot, shoulder, t)).collect();
-        if let Flank::Skewback(points, _) = flank
-            && steps[k][0] > 0
-        {
-            side.extend(&points[1..]);
-        }
+        side.extend(&flank.points[1..=steps[k][0]]);
         side
     });
     // A back has its rows at the levels of a skewback in the other flank.
     for k in [0, 1] {
-        if matches!(flanks[k], Flank::Back { .. }) && steps[1 - k][0] > 0 {
-            let x = flanks[k].base();
-            sides[k] = sides[1 - k].iter().map(|p| vec2(x, p.y)).collect();
+        if flanks[k].points.len() == 1 && steps[1 - k][0] > 0 {
+            sides[k] = sides[1 - k].iter().map(|p| vec2(flanks[k].base, p.y)).collect();
         }
     }
-    let mut top = line(left.head(), right.head(), across);
-    if let (Flank::Skewback(points, _), true) = (left, steps[0][1] > 0) {
-        top = points.iter().copied().chain(top.into_iter().skip(1)).collect();
+    let even: Vec<f64> = (0..=across).map(|k| k as f64).collect();
+    let mut top = spaced(left.head(), right.head(), &even);
+    if steps[0][1] > 0 {
+        top = left.points.iter().copied().chain(top.into_iter().skip(1)).collect();
     }
-    if let (Flank::Skewback(points, _), true) = (right, steps[1][1] > 0) {
-        top.extend(points.iter().rev().skip(1));
+    if steps[1][1] > 0 {
+        top.extend(right.points.iter().rev().skip(1));
     }
     let [left, right] = sides;
     let (first, last) = (top[0].x, top[top.len() - 1].x);

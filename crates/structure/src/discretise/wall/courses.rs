@@ -5,8 +5,7 @@
 //! joints that fall close to such a cut are left out in its favour. Every piece then holds a square of the least
 //! thickness.
 
-use super::line::Segment;
-use super::{Layout, Piece, WallError, outline};
+use super::{Layout, Piece, Seat, WallError, outline};
 use mechanics::plane::{Vec2, vec2};
 
 /// Where a cut may as well be left out, it keeps this multiple of the least thickness from the next one: pieces of the
@@ -31,7 +30,7 @@ struct Below {
 }
 
 /// The pieces of every course.
-pub(super) fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallError> {
+pub(super) fn cut(line: &[Seat], layout: &Layout) -> Result<Vec<Piece>, WallError> {
     let mut here: Vec<Stretch> =
         line.iter().enumerate().map(|(segment, s)| Stretch { segment, from: s.left.x, to: s.right.x }).collect();
     let corners = line.iter().flat_map(|s| [s.left, s.right]);
@@ -56,7 +55,7 @@ pub(super) fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallE
 }
 
 /// Parts of `above` where the least piece finds room between the bed at `level` and the line.
-fn with_room(line: &[Segment], above: &[Stretch], level: f64, least: f64) -> Vec<Stretch> {
+fn with_room(line: &[Seat], above: &[Stretch], level: f64, least: f64) -> Vec<Stretch> {
     let mut found: Vec<Stretch> = Vec::new();
     for stretch in above {
         let segment = &line[stretch.segment];
@@ -85,7 +84,7 @@ fn with_room(line: &[Segment], above: &[Stretch], level: f64, least: f64) -> Vec
 }
 
 /// Stretches that follow one another without a gap.
-fn runs(stretches: &[Stretch], line: &[Segment]) -> Vec<Vec<Stretch>> {
+fn runs(stretches: &[Stretch], line: &[Seat]) -> Vec<Vec<Stretch>> {
     let whole = |a: &Stretch, b: &Stretch| {
         b.segment == a.segment + 1 && a.to == line[a.segment].right.x && b.from == line[b.segment].left.x
     };
@@ -114,7 +113,7 @@ fn below(run: &[Stretch], next: &[Stretch]) -> Vec<Below> {
 }
 
 /// Whether a piece may not reach across the border between two parts.
-fn divides(a: &Below, b: &Below, line: &[Segment]) -> bool {
+fn divides(a: &Below, b: &Below, line: &[Seat]) -> bool {
     match (a.segment, b.segment) {
         (Some(i), Some(j)) => {
             let jump = (line[i].at(a.to) - line[j].at(b.from)).abs() > 1e-9;
@@ -126,7 +125,7 @@ fn divides(a: &Below, b: &Below, line: &[Segment]) -> bool {
 }
 
 fn course_pieces(
-    line: &[Segment],
+    line: &[Seat],
     [run, next]: [&[Stretch]; 2],
     [bed, top]: [f64; 2],
     course: usize,

@@ -2,71 +2,45 @@
 //! other side of a pier.
 
 use super::{Layout, Piece, WallError, outline};
-use mechanics::plane::{Vec2, vec2};
-
-/// One side of a stack of stones, from its foot to its head.
-pub(crate) struct Chain {
-    points: Vec<Vec2>,
-    /// Whether beds must start at its corners: those of backs, but not of a plumb face.
-    cornered: bool,
-}
-
-impl Chain {
-    /// A plumb face from `foot` up to `level` [m].
-    pub(crate) fn plumb(foot: Vec2, level: f64) -> Chain {
-        Chain { points: vec![foot, vec2(foot.x, level)], cornered: false }
-    }
-    /// Backs of voussoirs, from the springing up.
-    pub(crate) fn backs(corners: &[Vec2]) -> Chain {
-        Chain { points: corners.to_vec(), cornered: true }
-    }
-    fn corners(&self) -> &[Vec2] {
-        if self.cornered { &self.points[1..self.points.len() - 1] } else { &[] }
-    }
-    fn foot(&self) -> Vec2 {
-        self.points[0]
-    }
-    /// The upper end [m].
-    pub(crate) fn head(&self) -> Vec2 {
-        self.points[self.points.len() - 1]
-    }
-    /// The point at a level [m].
-    fn at(&self, y: f64) -> Vec2 {
-        let k = self.points.partition_point(|p| p.y < y).clamp(1, self.points.len() - 1);
-        let (a, b) = (self.points[k - 1], self.points[k]);
-        let t = if b.y > a.y { ((y - a.y) / (b.y - a.y)).clamp(0.0, 1.0) } else { 1.0 };
-        a + (b - a) * t
-    }
-}
+use mechanics::plane::Vec2;
 
 /// A bed: its left and right end.
 type Bed = [Vec2; 2];
 
-/// Stones between two chains.
-pub(crate) fn stones(left: &Chain, right: &Chain, layout: &Layout) -> Result<Vec<Piece>, WallError> {
-    let mut beds = vec![[left.foot(), right.foot()]];
-    let (mut a, mut b) = (left.corners().iter().peekable(), right.corners().iter().peekable());
+/// Stones between two sides of a stack: backs of voussoirs from the springing up, or a plumb face from its foot to its head. Beds start at all
+/// corners between.
+pub(crate) fn stones(left: &[Vec2], right: &[Vec2], layout: &Layout) -> Result<Vec<Piece>, WallError> {
+    let mut beds = vec![[left[0], right[0]]];
+    let [mut a, mut b] = [left, right].map(|side| side[1..side.len() - 1].iter().peekable());
     loop {
         let bed = match (a.peek(), b.peek()) {
             (None, None) => break,
             // Corners at nearly one level share a bed, so that no stone becomes a sliver.
             (Some(p), Some(q)) if (p.y - q.y).abs() < layout.least => [**p, **q],
-            (Some(p), Some(q)) if p.y < q.y => [**p, right.at(p.y)],
-            (Some(_), Some(q)) => [left.at(q.y), **q],
-            (Some(p), None) => [**p, right.at(p.y)],
-            (None, Some(q)) => [left.at(q.y), **q],
+            (Some(p), Some(q)) if p.y < q.y => [**p, at(right, p.y)],
+            (Some(_), Some(q)) => [at(left, q.y), **q],
+            (Some(p), None) => [**p, at(right, p.y)],
+            (None, Some(q)) => [at(left, q.y), **q],
         };
         a.next_if(|p| **p == bed[0]);
         b.next_if(|q| **q == bed[1]);
         beds.push(bed);
     }
-    beds.push([left.head(), right.head()]);
+    beds.push([left[left.len() - 1], right[right.len() - 1]]);
     let beds = thinned(beds, layout);
     let mut pieces = Vec::new();
     for (row, pair) in beds.windows(2).enumerate() {
         bricks(pair[0], pair[1], row, layout, &mut pieces)?;
     }
     Ok(pieces)
+}
+
+/// The point of a side at a level [m].
+fn at(side: &[Vec2], y: f64) -> Vec2 {
+    let k = side.partition_point(|p| p.y < y).clamp(1, side.len() - 1);
+    let (a, b) = (side[k - 1], side[k]);
+    let t = if b.y > a.y { ((y - a.y) / (b.y - a.y)).clamp(0.0, 1.0) } else { 1.0 };
+    a + (b - a) * t
 }
 
 /// More beds where voussoirs are much higher than courses.

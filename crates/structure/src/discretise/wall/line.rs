@@ -1,48 +1,15 @@
 //! The line on which the coursed part of a wall stands: seats from end to end, with stones in place of steep haunches.
 
-use super::haunch::{Chain, stones};
+use super::haunch::stones;
 use super::{Layout, Piece, Seat, WallError};
 use mechanics::plane::{Vec2, vec2};
 
-/// A straight part of the line, from left to right.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Segment {
-    /// Left end [m].
-    pub left: Vec2,
-    /// Right end [m].
-    pub right: Vec2,
-}
-
-impl Segment {
-    /// Level at `x` [m].
-    pub(super) fn at(&self, x: f64) -> f64 {
-        let run = self.right.x - self.left.x;
-        self.left.y + (self.right.y - self.left.y) * ((x - self.left.x) / run)
-    }
-    /// Rise per unit of x.
-    pub(super) fn slope(&self) -> f64 {
-        (self.right.y - self.left.y) / (self.right.x - self.left.x)
-    }
-    /// Horizontal length [m].
-    pub(super) fn width(&self) -> f64 {
-        self.right.x - self.left.x
-    }
-}
-
 /// What the courses stand on.
 pub(super) struct Ground {
-    /// Segments that follow one another in x; levels may jump between them.
-    pub line: Vec<Segment>,
+    /// Faces that follow one another in x; levels may jump between them.
+    pub line: Vec<Seat>,
     /// Stones of the haunches below the line.
     pub stones: Vec<Piece>,
-}
-
-/// Between two spans, or between a span and the end of the wall: a flat part and the steep backs on both sides of it,
-/// each from the springing up.
-struct Valley {
-    flat: Segment,
-    left: Vec<Vec2>,
-    right: Vec<Vec2>,
 }
 
 /// Shortest flat part that is drawn [m]: where two rings meet above a pier there is none.
@@ -54,17 +21,15 @@ pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallErro
     let mut groups = seats.chunk_by(|a, b| a.span == b.span).peekable();
     // Steep backs of the right springing that the last span left for the valley behind it.
     let mut before: Vec<Vec2> = Vec::new();
-    let mut flat: Option<Segment> = None;
+    let mut flat: Option<Seat> = None;
     while let Some(group) = groups.next() {
         if group[0].span.is_none() {
             let (first, last) = (group[0].left, group[group.len() - 1].right);
-            flat = Some(clipped(Segment { left: first, right: last }, layout.ends));
+            let inside = |p: Vec2| vec2(p.x.clamp(layout.ends[0], layout.ends[1]), p.y);
+            let here = between(inside(first), inside(last));
+            flat = Some(here);
             if groups.peek().is_none() {
-                valley(
-                    &Valley { flat: flat.unwrap_or(ends(last)), left: before.clone(), right: vec![] },
-                    layout,
-                    &mut ground,
-                )?;
+                valley(here, [&before, &[]], layout, &mut ground)?;
             }
             continue;
         }
@@ -73,27 +38,20 @@ pub(super) fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallErro
         let rising = group[..half].iter().rposition(steep).map_or(0, |k| k + 1);
         let falling = group[half..].iter().position(steep).map_or(group.len(), |k| half + k);
         let up = corners(group[..rising].iter().map(|s| (s.left, s.right)));
-        let flat_here = flat.take().unwrap_or(ends(group[0].left));
-        valley(&Valley { flat: flat_here, left: before, right: up }, layout, &mut ground)?;
+        valley(flat.take().unwrap_or(between(group[0].left, group[0].left)), [&before, &up], layout, &mut ground)?;
         for seat in &group[rising..falling] {
             if seat.right.x - seat.left.x < NOTHING {
                 return Err(WallError::Overhang { x: seat.left.x });
             }
-            ground.line.push(Segment { left: seat.left, right: seat.right });
+            ground.line.push(*seat);
         }
         before = corners(group[falling..].iter().rev().map(|s| (s.right, s.left)));
     }
     Ok(ground)
 }
 
-fn ends(at: Vec2) -> Segment {
-    Segment { left: at, right: at }
-}
-
-/// A flat seat between the ends of the wall.
-fn clipped(flat: Segment, ends: [f64; 2]) -> Segment {
-    let inside = |p: Vec2| vec2(p.x.clamp(ends[0], ends[1]), p.y);
-    Segment { left: inside(flat.left), right: inside(flat.right) }
+fn between(left: Vec2, right: Vec2) -> Seat {
+    Seat { left, right, span: None }
 }
 
 /// Corners of steep backs from the springing up.
@@ -108,17 +66,17 @@ fn corners(backs: impl Iterator<Item = (Vec2, Vec2)>) -> Vec<Vec2> {
     chain
 }
 
-/// Fills the foot of a valley with stones where its sides are steep, and draws the line above.
-fn valley(valley: &Valley, layout: &Layout, ground: &mut Ground) -> Result<(), WallError> {
-    let Valley { flat, left, right } = valley;
-    let room = flat.width();
+/// Between two spans, or between a span and the end of the wall: a flat part and the steep backs on both sides of it, each from the springing
+/// up. Fills its foot with stones where its sides are steep, and draws the line above.
+fn valley(flat: Seat, [left, right]: [&[Vec2]; 2], layout: &Layout, ground: &mut Ground) -> Result<(), WallError> {
+    let room = flat.right.x - flat.left.x;
     let whole = layout.length;
     let on = |x: f64| if room > NOTHING { vec2(x, flat.at(x)) } else { flat.left };
     // A plumb face from the flat part up to the head of a chain, at most a brick away from its foot.
-    let plumb = |x: f64, head: &[Vec2]| Chain::plumb(on(x), head[head.len() - 1].y);
+    let plumb = |x: f64, head: &[Vec2]| [on(x), vec2(on(x).x, head[head.len() - 1].y)];
     let mut level = |from: Vec2, to: Vec2| {
         if to.x - from.x > NOTHING {
-            ground.line.push(Segment { left: from, right: to });
+            ground.line.push(between(from, to));
         }
     };
     match (left.last().copied(), right.last().copied()) {
@@ -127,25 +85,25 @@ fn valley(valley: &Valley, layout: &Layout, ground: &mut Ground) -> Result<(), W
             let x = if room >= whole + layout.least { flat.right.x - whole } else { flat.left.x };
             level(flat.left, on(x));
             level(vec2(x, head.y), head);
-            ground.stones.extend(stones(&plumb(x, right), &Chain::backs(right), layout)?);
+            ground.stones.extend(stones(&plumb(x, right), right, layout)?);
         }
         (Some(head), None) => {
             let x = if room >= whole + layout.least { flat.left.x + whole } else { flat.right.x };
             level(head, vec2(x, head.y));
             level(on(x), flat.right);
-            ground.stones.extend(stones(&Chain::backs(left), &plumb(x, left), layout)?);
+            ground.stones.extend(stones(left, &plumb(x, left), layout)?);
         }
         (Some(a), Some(b)) if room >= 2.0 * whole + layout.least => {
             let x = [flat.left.x + whole, flat.right.x - whole];
             level(a, vec2(x[0], a.y));
             level(on(x[0]), on(x[1]));
             level(vec2(x[1], b.y), b);
-            ground.stones.extend(stones(&Chain::backs(left), &plumb(x[0], left), layout)?);
-            ground.stones.extend(stones(&plumb(x[1], right), &Chain::backs(right), layout)?);
+            ground.stones.extend(stones(left, &plumb(x[0], left), layout)?);
+            ground.stones.extend(stones(&plumb(x[1], right), right, layout)?);
         }
         (Some(a), Some(b)) => {
             level(a, b);
-            ground.stones.extend(stones(&Chain::backs(left), &Chain::backs(right), layout)?);
+            ground.stones.extend(stones(left, right, layout)?);
         }
     }
     Ok(())

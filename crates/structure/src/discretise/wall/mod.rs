@@ -26,6 +26,18 @@ pub struct Seat {
     pub span: Option<usize>,
 }
 
+impl Seat {
+    /// Level at `x` [m].
+    fn at(&self, x: f64) -> f64 {
+        let run = self.right.x - self.left.x;
+        self.left.y + (self.right.y - self.left.y) * ((x - self.left.x) / run)
+    }
+    /// Rise per unit of x.
+    fn slope(&self) -> f64 {
+        (self.right.y - self.left.y) / (self.right.x - self.left.x)
+    }
+}
+
 /// Where the wall is and how it is coursed, in metres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
