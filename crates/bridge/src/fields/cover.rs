@@ -220,22 +220,7 @@ fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
 /// `below` is the density of the lowest layer of the cover [kg/m^3].
 fn backing(table: &Table<'_>, below: f64, findings: &mut Findings) -> Option<Backing> {
     let between: Option<Option<f64>> = table.read("between_density", findings);
-    let backing: Backing = read!(
-        table,
-        findings,
-        Backing {
-            height,
-            density,
-            width_share,
-            elastic_modulus,
-            poisson_ratio,
-            body = "as",
-            friction_angle,
-            cohesion,
-            tensile_strength,
-            compressive_strength,
-        }
-    )?;
+    let backing = Backing::of(table, findings)?;
     if backing.body == BackingBody::Continuum && !needs(table, &STRENGTH, findings) {
         return None;
     }

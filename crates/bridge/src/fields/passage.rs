@@ -86,7 +86,6 @@ pub(crate) fn passage(
 fn plan(file: &Table<'_>, findings: &mut Findings) -> Option<PassagePlan> {
     let table = &file.table("passage", findings)?;
     let damping = damping(table, findings);
-    let pictures: Option<Option<Vec<f64>>> = table.read("pictures", findings);
     let plan = read!(
         table,
         findings,
@@ -101,9 +100,9 @@ fn plan(file: &Table<'_>, findings: &mut Findings) -> Option<PassagePlan> {
             load_steps,
             iterations,
             tolerance,
-            path;
+            path,
+            pictures;
             damping: damping?,
-            pictures: pictures?.unwrap_or_default(),
         }
     )?;
     check(table, &plan, findings).then_some(plan)

@@ -5,7 +5,7 @@ use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Abutment, AbutmentBody, AbutmentKind, Cutwater, Cutwaters, Footing, Pier};
 use crate::tree::Table;
-use crate::values::read;
+use crate::values::{of_keys, read};
 
 pub(super) static PIER: Section = Section {
     path: "pier",
@@ -153,7 +153,7 @@ fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Opti
 pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Abutment; 2]> {
     file.part("abutment", findings, |both, findings| {
         // What is wrong with the table of both is said once, here: its sides look it up without a word.
-        let fits = whole(both, findings);
+        let fits = Written::of(both, findings);
         let mut missing: Vec<&str> = Vec::new();
         let sides = ["left", "right"]
             .map(|key| both.part(key, findings, |side, findings| abutment(&side.over(both), &mut missing, findings)));
@@ -166,34 +166,23 @@ pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Ab
     })
 }
 
-/// What a table says of an abutment.
-struct Written {
-    top_width: f64,
-    height: f64,
-    kind: AbutmentKind,
-    base_width: Option<f64>,
-    courses: Option<usize>,
-    friction: Option<f64>,
-    coefficient: Option<f64>,
-    earth_density: Option<f64>,
-}
-
-fn whole(table: &Table<'_>, findings: &mut Findings) -> Option<Written> {
-    read!(table, findings, Written {
-        top_width,
-        height,
-        kind = "as",
-        base_width,
-        courses,
-        friction = "ground_friction_angle",
-        coefficient = "earth_coefficient",
-        earth_density,
-    })
+of_keys! {
+    /// What a table says of an abutment.
+    struct Written {
+        top_width: f64,
+        height: f64,
+        kind: AbutmentKind = "as",
+        base_width: Option<f64>,
+        courses: Option<usize>,
+        friction: Option<f64> = "ground_friction_angle",
+        coefficient: Option<f64> = "earth_coefficient",
+        earth_density: Option<f64>,
+    }
 }
 
 /// One abutment; notes which keys it misses.
 fn abutment(table: &Table<'_>, missing: &mut Vec<&'static str>, findings: &mut Findings) -> Option<Abutment> {
-    let written = whole(table, findings)?;
+    let written = Written::of(table, findings)?;
     let Written { top_width, height, .. } = written;
     if written.kind == AbutmentKind::Fixed {
         return Some(Abutment { top_width, height, body: None });

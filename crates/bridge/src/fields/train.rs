@@ -7,7 +7,6 @@ use crate::passage::Track;
 use crate::quantity::Dimension::BendingStiffness;
 use crate::train::{AxleLoads, LIBRARY, MOST_AXLES, Train, Vehicle, built_in, read_toml};
 use crate::tree::{At, Table};
-use crate::values::read;
 use findings::words::counted;
 
 pub(crate) static VEHICLE: Section = Section {
@@ -204,21 +203,7 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
 /// Rails, sleepers, ballast. `width` of the barrel [m].
 pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Track> {
     let table = &file.table("track", findings)?;
-    let track = read!(
-        table,
-        findings,
-        Track {
-            rail_bending_stiffness,
-            track_modulus,
-            sleeper_spacing,
-            sleeper_breadth,
-            sleeper_length,
-            ballast_depth,
-            ballast_slope,
-            dead_load,
-            effective_width,
-        }
-    )?;
+    let track = Track::of(table, findings)?;
     if let (Some(effective), Some(width)) = (track.effective_width, width)
         && effective > width * (1.0 + 1e-12)
     {

@@ -37,7 +37,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let strip = width.map(|width| crate::model::widest_strip(width, cracks));
     let loads = loading::loads(file, loading::Widths { barrel: width, strip }, lengths.as_ref(), findings);
     let passage = passage::passage(file, strip, spans.as_deref(), lengths.as_ref(), findings);
-    let fill_pressure = file.optional("fill_pressure", findings, sweep::fill_pressure);
+    let fill_pressure = file.optional("fill_pressure", findings, crate::model::FillPressure::of);
     let sweep = file.optional("sweep", findings, sweep::sweep);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
