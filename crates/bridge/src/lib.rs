@@ -25,7 +25,6 @@ pub mod path;
 mod plain;
 mod plausible;
 pub mod quantity;
-pub mod reference;
 mod resolve;
 pub mod ring;
 pub mod road;
