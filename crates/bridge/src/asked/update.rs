@@ -2,7 +2,7 @@
 
 use crate::card::Kind;
 use crate::edit::Document;
-use crate::fields::update::{AlignedBy, SECTIONS, Spacing};
+use crate::fields::update::{AlignedBy, Spacing, UPDATE_SECTIONS};
 use crate::findings::Findings;
 use crate::model::Bridge;
 use crate::passage::default_sensors;
@@ -16,7 +16,7 @@ const MOST_PARAMETERS: usize = 20;
 
 /// Updating as the file asks for it; nothing where it says nothing of it or where something is wrong.
 pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, findings: &mut Findings) -> Option<Update> {
-    if !SECTIONS.iter().any(|section| file.has(section)) {
+    if !UPDATE_SECTIONS.iter().any(|section| file.has(section)) {
         return None;
     }
     for key in ["records", "parameter"].into_iter().filter(|key| !file.has(key)) {
@@ -26,7 +26,7 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
     let records = records(file, sensors.as_deref(), findings);
     let channels = channels(file, sensors.as_deref(), findings);
     let document = Document::parse(text).map(|mut document| {
-        SECTIONS.iter().for_each(|section| document.remove(section));
+        UPDATE_SECTIONS.iter().for_each(|section| document.remove(section));
         document
     });
     let parameters = parameters(file, document.as_ref(), findings);

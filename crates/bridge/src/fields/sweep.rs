@@ -203,8 +203,8 @@ pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepP
     )
 }
 
-/// Skew from which on a square model says little [rad].
-pub(crate) const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
+/// Beyond this skew [rad] a square model says nothing that a verdict may rest on.
+pub const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 /// Where vehicles may stand across a barrel so wide [m].
 pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Carriageway> {
