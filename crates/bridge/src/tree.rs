@@ -227,13 +227,13 @@ impl<'t> Table<'t> {
     }
 
     /// Reports a key that must be there in this case; gives nothing, for whoever cannot go on without it.
-    pub(crate) fn need(&self, key: &str, findings: &mut Findings) -> Option<()> {
+    pub(crate) fn need<T>(&self, key: &str, findings: &mut Findings) -> Option<T> {
         self.missing(self.section.field(key)?, findings);
         None
     }
 
     /// Reports two keys that say the same thing; gives nothing, for whoever cannot go on with both.
-    pub(crate) fn exclude(&self, key: &str, other: &str, findings: &mut Findings) -> Option<()> {
+    pub(crate) fn exclude<T>(&self, key: &str, other: &str, findings: &mut Findings) -> Option<T> {
         findings.refuse(
             "B016",
             self.place(key),

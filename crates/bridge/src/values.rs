@@ -249,13 +249,10 @@ impl<const N: usize> Value for [f64; N] {
                 "write [\"2.0 m\", \"1.1 m\"]: distance from the left springing, height",
             );
         }
-        let lengths: Vec<Option<f64>> = items.into_iter().map(|item| length(field, item, findings)).collect();
+        let length = |item| Some(measure(field, item, &[Dimension::Length], findings)?.si());
+        let lengths: Vec<Option<f64>> = items.into_iter().map(length).collect();
         lengths.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
     }
-}
-
-fn length(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
-    measure(field, raw, &[Dimension::Length], findings).map(|quantity| quantity.si())
 }
 
 /// "2:1", vertical to horizontal.

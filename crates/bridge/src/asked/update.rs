@@ -20,7 +20,7 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
         return None;
     }
     for key in ["records", "parameter"].into_iter().filter(|key| !file.has(key)) {
-        file.need(key, findings);
+        file.need::<()>(key, findings);
     }
     let sensors = sensors(bridge);
     let records = records(file, sensors.as_deref(), findings);

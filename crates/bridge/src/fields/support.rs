@@ -106,12 +106,8 @@ static ABUTMENT_LEFT: Section =
 static ABUTMENT_RIGHT: Section =
     Section { path: "abutment.right", doc: "The right abutment, where it differs.", fields: SIDE };
 
-/// The piers as written; how many there must be is for the geometry. `width` is that of the barrel [m].
-pub(crate) fn piers(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Vec<Pier>> {
-    file.all("pier", findings, |table, findings| pier(table, width, findings))
-}
-
-fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
+/// A pier as written; how many there must be is for the geometry. The width is that of the barrel [m].
+pub(crate) fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
     let batters = ["left_batter", "right_batter"].map(|key| table.read::<Option<f64>>(key, findings));
     let [base_width, across, base_across, length] =
         ["base_width", "across", "base_across", "cutwater_length"].map(|key| table.read::<Option<f64>>(key, findings));
@@ -126,10 +122,7 @@ fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Opti
     let [left, right] = batters;
     let (left, right) = (left?, right?);
     let (base_width, base_offset) = match (base_width?, left.or(right)) {
-        (Some(_), Some(_)) => {
-            table.exclude("base_width", "the batter of a face", findings);
-            return None;
-        }
+        (Some(_), Some(_)) => return table.exclude("base_width", "the batter of a face", findings),
         (Some(width), None) => (width, 0.0),
         (None, _) => {
             let [left, right] = [left, right].map(|batter| batter.unwrap_or(0.0) * pier.height);
@@ -160,7 +153,7 @@ pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Ab
         missing.sort_unstable();
         missing.dedup();
         for key in missing {
-            both.need(key, findings);
+            both.need::<()>(key, findings);
         }
         fits.and(Some([sides[0]?, sides[1]?]))
     })

@@ -168,7 +168,7 @@ const USUAL_RULE: &str = "characteristic";
 /// The sweep that the file asks for.
 pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepPlan> {
     if table.has("rule") && table.has("rule_file") {
-        table.exclude("rule", "`rule_file`", findings);
+        table.exclude::<()>("rule", "`rule_file`", findings);
     }
     let rule: Option<Option<String>> = table.read("rule", findings);
     let mut list = |key: &str| {
@@ -217,7 +217,7 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
     let offset: Option<Option<f64>> = table.read("track_offset", findings);
     let sideways = sideways(table, gauge, findings);
     if table.has("edge_distance") && table.has("track_offset") {
-        table.exclude("edge_distance", "`track_offset`", findings);
+        table.exclude::<()>("edge_distance", "`track_offset`", findings);
     }
     let mut found = read!(
         table,
@@ -294,10 +294,10 @@ fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> O
     let height = or("side_force_height", GRAVITY_HEIGHT);
     let (radius, speed) = (radius?, speed?);
     if radius.is_some() && speed.is_none() {
-        table.need("speed", findings)?;
+        return table.need("speed", findings);
     }
     if speed.is_some() && radius.is_none() {
-        table.need("curve_radius", findings)?;
+        return table.need("curve_radius", findings);
     }
     let (cant, gauge) = (cant?, gauge?);
     let found = Sideways { curve: radius.zip(speed), cant, side_force: side_force?, height: height?, gauge };

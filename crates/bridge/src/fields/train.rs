@@ -110,7 +110,7 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
     let path: Option<Option<String>> = table.read("file", findings);
     let written = vehicles(&table, findings);
     if table.has("file") && table.has("vehicle") {
-        table.exclude("file", "[[train.vehicle]]", findings)?;
+        return table.exclude("file", "[[train.vehicle]]", findings);
     }
     let named = name?;
     if let Some(path) = path? {
@@ -120,10 +120,7 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
         return Some(Train { name: named.unwrap_or_else(|| "train".to_owned()), file: None, vehicles: written? });
     }
     let list = LIBRARY.iter().map(|train| format!("\"{}\"", train.name)).collect::<Vec<_>>().join(", ");
-    let Some(named) = named else {
-        table.need("name", findings);
-        return None;
-    };
+    let Some(named) = named else { return table.need("name", findings) };
     match built_in(&named) {
         Some(found) => {
             let vehicles = read_toml(found.text.as_bytes()).vehicles?;
@@ -165,14 +162,8 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
     let spacings: Option<Vec<f64>> = table.read("axle_spacings", findings);
     let overhangs = ["front_overhang", "rear_overhang"].map(|key| table.read::<f64>(key, findings));
     let (loads, given): (fn(Vec<f64>) -> AxleLoads, _) = match (table.has("axle_loads"), table.has("axle_forces")) {
-        (true, true) => {
-            table.exclude("axle_forces", "`axle_loads`", findings);
-            return None;
-        }
-        (false, false) => {
-            table.need("axle_loads", findings);
-            return None;
-        }
+        (true, true) => return table.exclude("axle_forces", "`axle_loads`", findings),
+        (false, false) => return table.need("axle_loads", findings),
         (true, false) => (AxleLoads::Masses, masses??),
         (false, true) => (AxleLoads::Forces, forces??),
     };

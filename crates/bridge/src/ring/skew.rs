@@ -23,18 +23,9 @@ pub(super) fn span(
     let skew: Option<Option<f64>> = table.read("skew", findings);
     let needed = shape.is_some_and(|shape| WITH_SPAN.contains(&shape.word()));
     match (table.has("span"), table.has("square_span")) {
-        (false, false) if needed => {
-            table.need("span", findings);
-            None
-        }
-        (true, true) => {
-            table.exclude("square_span", "`span`, which runs along the road", findings);
-            None
-        }
-        (false, true) if !table.has("skew") => {
-            table.need("skew", findings);
-            None
-        }
+        (false, false) if needed => table.need("span", findings),
+        (true, true) => table.exclude("square_span", "`span`, which runs along the road", findings),
+        (false, true) if !table.has("skew") => table.need("skew", findings),
         (false, true) => Some((Some(square??.value), Some(1.0 / skew??.cos()))),
         _ => Some((span?, None)),
     }
