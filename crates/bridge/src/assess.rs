@@ -2,6 +2,7 @@
 //! bridge: nothing of it changes what is computed, only what is asked and how it is judged.
 
 use crate::choice::choice;
+use crate::values::of_keys;
 
 /// An assessment as a file asks for it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -76,39 +77,41 @@ pub struct Limits {
     pub movement_factor: f64,
 }
 
-/// Inputs of MEXE that the rest of the file does not hold.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Mexe {
-    /// The span it is made for, from 0.
-    pub span: usize,
-    /// Barrel factor F_b.
-    pub barrel_factor: f64,
-    /// Fill factor F_f.
-    pub fill_factor: f64,
-    /// Joint width factor F_w.
-    pub width_factor: f64,
-    /// Joint depth factor F_d.
-    pub depth_factor: f64,
-    /// Mortar factor F_mo.
-    pub mortar_factor: f64,
-    /// Condition factor F_cM.
-    pub condition_factor: f64,
-    /// Span/rise factor F_sr, where it was read off the method's figure.
-    pub span_rise_factor: Option<f64>,
-    /// Rise at the quarter points [m]; the profile's where none is given.
-    pub quarter_rise: Option<f64>,
-    /// Thickness of the ring [m]; that of the crown where none is given.
-    pub ring_thickness: Option<f64>,
-    /// Depth of fill at the crown [m]; the cover's where none is given.
-    pub fill_depth: Option<f64>,
-    /// Mass on an axle that must be allowed [kg].
-    pub axle_load: Option<f64>,
-    /// What stands on the bridge with that axle.
-    pub axles: MexeAxles,
-    /// Whether an axle of a bogie may lift off and leave its load to the others.
-    pub lift_off: bool,
-    /// Axle factor A_f, where it was read off the method's figure.
-    pub axle_factor: Option<f64>,
+of_keys! {
+    /// Inputs of MEXE that the rest of the file does not hold.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Mexe {
+        /// The span it is made for, from 0.
+        pub span: usize,
+        /// Barrel factor F_b.
+        pub barrel_factor: f64,
+        /// Fill factor F_f.
+        pub fill_factor: f64,
+        /// Joint width factor F_w.
+        pub width_factor: f64,
+        /// Joint depth factor F_d.
+        pub depth_factor: f64,
+        /// Mortar factor F_mo.
+        pub mortar_factor: f64,
+        /// Condition factor F_cM.
+        pub condition_factor: f64,
+        /// Span/rise factor F_sr, where it was read off the method's figure.
+        pub span_rise_factor: Option<f64>,
+        /// Rise at the quarter points [m]; the profile's where none is given.
+        pub quarter_rise: Option<f64>,
+        /// Thickness of the ring [m]; that of the crown where none is given.
+        pub ring_thickness: Option<f64>,
+        /// Depth of fill at the crown [m]; the cover's where none is given.
+        pub fill_depth: Option<f64>,
+        /// Mass on an axle that must be allowed [kg].
+        pub axle_load: Option<f64>,
+        /// What stands on the bridge with that axle.
+        pub axles: MexeAxles,
+        /// Whether an axle of a bogie may lift off and leave its load to the others.
+        pub lift_off: bool,
+        /// Axle factor A_f, where it was read off the method's figure.
+        pub axle_factor: Option<f64>,
+    }
 }
 
 choice! {

@@ -304,3 +304,15 @@ pub fn sections_of(file: &'static Section) -> Vec<&'static Section> {
     visit(file, &mut found);
     found
 }
+
+/// How a table of a file is called in messages.
+pub fn title(file: &'static Section, section: &'static Section) -> String {
+    let listed = sections_of(file).iter().any(|outer| {
+        outer.fields.iter().any(|field| matches!(field.kind, Kind::Tables(inner) if std::ptr::eq(inner, section)))
+    });
+    match (section.path, listed) {
+        ("", _) => "the file".to_owned(),
+        (path, true) => format!("[[{path}]]"),
+        (path, false) => format!("[{path}]"),
+    }
+}

@@ -25,7 +25,6 @@ pub mod path;
 mod plain;
 mod plausible;
 pub mod quantity;
-pub mod reference;
 mod resolve;
 pub mod ring;
 pub mod road;
@@ -44,12 +43,14 @@ pub mod whereabouts;
 
 pub use ::findings::Severity;
 pub use diagnostic::{Diagnostic, TextRange};
+pub use fields::sweep::DOUBTFUL_SKEW;
+pub use fields::update::UPDATE_SECTIONS;
 pub use model::*;
 pub use service::*;
 pub use text::Position;
 
 use findings::Findings;
-use plain::{LONGEST, not_toml, read_text, readable};
+use plain::{LONGEST, not_toml, read_sound, read_text, readable};
 use toml::de::DeTable;
 
 /// What reading gives: the bridge if it can be used, and all findings.
@@ -70,12 +71,6 @@ pub struct Read {
     /// Every finding, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
-
-/// Sections that say how to update a bridge, and are no part of it.
-pub const UPDATE_SECTIONS: [&str; 4] = fields::update::SECTIONS;
-
-/// Beyond this skew [rad] a square model says nothing that a verdict may rest on.
-pub const DOUBTFUL_SKEW: f64 = fields::sweep::DOUBTFUL_SKEW;
 
 /// The bytes of a text file as UTF-8: UTF-16, which some editors call Unicode, is converted; anything else stays as it is.
 pub fn as_utf8(bytes: Vec<u8>) -> Vec<u8> {
@@ -128,15 +123,8 @@ pub struct ReadBlocks {
 
 /// Reads a block model file from its bytes (TOML, UTF-8). The drawing that it names is not looked at.
 pub fn read_blocks(text: &[u8]) -> ReadBlocks {
-    let mut findings = Findings::of(text);
-    let file = read_text(
-        text,
-        &fields::blocks::FILE,
-        |_, table, findings| fields::blocks::resolve(table, findings),
-        &mut findings,
-    );
-    let file = file.flatten().filter(|_| !findings.any_error());
-    ReadBlocks { file, diagnostics: findings.in_order(text.len()) }
+    let (file, diagnostics) = read_sound(text, &fields::blocks::FILE, fields::blocks::resolve);
+    ReadBlocks { file, diagnostics }
 }
 
 /// Whether a text is a block model file rather than a bridge file, by the sections it opens.
@@ -182,7 +170,7 @@ fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -
     }
     let update = asked::update::update(text, file, bridge.as_ref(), findings);
     let assess = fields::assess::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
-    let cases = asked::case::cases(text, file, bridge.as_ref().map(|bridge| &bridge.loads[..]), &errors, findings);
+    let cases = asked::case::cases(text, file, bridge.as_ref().map(|bridge| &bridge.loads[..]), errors, findings);
     let document = fields::document::document(file, findings);
     Read { bridge, vary, cases, document, update, assess, diagnostics: Vec::new() }
 }

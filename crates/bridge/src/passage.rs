@@ -3,6 +3,7 @@
 use crate::choice::choice;
 pub use crate::sensor::*;
 use crate::train::Train;
+use crate::values::of_keys;
 
 /// A train that crosses.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,27 +18,29 @@ pub struct Passage {
     pub sensors: Vec<Sensor>,
 }
 
-/// Rails on sleepers on ballast, on the fill.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Track {
-    /// Bending stiffness of one rail about its horizontal axis [N m^2].
-    pub rail_bending_stiffness: f64,
-    /// Stiffness of what bears one rail, per metre of rail [N/m per m].
-    pub track_modulus: f64,
-    /// Distance between the middles of sleepers [m].
-    pub sleeper_spacing: f64,
-    /// Size of a sleeper along the bridge [m].
-    pub sleeper_breadth: f64,
-    /// Size of a sleeper across the bridge [m].
-    pub sleeper_length: f64,
-    /// Depth of ballast below the sleepers, down to the top of the fill [m].
-    pub ballast_depth: f64,
-    /// Slope at which pressure spreads through it, vertical to one horizontal.
-    pub ballast_slope: f64,
-    /// Weight of rails and sleepers on the fill [Pa]; that of ballast is part of it only where no layer of the cover is ballast.
-    pub dead_load: f64,
-    /// Width of the bridge that carries an axle [m]; the barrel's where the file gives none.
-    pub effective_width: Option<f64>,
+of_keys! {
+    /// Rails on sleepers on ballast, on the fill.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Track {
+        /// Bending stiffness of one rail about its horizontal axis [N m^2].
+        pub rail_bending_stiffness: f64,
+        /// Stiffness of what bears one rail, per metre of rail [N/m per m].
+        pub track_modulus: f64,
+        /// Distance between the middles of sleepers [m].
+        pub sleeper_spacing: f64,
+        /// Size of a sleeper along the bridge [m].
+        pub sleeper_breadth: f64,
+        /// Size of a sleeper across the bridge [m].
+        pub sleeper_length: f64,
+        /// Depth of ballast below the sleepers, down to the top of the fill [m].
+        pub ballast_depth: f64,
+        /// Slope at which pressure spreads through it, vertical to one horizontal.
+        pub ballast_slope: f64,
+        /// Weight of rails and sleepers on the fill [Pa]; that of ballast is part of it only where no layer of the cover is ballast.
+        pub dead_load: f64,
+        /// Width of the bridge that carries an axle [m]; the barrel's where the file gives none.
+        pub effective_width: Option<f64>,
+    }
 }
 
 /// How a train crosses, and how that is analysed.

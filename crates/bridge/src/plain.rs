@@ -1,7 +1,7 @@
 //! From bytes to the tables of a file: what is no text, no TOML or no file of ours is said.
 
 use crate::card::Section;
-use crate::diagnostic::TextRange;
+use crate::diagnostic::{Diagnostic, TextRange};
 use crate::findings::Findings;
 use crate::tree::{Table, shorten};
 use toml::de::DeTable;
@@ -33,6 +33,17 @@ pub(crate) fn read_text<T>(
         });
     }
     Some(value)
+}
+
+/// What a file of this kind means, unless a finding is an error; every finding, in the order of the file.
+pub(crate) fn read_sound<T>(
+    bytes: &[u8],
+    kind: &'static Section,
+    resolve: impl Fn(&Table<'_>, &mut Findings) -> Option<T>,
+) -> (Option<T>, Vec<Diagnostic>) {
+    let mut findings = Findings::of(bytes);
+    let found = read_text(bytes, kind, |_, table, findings| resolve(table, findings), &mut findings);
+    (found.flatten().filter(|_| !findings.any_error()), findings.in_order(bytes.len()))
 }
 
 /// What a file is that is none of ours, with its code and what to do with it.

@@ -344,42 +344,28 @@ fn number_length(text: &str) -> usize {
     end
 }
 
-/// Other spellings of units.
-const SPELLINGS: &[(&str, &str)] = &[
-    ("feet", "ft"),
-    ("foot", "ft"),
-    ("ft.", "ft"),
-    ("'", "ft"),
-    ("′", "ft"),
-    ("inches", "in"),
-    ("inch", "in"),
-    ("in.", "in"),
-    ("\"", "in"),
-    ("″", "in"),
-    ("kips", "kip"),
-    ("lbs", "lb"),
-    ("te", "t"),
-    ("tonnes", "tonne"),
-    ("te/m^3", "t/m^3"),
-    ("te/m3", "t/m^3"),
-    ("te/m", "t/m"),
-    ("kips/ft", "kip/ft"),
-    ("klf", "kip/ft"),
-    ("plf", "lbf/ft"),
-    ("lb/cuft", "lb/ft^3"),
-    ("lbs/ft^3", "lb/ft^3"),
-    ("lbs/ft3", "lb/ft^3"),
-    ("lb/in^2", "psi"),
-    ("lb/in2", "psi"),
-    ("lb/ft^2", "psf"),
-    ("lb/ft2", "psf"),
+/// Units with their other spellings.
+const SPELLINGS: &[(&str, &[&str])] = &[
+    ("ft", &["feet", "foot", "ft.", "'", "′"]),
+    ("in", &["inches", "inch", "in.", "\"", "″"]),
+    ("kip", &["kips"]),
+    ("lb", &["lbs"]),
+    ("t", &["te"]),
+    ("tonne", &["tonnes"]),
+    ("t/m^3", &["te/m^3", "te/m3"]),
+    ("t/m", &["te/m"]),
+    ("kip/ft", &["kips/ft", "klf"]),
+    ("lbf/ft", &["plf"]),
+    ("lb/ft^3", &["lb/cuft", "lbs/ft^3", "lbs/ft3"]),
+    ("psi", &["lb/in^2", "lb/in2"]),
+    ("psf", &["lb/ft^2", "lb/ft2"]),
 ];
 
 /// One spelling for what keyboards and word processors write differently.
 fn plain(symbol: &str) -> String {
     let mut out = symbol.replace('²', "^2").replace('³', "^3").replace([' ', '\u{a0}', '\u{202f}'], "");
-    if let Some((_, short)) = SPELLINGS.iter().find(|(long, _)| out == *long) {
-        return (*short).to_owned();
+    if let Some((unit, _)) = SPELLINGS.iter().find(|(_, others)| others.contains(&out.as_str())) {
+        return (*unit).to_owned();
     }
     if ["m2", "m3", "s2", "ft2", "ft3", "in2", "in3"].iter().any(|power| out.ends_with(power)) {
         out.insert(out.len() - 1, '^');

@@ -253,14 +253,6 @@ pub struct Intrados {
 }
 
 impl Intrados {
-    /// The curve of a profile with this span and rise [m] between level springings.
-    ///
-    /// # Errors
-    /// A profile that has no curve of this size.
-    pub fn new(profile: &Profile, span: f64, rise: f64) -> Result<Intrados, Misfit> {
-        Intrados::between(profile, span, rise, 0.0)
-    }
-
     /// The curve of a profile with this span and rise to a right springing that lies `right` above the left one [m]. The rise is that of
     /// the middle of the span above the straight line between the springings, measured upright; points of a survey have theirs.
     ///
@@ -362,17 +354,6 @@ impl Intrados {
         }
         Station { point: [self.span - left.point[0], left.point[1]], normal: [-left.normal[0], left.normal[1]] }
     }
-}
-
-/// A profile that is known between level springings alone.
-fn level_alone(profile: &str) -> Misfit {
-    Misfit::new(
-        "B229",
-        "right_springing",
-        format!("a {profile} arch between springings at unequal levels is not drawn by its rise"),
-        "its two sides would meet at a place that nobody measured",
-        "give its curve by points, with profile = \"measured\"",
-    )
 }
 
 /// The size of most profiles: as written.

@@ -214,17 +214,17 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
     let [x, y] = ["x", "y"].map(|key| table.read::<Option<f64>>(key, findings));
     let by_point = table.has("x") || table.has("y");
     if table.has("place") && (table.has("at") || by_point) {
-        table.exclude("place", if by_point { "`x` and `y`" } else { "`at`" }, findings)?;
+        return table.exclude("place", if by_point { "`x` and `y`" } else { "`at`" }, findings);
     }
     if table.has("at") && by_point {
-        table.exclude("at", "`x` and `y`", findings)?;
+        return table.exclude("at", "`x` and `y`", findings);
     }
     if table.has("span") && !table.has("place") {
-        table.exclude("span", "`at` (or `x` and `y`)", findings)?;
+        return table.exclude("span", "`at` (or `x` and `y`)", findings);
     }
     if by_point {
         for key in ["x", "y"].into_iter().filter(|key| !table.has(key)) {
-            table.need(key, findings);
+            table.need::<()>(key, findings);
         }
         return Some(SensorPosition::Point([x??, y??]));
     }
@@ -236,7 +236,7 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
         return Some(SensorPosition::Span { span, share: (at - start) / (end - start) });
     }
     if !table.has("place") {
-        table.need("place", findings)?;
+        return table.need("place", findings);
     }
     let word = word??;
     let count = layout.spans.len();
@@ -259,17 +259,13 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
         NamedPlace::PierSpringing if first != last => Some(if first { 1.0 } else { 0.0 }),
         NamedPlace::AbutmentSpringing | NamedPlace::PierSpringing => None,
     };
-    if share.is_none() {
+    let Some(share) = share else {
         let both = if count == 1 { "both springings rest on abutments" } else { "both springings rest on piers" };
-        findings.error(
-            "B656",
-            table.place("place"),
-            format!("span {} has not one \"{}\"", span + 1, word.word()),
-            both,
-            "write \"left-springing\" or \"right-springing\"",
-        );
-    }
-    Some(SensorPosition::Span { span, share: share? })
+        let message = format!("span {} has not one \"{}\"", span + 1, word.word());
+        let help = "write \"left-springing\" or \"right-springing\"";
+        return findings.refuse("B656", table.place("place"), message, both, help);
+    };
+    Some(SensorPosition::Span { span, share })
 }
 
 /// A strain gauge sits on one stone: at the intrados that is checked here, elsewhere with the mesh.

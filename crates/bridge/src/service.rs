@@ -3,6 +3,7 @@
 
 use crate::choice::choice;
 use crate::model::{Backing, Masonry};
+use crate::values::of_keys;
 
 /// The part of a bridge file that only the finite element model reads.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,27 +82,29 @@ pub struct MeshPlan {
     pub side_distance: Option<f64>,
 }
 
-/// A soil: granular fill, or what behaves like it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Soil {
-    /// Young's modulus [Pa].
-    pub elastic_modulus: Option<f64>,
-    /// Poisson's ratio.
-    pub poisson_ratio: Option<f64>,
-    /// Mass density [kg/m^3].
-    pub density: Option<f64>,
-    /// Friction angle [rad].
-    pub friction_angle: Option<f64>,
-    /// Cohesion [Pa].
-    pub cohesion: Option<f64>,
-    /// Dilatancy angle [rad].
-    pub dilatancy_angle: f64,
-    /// Largest tension [Pa]; none: what cohesion and friction leave.
-    pub tension_cutoff: Option<f64>,
-    /// Where its cone meets the pyramid of Mohr and Coulomb.
-    pub cone: Cone,
-    /// When it yields.
-    pub law: SoilLaw,
+of_keys! {
+    /// A soil: granular fill, or what behaves like it.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Soil {
+        /// Young's modulus [Pa].
+        pub elastic_modulus: Option<f64>,
+        /// Poisson's ratio.
+        pub poisson_ratio: Option<f64>,
+        /// Mass density [kg/m^3].
+        pub density: Option<f64>,
+        /// Friction angle [rad].
+        pub friction_angle: Option<f64>,
+        /// Cohesion [Pa].
+        pub cohesion: Option<f64>,
+        /// Dilatancy angle [rad].
+        pub dilatancy_angle: f64,
+        /// Largest tension [Pa]; none: what cohesion and friction leave.
+        pub tension_cutoff: Option<f64>,
+        /// Where its cone meets the pyramid of Mohr and Coulomb.
+        pub cone: Cone,
+        /// When it yields.
+        pub law: SoilLaw,
+    }
 }
 
 choice! {

@@ -1,7 +1,7 @@
 //! Trains: axles and the distances between them. Those that come with the program stand in `crates/bridge/data/trains/`.
 
 use crate::diagnostic::Diagnostic;
-use crate::findings::Findings;
+use crate::fields::train;
 
 /// A train as it drives: to the right, its first vehicle first.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,15 +135,8 @@ pub struct ReadTrain {
 
 /// Reads a file of vehicles: TOML with `[[vehicle]]` tables.
 pub fn read_toml(text: &[u8]) -> ReadTrain {
-    let mut findings = Findings::of(text);
-    let vehicles = crate::plain::read_text(
-        text,
-        &crate::fields::train::FILE,
-        |_, table, findings| crate::fields::train::vehicles(table, findings),
-        &mut findings,
-    );
-    let vehicles = vehicles.flatten().filter(|_| !findings.any_error());
-    ReadTrain { vehicles, diagnostics: findings.in_order(text.len()) }
+    let (vehicles, diagnostics) = crate::plain::read_sound(text, &train::FILE, train::vehicles);
+    ReadTrain { vehicles, diagnostics }
 }
 
 /// Most axles of a train; the longest trains have some 3,000.

@@ -4,7 +4,7 @@ use ::findings::visible::is_hidden;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::card::{Field, Kind, Need, Section, sections_of};
+use crate::card::{Field, Kind, Need, Section, sections_of, title};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::usual::usual_of;
@@ -227,13 +227,13 @@ impl<'t> Table<'t> {
     }
 
     /// Reports a key that must be there in this case; gives nothing, for whoever cannot go on without it.
-    pub(crate) fn need(&self, key: &str, findings: &mut Findings) -> Option<()> {
+    pub(crate) fn need<T>(&self, key: &str, findings: &mut Findings) -> Option<T> {
         self.missing(self.section.field(key)?, findings);
         None
     }
 
     /// Reports two keys that say the same thing; gives nothing, for whoever cannot go on with both.
-    pub(crate) fn exclude(&self, key: &str, other: &str, findings: &mut Findings) -> Option<()> {
+    pub(crate) fn exclude<T>(&self, key: &str, other: &str, findings: &mut Findings) -> Option<T> {
         findings.refuse(
             "B016",
             self.place(key),
@@ -271,18 +271,6 @@ impl<'t> Table<'t> {
             format!("belongs to `{selector}` = {list}"),
             format!("remove this line, or set `{selector}` to {list}"),
         );
-    }
-}
-
-/// How a table of a file is called in messages.
-pub(crate) fn title(file: &'static Section, section: &'static Section) -> String {
-    let listed = sections_of(file).iter().any(|outer| {
-        outer.fields.iter().any(|field| matches!(field.kind, Kind::Tables(inner) if std::ptr::eq(inner, section)))
-    });
-    match (section.path, listed) {
-        ("", _) => "the file".to_owned(),
-        (path, true) => format!("[[{path}]]"),
-        (path, false) => format!("[{path}]"),
     }
 }
 

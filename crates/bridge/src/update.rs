@@ -2,6 +2,7 @@
 
 use crate::choice::choice;
 use crate::path::Path;
+use crate::values::of_keys;
 
 /// Model updating as a file asks for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,21 +34,23 @@ pub struct Records {
     pub by_axles: bool,
 }
 
-/// What is said of one channel.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Channel {
-    /// Name of its sensor.
-    pub sensor: String,
-    /// Name of its column in the records; the sensor's where not given.
-    pub column: Option<String>,
-    /// Whether the records count the other way.
-    pub reversed: bool,
-    /// Standard deviation of one measured value [mm, microstrain or MPa].
-    pub uncertainty: Option<f64>,
-    /// Weight, where weights are given.
-    pub weight: Option<f64>,
-    /// Why it takes no part.
-    pub left_out: Option<String>,
+of_keys! {
+    /// What is said of one channel.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Channel {
+        /// Name of its sensor.
+        pub sensor: String,
+        /// Name of its column in the records; the sensor's where not given.
+        pub column: Option<String>,
+        /// Whether the records count the other way.
+        pub reversed: bool,
+        /// Standard deviation of one measured value [mm, microstrain or MPa].
+        pub uncertainty: Option<f64>,
+        /// Weight, where weights are given.
+        pub weight: Option<f64>,
+        /// Why it takes no part.
+        pub left_out: Option<String> = "leave_out",
+    }
 }
 
 /// A quantity of the file that is sought between bounds.
@@ -76,39 +79,41 @@ impl Parameter {
     }
 }
 
-/// How parameters are sought.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
-    /// Which search.
-    pub search: Search,
-    /// Which reading of the published search.
-    pub variant: Variant,
-    /// Where the published search begins.
-    pub start: Start,
-    /// Starts of the modern search.
-    pub starts: u64,
-    /// Passes of the published search.
-    pub passes: u64,
-    /// Points of a single sweep, and of a surface along each parameter.
-    pub points: u64,
-    /// What is compared.
-    pub compare: Compared,
-    /// Whether peaks are looked for in static slices instead of full passages.
-    pub slices: bool,
-    /// Where weights come from.
-    pub weights: Weights,
-    /// Whether errors are counted in standard deviations of the measurement.
-    pub by_uncertainty: bool,
-    /// Whether the posterior is sampled.
-    pub posterior: bool,
-    /// Scale of the model's error as a share of the peaks, sought beside the parameters; zero for an exact model.
-    pub model_error: f64,
-    /// Standard deviation of the gain that all channels share; zero where loads and width are known exactly.
-    pub common_gain_deviation: f64,
-    /// Effective samples of the posterior.
-    pub samples: u64,
-    /// Seed of everything that is drawn.
-    pub seed: u64,
+of_keys! {
+    /// How parameters are sought.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Plan {
+        /// Which search.
+        pub search: Search,
+        /// Which reading of the published search.
+        pub variant: Variant,
+        /// Where the published search begins.
+        pub start: Start,
+        /// Starts of the modern search.
+        pub starts: u64,
+        /// Passes of the published search.
+        pub passes: u64,
+        /// Points of a single sweep, and of a surface along each parameter.
+        pub points: u64,
+        /// What is compared.
+        pub compare: Compared,
+        /// Whether peaks are looked for in static slices instead of full passages.
+        pub slices: bool,
+        /// Where weights come from.
+        pub weights: Weights,
+        /// Whether errors are counted in standard deviations of the measurement.
+        pub by_uncertainty: bool,
+        /// Whether the posterior is sampled.
+        pub posterior: bool,
+        /// Scale of the model's error as a share of the peaks, sought beside the parameters; zero for an exact model.
+        pub model_error: f64,
+        /// Standard deviation of the gain that all channels share; zero where loads and width are known exactly.
+        pub common_gain_deviation: f64,
+        /// Effective samples of the posterior.
+        pub samples: u64,
+        /// Seed of everything that is drawn.
+        pub seed: u64,
+    }
 }
 
 choice! {

@@ -16,7 +16,9 @@ pub(crate) trait Value: Sized {
     fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self>;
 
     /// What it means that neither file nor card gives one.
-    const ABSENT: Option<Self> = None;
+    fn absent(_: &Field) -> Option<Self> {
+        None
+    }
 }
 
 impl<'t> Table<'t> {
@@ -35,7 +37,7 @@ impl<'t> Table<'t> {
             _ => match self.under.filter(|under| under.section.field(key).is_some()) {
                 // What is wrong with the other table has been reported.
                 Some(under) => under.read(key, &mut Findings::default()),
-                None => T::ABSENT,
+                None => T::absent(field),
             },
         }
     }
@@ -68,6 +70,24 @@ macro_rules! read {
 }
 pub(crate) use read;
 
+/// A struct whose fields are the keys of a table. A key of another name than its field stands behind it.
+macro_rules! of_keys {
+    ($(#[$meta:meta])* $vis:vis struct $name:ident {
+        $($(#[$about:meta])* $of:vis $field:ident: $type:ty $(= $key:literal)?,)+
+    }) => {
+        $(#[$meta])*
+        $vis struct $name { $($(#[$about])* $of $field: $type,)+ }
+
+        impl $name {
+            /// What a table says.
+            pub(crate) fn of(table: &$crate::tree::Table<'_>, findings: &mut $crate::findings::Findings) -> Option<$name> {
+                $crate::values::read!(table, findings, $name { $($field $(= $key)?),+ })
+            }
+        }
+    };
+}
+pub(crate) use of_keys;
+
 /// A value and its place.
 impl<T: Value> Value for At<T> {
     fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
@@ -81,7 +101,9 @@ impl<T: Value> Value for Option<T> {
         T::of(field, raw, findings).map(Some)
     }
 
-    const ABSENT: Option<Self> = Some(None);
+    fn absent(_: &Field) -> Option<Self> {
+        Some(None)
+    }
 }
 
 /// A number [SI]; infinity where a word for none is written.
@@ -185,6 +207,11 @@ impl<T: Value> Value for Vec<T> {
             _ => wrong_type(field, raw, findings),
         }
     }
+
+    /// One that may be left out is empty then.
+    fn absent(field: &Field) -> Option<Self> {
+        matches!(field.need, Need::Optional(_)).then(Vec::new)
+    }
 }
 
 /// The value of one of the words of the field's card.
@@ -222,13 +249,10 @@ impl<const N: usize> Value for [f64; N] {
                 "write [\"2.0 m\", \"1.1 m\"]: distance from the left springing, height",
             );
         }
-        let lengths: Vec<Option<f64>> = items.into_iter().map(|item| length(field, item, findings)).collect();
+        let length = |item| Some(measure(field, item, &[Dimension::Length], findings)?.si());
+        let lengths: Vec<Option<f64>> = items.into_iter().map(length).collect();
         lengths.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
     }
-}
-
-fn length(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
-    measure(field, raw, &[Dimension::Length], findings).map(|quantity| quantity.si())
 }
 
 /// "2:1", vertical to horizontal.

@@ -37,19 +37,19 @@ pub struct Slip {
     pub of_values: bool,
 }
 
+impl Slip {
+    /// What is wrong with a path.
+    fn of_path(code: &'static str, message: String, label: impl Into<String>, help: impl Into<String>) -> Slip {
+        Slip { code, message, label: label.into(), help: help.into(), of_values: false }
+    }
+}
+
 /// Every quantity that is asked for twice: its second request.
 pub fn twice(requests: &[(usize, String)]) -> Vec<(usize, Slip)> {
     let repeated = requests.iter().enumerate().filter(|(at, (_, path))| requests[..*at].iter().any(|(_, p)| p == path));
-    repeated
-        .map(|(_, (request, path))| {
-            let slip = Slip {
-                code: "B504",
-                message: format!("`{path}` is varied twice"),
-                label: "it has its values already".to_owned(),
-                help: "put all values of a quantity into one list".to_owned(),
-                of_values: false,
-            };
-            (*request, slip)
-        })
-        .collect()
+    let slip = |path: &str| {
+        let help = "put all values of a quantity into one list";
+        Slip::of_path("B504", format!("`{path}` is varied twice"), "it has its values already", help)
+    };
+    repeated.map(|(_, (request, path))| (*request, slip(path))).collect()
 }

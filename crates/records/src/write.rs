@@ -1,6 +1,6 @@
 //! A run written in the format that is read.
 
-use crate::{Channel, Recording, Unit};
+use crate::{Channel, Dimension, Recording, Unit};
 use std::fmt::Write as _;
 
 /// The run as a table: comment lines with its name and speed and, first of all, that it is synthetic where it is; headings with
@@ -15,7 +15,7 @@ pub fn write(run: &Recording) -> String {
         text += &format!("# run: {}\n", line(&run.name));
     }
     if let Some(speed) = run.speed {
-        text += &format!("# speed: {} km/h\n", shortest(&KMH, speed));
+        text += &format!("# speed: {} km/h\n", shortest(&Unit::usual(Dimension::Speed), speed));
     }
     for channel in run.channels.iter().filter(|channel| !channel.used()) {
         let why = channel.left_out.as_deref().unwrap_or_default();
@@ -39,8 +39,6 @@ pub fn write(run: &Recording) -> String {
     }
     text
 }
-
-const KMH: Unit = Unit { symbol: "km/h", quantity: crate::Dimension::Speed, per_si: 3.6 };
 
 fn cell(text: &mut String, channel: &Channel, value: f64) {
     if !value.is_finite() {

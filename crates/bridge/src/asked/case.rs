@@ -8,7 +8,7 @@ use crate::tree::{At, Table};
 use crate::vary::{Request, Spread, find, settle};
 
 /// What finds the errors of another text of the file, in a line each.
-type Errors<'a> = &'a dyn Fn(&str) -> Vec<String>;
+type Errors = fn(&str) -> Vec<String>;
 
 /// Most cases of a file.
 const MOST: usize = 200;
@@ -18,7 +18,7 @@ pub(crate) fn cases(
     text: &str,
     file: &Table<'_>,
     loads: Option<&[Load]>,
-    errors: Errors<'_>,
+    errors: Errors,
     findings: &mut Findings,
 ) -> Vec<Case> {
     if !file.has("case") {
@@ -62,7 +62,7 @@ fn case(
     table: &Table<'_>,
     name: Option<At<String>>,
     loads: Option<&[Load]>,
-    whole: Option<(&Document, Errors<'_>)>,
+    whole: Option<(&Document, Errors)>,
     findings: &mut Findings,
 ) -> Option<Case> {
     let [masonry_weight, fill_weight, surfacing_weight] =
@@ -84,7 +84,7 @@ fn case(
 }
 
 /// Reports a case whose changed file cannot be used.
-fn reads(document: &Document, changes: &[Request], errors: Errors<'_>, findings: &mut Findings) {
+fn reads(document: &Document, changes: &[Request], errors: Errors, findings: &mut Findings) {
     let mut changed = document.clone();
     changed.remove("case");
     let Some(places) = changes.last().and_then(|change| change.places) else { return };

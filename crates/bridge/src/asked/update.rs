@@ -2,7 +2,7 @@
 
 use crate::card::Kind;
 use crate::edit::Document;
-use crate::fields::update::{AlignedBy, SECTIONS, Spacing};
+use crate::fields::update::{AlignedBy, Spacing, UPDATE_SECTIONS};
 use crate::findings::Findings;
 use crate::model::Bridge;
 use crate::passage::default_sensors;
@@ -16,21 +16,21 @@ const MOST_PARAMETERS: usize = 20;
 
 /// Updating as the file asks for it; nothing where it says nothing of it or where something is wrong.
 pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, findings: &mut Findings) -> Option<Update> {
-    if !SECTIONS.iter().any(|section| file.has(section)) {
+    if !UPDATE_SECTIONS.iter().any(|section| file.has(section)) {
         return None;
     }
     for key in ["records", "parameter"].into_iter().filter(|key| !file.has(key)) {
-        file.need(key, findings);
+        file.need::<()>(key, findings);
     }
     let sensors = sensors(bridge);
     let records = records(file, sensors.as_deref(), findings);
     let channels = channels(file, sensors.as_deref(), findings);
     let document = Document::parse(text).map(|mut document| {
-        SECTIONS.iter().for_each(|section| document.remove(section));
+        UPDATE_SECTIONS.iter().for_each(|section| document.remove(section));
         document
     });
     let parameters = parameters(file, document.as_ref(), findings);
-    let plan = file.part("update", findings, plan);
+    let plan = file.part("update", findings, Plan::of);
     Some(Update { records: records?, channels: channels?, parameters: parameters?, plan: plan? })
 }
 
@@ -72,7 +72,7 @@ fn records(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) 
 fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) -> Option<Vec<Channel>> {
     let mut seen: Vec<String> = Vec::new();
     file.all("channel", findings, |table, findings| {
-        let channel = channel(table, findings)?;
+        let channel = Channel::of(table, findings)?;
         if let Some(names) = names {
             let known = names.contains(&channel.sensor);
             if !known || seen.contains(&channel.sensor) {
@@ -84,10 +84,6 @@ fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings)
         }
         Some(channel)
     })
-}
-
-fn channel(table: &Table<'_>, findings: &mut Findings) -> Option<Channel> {
-    read!(table, findings, Channel { sensor, column, reversed, uncertainty, weight, left_out = "leave_out" })
 }
 
 fn parameters(file: &Table<'_>, document: Option<&Document>, findings: &mut Findings) -> Option<Vec<Parameter>> {
@@ -152,28 +148,4 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
     }
     let name = name.unwrap_or(quantity);
     Some(Parameter { name, path: varied.path, unit: varied.unit, start, lower, upper, logarithmic })
-}
-
-fn plan(table: &Table<'_>, findings: &mut Findings) -> Option<Plan> {
-    read!(
-        table,
-        findings,
-        Plan {
-            search,
-            variant,
-            start,
-            starts,
-            passes,
-            points,
-            compare,
-            slices,
-            weights,
-            by_uncertainty,
-            posterior,
-            model_error,
-            common_gain_deviation,
-            samples,
-            seed,
-        }
-    )
 }

@@ -24,18 +24,12 @@ fn request(table: &Table<'_>, findings: &mut Findings) -> Option<Request> {
     let keys = ["from", "to", "points", "spacing"];
     let range = keys.into_iter().find(|key| table.has(key));
     let spread = match (table.has("values"), range) {
-        (true, Some(key)) => {
-            table.exclude(key, "`values`", findings);
-            None
-        }
+        (true, Some(key)) => table.exclude(key, "`values`", findings),
         (true, None) => values?.map(Spread::List),
-        (false, None) => {
-            table.need("values", findings);
-            None
-        }
+        (false, None) => table.need("values", findings),
         (false, Some(_)) => {
             for key in ["from", "to", "points"].into_iter().filter(|key| !table.has(key)) {
-                table.need(key, findings);
+                table.need::<()>(key, findings);
             }
             let geometric = match spacing? {
                 Spacing::Linear => false,

@@ -216,27 +216,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
 }
 
 fn mexe(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<Mexe> {
-    let mexe = read!(
-        table,
-        findings,
-        Mexe {
-            span,
-            barrel_factor,
-            fill_factor,
-            width_factor,
-            depth_factor,
-            mortar_factor,
-            condition_factor,
-            span_rise_factor,
-            quarter_rise,
-            ring_thickness,
-            fill_depth,
-            axle_load,
-            axles,
-            lift_off,
-            axle_factor,
-        }
-    )?;
+    let mexe = Mexe::of(table, findings)?;
     let span = mexe.span;
     if spans.is_some_and(|spans| span > spans) {
         let help = format!("write a number from 1 to {}", spans.unwrap_or(1));

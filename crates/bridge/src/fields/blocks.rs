@@ -219,14 +219,12 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Block
             stiffness(table, joint, findings);
         }
     }
-    silent(
-        file,
-        [
-            drawing.as_ref().map(|part| part.as_ref().is_some_and(supported)),
-            blocks.as_ref().map(|b| b.iter().any(|b| b.held)),
-        ],
-        findings,
-    );
+    let drawn = |part: &DrawingPart| part.layers.iter().any(|layer| layer.role == Role::Support);
+    let supports = [
+        drawing.as_ref().map(|part| part.as_ref().is_some_and(drawn)),
+        blocks.as_ref().map(|blocks| blocks.iter().any(|block| block.held)),
+    ];
+    silent(file, supports, findings);
     let General { name, width, gravity } = general?;
     Some(BlockFile {
         name,
@@ -240,11 +238,6 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Block
         loads: loads?,
         plan: plan?,
     })
-}
-
-/// Whether a layer of the drawing holds supports.
-fn supported(part: &DrawingPart) -> bool {
-    part.layers.iter().any(|layer| layer.role == Role::Support)
 }
 
 /// What the file leaves out and the analysis would take in silence: width, supports, loads.
@@ -279,16 +272,11 @@ fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings
     }
 }
 
-/// All of them, or nothing where one could not be read.
-fn all<T>(rows: Vec<Option<T>>) -> Option<Vec<T>> {
-    rows.into_iter().collect()
-}
-
 fn materials(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Material>> {
     let mut rows: Vec<Option<Material>> = Vec::new();
     for table in file.tables("material", findings) {
         let name: Option<At<String>> = table.read("name", findings);
-        let masonry = material::masonry_of(&table, findings);
+        let masonry = material::masonry(&table, findings);
         if let Some(name) = &name
             && rows.iter().flatten().any(|known| known.name == name.value)
         {
@@ -297,7 +285,7 @@ fn materials(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Material>>
         }
         rows.push(name.zip(masonry).map(|(name, masonry)| Material { name: name.value, masonry }));
     }
-    all(rows)
+    rows.into_iter().collect()
 }
 
 /// The material of this name; none inside where the key is left out.
@@ -390,7 +378,7 @@ fn joints(
         }
         rows.push(joint.zip(between).map(|(joint, between)| MaterialJoint { range: table.range, between, joint }));
     }
-    all(rows)
+    rows.into_iter().collect()
 }
 
 /// The series rule needs the moduli of every material.

@@ -6,7 +6,6 @@ use crate::findings::Findings;
 use crate::model::{Calibration, Modulus};
 use crate::quantity::Dimension::LineLoad;
 use crate::tree::Table;
-use crate::values::read;
 
 pub(super) static CALIBRATION: Section = Section {
     path: "calibration",
@@ -78,29 +77,7 @@ pub(super) static CALIBRATION: Section = Section {
 /// The calibration; every key has a default.
 pub(crate) fn calibration(file: &Table<'_>, findings: &mut Findings) -> Option<Calibration> {
     file.part("calibration", findings, |table, findings| {
-        let compare_with: Option<Option<Vec<f64>>> = table.read("compare_with", findings);
-        let calibration = read!(
-            table,
-            findings,
-            Calibration {
-                wanted_modulus,
-                modulus,
-                sample_size,
-                block_weight,
-                load_step,
-                steps,
-                ignored_steps,
-                multiples,
-                seeds,
-                tolerance,
-                least_replacement,
-                wanted_friction_angle,
-                wanted_cohesion,
-                confining_pressures,
-                sheared_samples;
-                compare_with: compare_with?.unwrap_or_default(),
-            }
-        )?;
+        let calibration = Calibration::of(table, findings)?;
         check(table, &calibration, findings).then_some(calibration)
     })
 }

@@ -6,7 +6,6 @@ use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Backing, BackingBody, Confinement, ContinuumPlan, Cover, FillEnds, Layer};
 use crate::tree::Table;
-use crate::values::read;
 
 /// Share of the strength of soil that is mobilised, where the file says nothing.
 const MOBILISED_SHARE: &str = "1.0";
@@ -68,24 +67,7 @@ pub(crate) fn continuum(
     cover: Option<&Cover>,
     findings: &mut Findings,
 ) -> Option<Option<ContinuumPlan>> {
-    let plan = file.part("continuum", findings, |table, findings| {
-        read!(
-            table,
-            findings,
-            ContinuumPlan {
-                mobilised_share,
-                dilatancy_angle,
-                interface_friction_angle,
-                interface_cohesion,
-                ends,
-                extent,
-                water_level,
-                confinement,
-                bound_ratio,
-                elements,
-            }
-        )
-    });
+    let mut plan = file.part("continuum", findings, ContinuumPlan::of);
     // What is wrong with the cover has been reported.
     let wanted = cover.is_none_or(|cover| cover.layers.iter().any(|layer| layer.continuum));
     if !wanted && let Some(table) = file.known("continuum") {
@@ -97,7 +79,6 @@ pub(crate) fn continuum(
             "write as = \"continuum\" in the lowest [[cover]], or remove [continuum]",
         );
     }
-    let mut plan = plan;
     if let (Some(plan), Some(water)) = (&mut plan, cover.and_then(|cover| cover.water)) {
         if let Some(table) = file.known("continuum")
             && table.has("water_level")

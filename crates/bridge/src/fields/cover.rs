@@ -175,36 +175,24 @@ fn water(table: &Table<'_>, layers: &[Layer], findings: &mut Findings) -> Option
     let level = table.read("level", findings);
     let saturated: Option<f64> = table.read("saturated_density", findings);
     let (level, saturated_density) = (level?, saturated?);
-    let mut wrong = |key: &str, message: String, help: &str| {
-        findings.error("B240", table.place(key), message, "water stands in the pores of the lowest layer", help);
-    };
-    match layers.first() {
+    let (key, message, help) = match layers.first() {
         None => {
-            wrong(
-                "level",
-                "there is no cover whose pores could hold water".into(),
-                "describe the fill with a [[cover]]",
-            );
-            None
+            let message = "there is no cover whose pores could hold water".to_owned();
+            ("level", message, "describe the fill with a [[cover]]")
         }
-        Some(lowest) if lowest.particles || !lowest.weighs => {
-            wrong(
-                "level",
-                "the lowest layer is particles or weighs nothing, and water in its pores is not modelled".into(),
-                "write as = \"weight\" or as = \"continuum\" in the lowest [[cover]], or remove [water]",
-            );
-            None
-        }
-        Some(lowest) if saturated_density < lowest.density => {
-            wrong(
-                "saturated_density",
-                format!("saturated fill of {saturated_density} kg/m^3 is lighter than the fill above the water"),
-                "write the density with pores full: no less than `density` of the lowest [[cover]]",
-            );
-            None
-        }
-        Some(_) => Some(PoreWater { level, saturated_density }),
-    }
+        Some(lowest) if lowest.particles || !lowest.weighs => (
+            "level",
+            "the lowest layer is particles or weighs nothing, and water in its pores is not modelled".to_owned(),
+            "write as = \"weight\" or as = \"continuum\" in the lowest [[cover]], or remove [water]",
+        ),
+        Some(lowest) if saturated_density < lowest.density => (
+            "saturated_density",
+            format!("saturated fill of {saturated_density} kg/m^3 is lighter than the fill above the water"),
+            "write the density with pores full: no less than `density` of the lowest [[cover]]",
+        ),
+        Some(_) => return Some(PoreWater { level, saturated_density }),
+    };
+    findings.refuse("B240", table.place(key), message, "water stands in the pores of the lowest layer", help)
 }
 
 fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
@@ -220,29 +208,14 @@ fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
 /// `below` is the density of the lowest layer of the cover [kg/m^3].
 fn backing(table: &Table<'_>, below: f64, findings: &mut Findings) -> Option<Backing> {
     let between: Option<Option<f64>> = table.read("between_density", findings);
-    let backing: Backing = read!(
-        table,
-        findings,
-        Backing {
-            height,
-            density,
-            width_share,
-            elastic_modulus,
-            poisson_ratio,
-            body = "as",
-            friction_angle,
-            cohesion,
-            tensile_strength,
-            compressive_strength,
-        }
-    )?;
+    let backing = Backing::of(table, findings)?;
     if backing.body == BackingBody::Continuum && !needs(table, &STRENGTH, findings) {
         return None;
     }
     let share = backing.width_share;
     if share == 1.0 {
         if table.has("between_density") && !table.has("width_share") {
-            table.need("width_share", findings);
+            table.need::<()>("width_share", findings);
         }
         between?;
         return Some(backing);
@@ -267,7 +240,7 @@ const STRENGTH: [&str; 2] = ["friction_angle", "cohesion"];
 fn needs(table: &Table<'_>, keys: &[&str], findings: &mut Findings) -> bool {
     let missing: Vec<&&str> = keys.iter().filter(|key| !table.has(key)).collect();
     for key in &missing {
-        table.need(key, findings);
+        table.need::<()>(key, findings);
     }
     missing.is_empty()
 }
@@ -276,7 +249,7 @@ fn needs(table: &Table<'_>, keys: &[&str], findings: &mut Findings) -> bool {
 fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option<Layer> {
     let thickness: Option<Option<f64>> = table.read("thickness", findings);
     match (table.has("thickness"), under_road) {
-        (false, false) => table.need("thickness", findings),
+        (false, false) => table.need::<()>("thickness", findings),
         (true, true) => table.exclude("thickness", "[road]", findings),
         _ => None,
     };
@@ -305,10 +278,10 @@ fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option
         return None;
     }
     if body == LayerBody::Blocks && !table.has("block_length") {
-        table.need("block_length", findings)?;
+        return table.need("block_length", findings);
     }
     if body != LayerBody::Nothing && weighs? && !table.has("density") {
-        table.need("density", findings)?;
+        return table.need("density", findings);
     }
     if body == LayerBody::Continuum && !needs(table, &STRENGTH, findings) {
         return None;

@@ -198,7 +198,7 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
         Word::WeakMasonry => {
             let (compressive_strength, friction_angle) = (compressive_strength?, friction_angle?);
             if compressive_strength.is_none() && friction_angle.is_none() {
-                table.need("compressive_strength", findings)?;
+                return table.need("compressive_strength", findings);
             }
             DefectKind::WeakMasonry { ring: counted(ring?, rings, findings)?, compressive_strength, friction_angle }
         }

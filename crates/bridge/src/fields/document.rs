@@ -63,7 +63,7 @@ pub(crate) fn document(file: &Table<'_>, findings: &mut Findings) -> Option<Repo
     }
     let table = file.table("document", findings)?;
     let bare = |word: String| word.trim_matches(['"', '\'']).to_owned();
-    let confirm: Option<Option<Vec<String>>> = table.read("confirm", findings);
+    let confirm: Option<Vec<String>> = table.read("confirm", findings);
     let revisions =
         table.all("revision", findings, |table, findings| read!(table, findings, Revision { revision, date, change }));
     let inspections = table.all("inspection", findings, |table, findings| {
@@ -84,7 +84,7 @@ pub(crate) fn document(file: &Table<'_>, findings: &mut Findings) -> Option<Repo
             approved_by,
             check_category;
             revisions: revisions?,
-            confirm: confirm?.unwrap_or_default().into_iter().map(bare).collect(),
+            confirm: confirm?.into_iter().map(bare).collect(),
             inspections: inspections?,
         }
     )

@@ -107,7 +107,7 @@ pub(super) static DISPERSAL: Section = Section {
 pub(crate) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Dispersal> {
     if !file.has("dispersal") {
         if file.has("load") && cover.is_some_and(|cover| cover.depth > 0.0) {
-            file.need("dispersal", findings)?;
+            return file.need("dispersal", findings);
         }
         return Some(Dispersal { rule: DispersalRule::None, slope: 1.0 });
     }
@@ -143,16 +143,7 @@ pub(crate) struct Widths {
     pub(crate) strip: Option<f64>,
 }
 
-pub(crate) fn loads(
-    file: &Table<'_>,
-    widths: Widths,
-    layout: Option<&Layout>,
-    findings: &mut Findings,
-) -> Option<Vec<Load>> {
-    file.all("load", findings, |table, findings| load(table, widths, layout, findings))
-}
-
-fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mut Findings) -> Option<Load> {
+pub(crate) fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mut Findings) -> Option<Load> {
     let name: Option<Option<String>> = table.read("name", findings);
     let shape: Option<Shape> = table.read("kind", findings);
     let kind = kind(table, shape, width, findings);
@@ -170,7 +161,7 @@ fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mu
         && value != 0.0
         && block.is_some()
     {
-        table.exclude("horizontal", "`through = \"block\"`, a block that is held sideways", findings);
+        table.exclude::<()>("horizontal", "`through = \"block\"`, a block that is held sideways", findings);
     }
     let name = name?.unwrap_or_else(|| shape.map_or("", Shape::word).to_owned());
     let (horizontal, whole_length) = (horizontal?.value, whole_length?);
@@ -236,16 +227,10 @@ fn position(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings)
     let position: Option<Option<f64>> = table.read("position", findings);
     let share = share(table, layout, findings);
     match (table.has("position"), table.has("at")) {
-        (true, true) => {
-            table.exclude("at", "`position`", findings);
-            None
-        }
+        (true, true) => table.exclude("at", "`position`", findings),
         (true, false) => position?,
         (false, true) => share,
-        (false, false) => {
-            table.need("position", findings);
-            None
-        }
+        (false, false) => table.need("position", findings),
     }
 }
 

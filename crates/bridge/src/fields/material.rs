@@ -118,12 +118,8 @@ pub(super) static RING_JOINT: Section = Section {
     fields: JOINT_FIELDS,
 };
 
-pub(crate) fn masonry(file: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
-    masonry_of(&file.table("masonry", findings)?, findings)
-}
-
 /// The material that a table describes.
-pub(crate) fn masonry_of(table: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
+pub(crate) fn masonry(table: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
     let masonry =
         read!(table, findings, Masonry { density, elastic_modulus, poisson_ratio, compressive_strength, rounding })?;
     let compressive_strength = masonry.compressive_strength.filter(|value| value.is_finite());
@@ -164,7 +160,7 @@ fn stiffness(
     let whole: Option<Option<f64>> = table.read(contact, findings);
     let alone: Option<Option<f64>> = table.read(mortar, findings);
     if table.has(contact) && table.has(mortar) {
-        table.exclude(mortar, &format!("`{contact}`"), findings)?;
+        return table.exclude(mortar, &format!("`{contact}`"), findings);
     }
     let alone = alone?.map(JointStiffness::Series);
     Some(alone.or(whole?.map(JointStiffness::Contact)))

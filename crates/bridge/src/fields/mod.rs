@@ -139,11 +139,6 @@ pub(crate) static RANGES: Section = Section {
     fields: &[tables("vary", &vary::VARY, "What `extrados vary` changes, and over which values.")],
 };
 
-/// Every section of the bridge file with the key that opens it, in the order of the reference.
-pub fn sections() -> Vec<&'static Section> {
-    sections_of(&FILE)
-}
-
 /// What a part is of which a file says nothing, for which every key needs a default on its card.
 pub(crate) fn by_cards<T>(read: impl FnOnce(&Table<'_>, &mut Findings) -> Option<T>) -> T {
     read(&Table::absent(&FILE), &mut Findings::default()).expect("cards with defaults")

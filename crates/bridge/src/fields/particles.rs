@@ -68,7 +68,7 @@ pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
     let table = file.table("particles", findings);
     let contact = joint(file, "particle_joint", findings);
     for key in ["particles", "particle_joint"].into_iter().filter(|key| !file.has(key)) {
-        file.need(key, findings);
+        file.need::<()>(key, findings);
     }
     let of_blocks = match file.has("particle_block_joint") {
         true => joint(file, "particle_block_joint", findings),
@@ -82,7 +82,7 @@ pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
     let stress: Option<Option<f64>> = table.read("packing_stress", findings);
     let fraction: Option<Option<f64>> = table.read("solid_fraction", findings);
     if table.has("packing_stress") && table.has("solid_fraction") {
-        table.exclude("solid_fraction", "`packing_stress`", findings)?;
+        return table.exclude("solid_fraction", "`packing_stress`", findings);
     }
     let particles = read!(
         table,
@@ -112,12 +112,12 @@ fn sizes(table: &Table<'_>, findings: &mut Findings) -> Option<Sizes> {
     let largest: Option<Option<f64>> = table.read("largest_diameter", findings);
     if table.has("count") {
         if let Some(key) = ["smallest_diameter", "largest_diameter"].into_iter().find(|key| table.has(key)) {
-            table.exclude(key, "`count`", findings)?;
+            return table.exclude(key, "`count`", findings);
         }
         return Some(Sizes::Count { count: count??, ratio: ratio?.unwrap_or(SIZE_RATIO) });
     }
     if table.has("size_ratio") {
-        table.exclude("size_ratio", "diameters", findings)?;
+        return table.exclude("size_ratio", "diameters", findings);
     }
     let missing = ["smallest_diameter", "largest_diameter"].into_iter().filter(|key| !table.has(key));
     match missing.collect::<Vec<_>>()[..] {

@@ -74,7 +74,7 @@ pub(crate) fn passage(
         return Some(None);
     }
     for key in keys.into_iter().filter(|key| !file.has(key)) {
-        file.need(key, findings);
+        file.need::<()>(key, findings);
     }
     let train = train::train(file, findings);
     let track = train::track(file, width, findings);
@@ -86,7 +86,6 @@ pub(crate) fn passage(
 fn plan(file: &Table<'_>, findings: &mut Findings) -> Option<PassagePlan> {
     let table = &file.table("passage", findings)?;
     let damping = damping(table, findings);
-    let pictures: Option<Option<Vec<f64>>> = table.read("pictures", findings);
     let plan = read!(
         table,
         findings,
@@ -101,12 +100,12 @@ fn plan(file: &Table<'_>, findings: &mut Findings) -> Option<PassagePlan> {
             load_steps,
             iterations,
             tolerance,
-            path;
+            path,
+            pictures;
             damping: damping?,
-            pictures: pictures?.unwrap_or_default(),
         }
     )?;
-    check(table, &plan, findings).then_some(plan)
+    check(table, &plan, findings).map(|()| plan)
 }
 
 /// Rayleigh damping: a ratio, and the two frequencies at which it holds.
@@ -114,7 +113,7 @@ fn damping(table: &Table<'_>, findings: &mut Findings) -> Option<Option<Rayleigh
     let ratio: Option<Option<f64>> = table.read("damping_ratio", findings);
     let frequencies: Option<Option<At<Vec<f64>>>> = table.read("damping_frequencies", findings);
     if table.has("damping_ratio") != table.has("damping_frequencies") {
-        table.need(if table.has("damping_ratio") { "damping_frequencies" } else { "damping_ratio" }, findings)?;
+        return table.need(if table.has("damping_ratio") { "damping_frequencies" } else { "damping_ratio" }, findings);
     }
     let Some(ratio) = ratio? else { return Some(None) };
     let frequencies = frequencies??;
@@ -131,30 +130,28 @@ fn damping(table: &Table<'_>, findings: &mut Findings) -> Option<Option<Rayleigh
 }
 
 /// Whether the range of positions is one.
-fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool {
+fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> Option<()> {
     let step = plan.speed * plan.time_step;
     let most = MOST_POSITIONS as f64 * step;
     if let (Some(from), Some(to)) = (plan.from, plan.to) {
         if from >= to {
-            findings.error(
+            return findings.refuse(
                 "B655",
                 table.place("to"),
                 "the train does not travel to the right",
                 format!("the first axle starts at {from} m"),
                 "give a larger `to`, or leave both out",
             );
-            return false;
         }
         if to - from > most {
-            findings.error(
+            return findings.refuse(
                 "B655",
                 table.place("to"),
                 format!("more than {MOST_POSITIONS} positions"),
                 format!("a position every {step:.2e} m"),
                 "give a larger `time_step`, or a shorter distance",
             );
-            return false;
         }
     }
-    true
+    Some(())
 }

@@ -152,21 +152,7 @@ pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Fi
 
 /// A soil; of this density where no table gives one.
 fn soil(table: &Table<'_>, density: Option<f64>, findings: &mut Findings) -> Option<Soil> {
-    let mut soil = read!(
-        table,
-        findings,
-        Soil {
-            elastic_modulus,
-            poisson_ratio,
-            density,
-            friction_angle,
-            cohesion,
-            dilatancy_angle,
-            tension_cutoff,
-            cone,
-            law
-        }
-    )?;
+    let mut soil = Soil::of(table, findings)?;
     soil.density = soil.density.or(density);
     outer_cone(table, &soil, findings);
     dilates_as_it_rubs(table, &soil, findings).then_some(soil)

@@ -225,7 +225,7 @@ fn rings(table: &Table<'_>, findings: &mut Findings) -> Option<Vec<PlacedRing>> 
     }
     for key in ["thickness", "crown_thickness", "springing_thickness", "voussoirs"] {
         if table.has(key) {
-            table.exclude(key, "[[span.ring]]", findings);
+            table.exclude::<()>(key, "[[span.ring]]", findings);
         }
     }
     table.all("ring", findings, ring)
@@ -235,14 +235,14 @@ fn rings(table: &Table<'_>, findings: &mut Findings) -> Option<Vec<PlacedRing>> 
 fn ring(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedRing> {
     let voussoirs: Option<Option<At<usize>>> = table.read("voussoirs", findings);
     if !table.has("voussoirs") && table.section.path == "span" {
-        table.need("voussoirs", findings);
+        table.need::<()>("voussoirs", findings);
     }
     let [thickness, crown, springing] = ["thickness", "crown_thickness", "springing_thickness"]
         .map(|key| table.read::<Option<At<f64>>>(key, findings).flatten());
     let (crown, springing) = if table.has("thickness") {
         for key in ["crown_thickness", "springing_thickness"] {
             if table.has(key) {
-                table.exclude(key, "`thickness`", findings);
+                table.exclude::<()>(key, "`thickness`", findings);
             }
         }
         (thickness?, thickness?)

@@ -5,7 +5,7 @@ use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Abutment, AbutmentBody, AbutmentKind, Cutwater, Cutwaters, Footing, Pier};
 use crate::tree::Table;
-use crate::values::read;
+use crate::values::{of_keys, read};
 
 pub(super) static PIER: Section = Section {
     path: "pier",
@@ -106,12 +106,8 @@ static ABUTMENT_LEFT: Section =
 static ABUTMENT_RIGHT: Section =
     Section { path: "abutment.right", doc: "The right abutment, where it differs.", fields: SIDE };
 
-/// The piers as written; how many there must be is for the geometry. `width` is that of the barrel [m].
-pub(crate) fn piers(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Vec<Pier>> {
-    file.all("pier", findings, |table, findings| pier(table, width, findings))
-}
-
-fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
+/// A pier as written; how many there must be is for the geometry. The width is that of the barrel [m].
+pub(crate) fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
     let batters = ["left_batter", "right_batter"].map(|key| table.read::<Option<f64>>(key, findings));
     let [base_width, across, base_across, length] =
         ["base_width", "across", "base_across", "cutwater_length"].map(|key| table.read::<Option<f64>>(key, findings));
@@ -126,10 +122,7 @@ fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Opti
     let [left, right] = batters;
     let (left, right) = (left?, right?);
     let (base_width, base_offset) = match (base_width?, left.or(right)) {
-        (Some(_), Some(_)) => {
-            table.exclude("base_width", "the batter of a face", findings);
-            return None;
-        }
+        (Some(_), Some(_)) => return table.exclude("base_width", "the batter of a face", findings),
         (Some(width), None) => (width, 0.0),
         (None, _) => {
             let [left, right] = [left, right].map(|batter| batter.unwrap_or(0.0) * pier.height);
@@ -153,47 +146,36 @@ fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Opti
 pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Abutment; 2]> {
     file.part("abutment", findings, |both, findings| {
         // What is wrong with the table of both is said once, here: its sides look it up without a word.
-        let fits = whole(both, findings);
+        let fits = Written::of(both, findings);
         let mut missing: Vec<&str> = Vec::new();
         let sides = ["left", "right"]
             .map(|key| both.part(key, findings, |side, findings| abutment(&side.over(both), &mut missing, findings)));
         missing.sort_unstable();
         missing.dedup();
         for key in missing {
-            both.need(key, findings);
+            both.need::<()>(key, findings);
         }
         fits.and(Some([sides[0]?, sides[1]?]))
     })
 }
 
-/// What a table says of an abutment.
-struct Written {
-    top_width: f64,
-    height: f64,
-    kind: AbutmentKind,
-    base_width: Option<f64>,
-    courses: Option<usize>,
-    friction: Option<f64>,
-    coefficient: Option<f64>,
-    earth_density: Option<f64>,
-}
-
-fn whole(table: &Table<'_>, findings: &mut Findings) -> Option<Written> {
-    read!(table, findings, Written {
-        top_width,
-        height,
-        kind = "as",
-        base_width,
-        courses,
-        friction = "ground_friction_angle",
-        coefficient = "earth_coefficient",
-        earth_density,
-    })
+of_keys! {
+    /// What a table says of an abutment.
+    struct Written {
+        top_width: f64,
+        height: f64,
+        kind: AbutmentKind = "as",
+        base_width: Option<f64>,
+        courses: Option<usize>,
+        friction: Option<f64> = "ground_friction_angle",
+        coefficient: Option<f64> = "earth_coefficient",
+        earth_density: Option<f64>,
+    }
 }
 
 /// One abutment; notes which keys it misses.
 fn abutment(table: &Table<'_>, missing: &mut Vec<&'static str>, findings: &mut Findings) -> Option<Abutment> {
-    let written = whole(table, findings)?;
+    let written = Written::of(table, findings)?;
     let Written { top_width, height, .. } = written;
     if written.kind == AbutmentKind::Fixed {
         return Some(Abutment { top_width, height, body: None });

@@ -5,9 +5,7 @@ use crate::cards::*;
 use crate::choice::choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{
-    Carriageway, Directions, FillPressure, GAUGE, GRAVITY_HEIGHT, LEAST_STEP, LeastPressure, Sideways, SweepPlan,
-};
+use crate::model::{Carriageway, Directions, GAUGE, GRAVITY_HEIGHT, LEAST_STEP, LeastPressure, Sideways, SweepPlan};
 use crate::tree::{At, Table};
 use crate::values::read;
 
@@ -170,13 +168,13 @@ const USUAL_RULE: &str = "characteristic";
 /// The sweep that the file asks for.
 pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepPlan> {
     if table.has("rule") && table.has("rule_file") {
-        table.exclude("rule", "`rule_file`", findings);
+        table.exclude::<()>("rule", "`rule_file`", findings);
     }
     let rule: Option<Option<String>> = table.read("rule", findings);
     let mut list = |key: &str| {
-        let list: Option<Vec<String>> = table.read(key, findings)?;
+        let list: Vec<String> = table.read(key, findings)?;
         let bare = |word: String| word.trim_matches(['"', '\'']).to_owned();
-        Some(list.unwrap_or_default().into_iter().map(bare).collect())
+        Some(list.into_iter().map(bare).collect())
     };
     let (vehicles, vehicle_files) = (list("vehicles"), list("vehicle_files"));
     let dispersal = table.read("dispersal", findings);
@@ -205,12 +203,11 @@ pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepP
     )
 }
 
-/// Skew from which on a square model says little [rad].
-pub(crate) const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
+/// Beyond this skew [rad] a square model says nothing that a verdict may rest on.
+pub const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 /// Where vehicles may stand across a barrel so wide [m].
 pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Carriageway> {
-    let cracks: Option<Option<At<Vec<f64>>>> = table.read("cracks", findings);
     let skew: Option<Option<At<f64>>> = table.read("skew", findings);
     if let Some(At { value, range }) = skew.flatten() {
         doubt(value, range, findings);
@@ -220,7 +217,7 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
     let offset: Option<Option<f64>> = table.read("track_offset", findings);
     let sideways = sideways(table, gauge, findings);
     if table.has("edge_distance") && table.has("track_offset") {
-        table.exclude("edge_distance", "`track_offset`", findings);
+        table.exclude::<()>("edge_distance", "`track_offset`", findings);
     }
     let mut found = read!(
         table,
@@ -228,9 +225,9 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
         Carriageway {
             lanes,
             lane_width,
-            edge_distance;
+            edge_distance,
+            cracks;
             skew: skew?.map(|skew| skew.value),
-            cracks: cracks?.map_or_else(Vec::new, |cracks| cracks.value),
             sideways: sideways?,
         }
     )?;
@@ -297,10 +294,10 @@ fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> O
     let height = or("side_force_height", GRAVITY_HEIGHT);
     let (radius, speed) = (radius?, speed?);
     if radius.is_some() && speed.is_none() {
-        table.need("speed", findings)?;
+        return table.need("speed", findings);
     }
     if speed.is_some() && radius.is_none() {
-        table.need("curve_radius", findings)?;
+        return table.need("curve_radius", findings);
     }
     let (cant, gauge) = (cant?, gauge?);
     let found = Sideways { curve: radius.zip(speed), cant, side_force: side_force?, height: height?, gauge };
@@ -336,13 +333,4 @@ pub(crate) fn doubt(skew: f64, place: TextRange, findings: &mut Findings) {
             "give the spans along the road, which are the longer ones, and confirm the load by a model in three dimensions or by test",
         );
     }
-}
-
-/// The pressure of fill that helps.
-pub(crate) fn fill_pressure(table: &Table<'_>, findings: &mut Findings) -> Option<FillPressure> {
-    read!(
-        table,
-        findings,
-        FillPressure { applies, friction_angle, cohesion, mobilisation, cohesion_mobilisation, least, half_movement }
-    )
 }

@@ -7,7 +7,6 @@ use crate::passage::Track;
 use crate::quantity::Dimension::BendingStiffness;
 use crate::train::{AxleLoads, LIBRARY, MOST_AXLES, Train, Vehicle, built_in, read_toml};
 use crate::tree::{At, Table};
-use crate::values::read;
 use findings::words::counted;
 
 pub(crate) static VEHICLE: Section = Section {
@@ -111,7 +110,7 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
     let path: Option<Option<String>> = table.read("file", findings);
     let written = vehicles(&table, findings);
     if table.has("file") && table.has("vehicle") {
-        table.exclude("file", "[[train.vehicle]]", findings)?;
+        return table.exclude("file", "[[train.vehicle]]", findings);
     }
     let named = name?;
     if let Some(path) = path? {
@@ -121,10 +120,7 @@ pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> 
         return Some(Train { name: named.unwrap_or_else(|| "train".to_owned()), file: None, vehicles: written? });
     }
     let list = LIBRARY.iter().map(|train| format!("\"{}\"", train.name)).collect::<Vec<_>>().join(", ");
-    let Some(named) = named else {
-        table.need("name", findings);
-        return None;
-    };
+    let Some(named) = named else { return table.need("name", findings) };
     match built_in(&named) {
         Some(found) => {
             let vehicles = read_toml(found.text.as_bytes()).vehicles?;
@@ -166,14 +162,8 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
     let spacings: Option<Vec<f64>> = table.read("axle_spacings", findings);
     let overhangs = ["front_overhang", "rear_overhang"].map(|key| table.read::<f64>(key, findings));
     let (loads, given): (fn(Vec<f64>) -> AxleLoads, _) = match (table.has("axle_loads"), table.has("axle_forces")) {
-        (true, true) => {
-            table.exclude("axle_forces", "`axle_loads`", findings);
-            return None;
-        }
-        (false, false) => {
-            table.need("axle_loads", findings);
-            return None;
-        }
+        (true, true) => return table.exclude("axle_forces", "`axle_loads`", findings),
+        (false, false) => return table.need("axle_loads", findings),
         (true, false) => (AxleLoads::Masses, masses??),
         (false, true) => (AxleLoads::Forces, forces??),
     };
@@ -204,21 +194,7 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
 /// Rails, sleepers, ballast. `width` of the barrel [m].
 pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Track> {
     let table = &file.table("track", findings)?;
-    let track = read!(
-        table,
-        findings,
-        Track {
-            rail_bending_stiffness,
-            track_modulus,
-            sleeper_spacing,
-            sleeper_breadth,
-            sleeper_length,
-            ballast_depth,
-            ballast_slope,
-            dead_load,
-            effective_width,
-        }
-    )?;
+    let track = Track::of(table, findings)?;
     if let (Some(effective), Some(width)) = (track.effective_width, width)
         && effective > width * (1.0 + 1e-12)
     {

@@ -112,5 +112,5 @@ pub(super) static UPDATE: Section = Section {
     ],
 };
 
-/// Sections of updating, which are no part of the bridge.
-pub(crate) const SECTIONS: [&str; 4] = ["records", "channel", "parameter", "update"];
+/// Sections that say how to update a bridge, and are no part of it.
+pub const UPDATE_SECTIONS: [&str; 4] = ["records", "channel", "parameter", "update"];

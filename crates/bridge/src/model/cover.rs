@@ -3,6 +3,7 @@
 use super::Joint;
 use crate::choice::choice;
 use crate::road::Road;
+use crate::values::of_keys;
 use serde::{Deserialize, Serialize};
 
 /// What lies above the extrados.
@@ -113,42 +114,44 @@ pub enum Packing {
     SolidFraction(f64),
 }
 
-/// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
-/// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Calibration {
-    /// Modulus that the fill is to have [Pa].
-    pub wanted_modulus: Option<f64>,
-    /// Which modulus is compared with it.
-    pub modulus: Modulus,
-    /// Side of the square samples [m].
-    pub sample_size: f64,
-    /// Weight of the block that presses [N/m].
-    pub block_weight: f64,
-    /// Increment of the load on it [N/m].
-    pub load_step: f64,
-    /// Number of load steps.
-    pub steps: usize,
-    /// First load steps that the later secant leaves out.
-    pub ignored_steps: usize,
-    /// Multiples of the particles' contact stiffness at which moduli are measured.
-    pub multiples: Vec<f64>,
-    /// Moduli from elsewhere at these multiples [Pa]; empty where there are none.
-    pub compare_with: Vec<f64>,
-    /// How many packings samples are cut from.
-    pub seeds: u64,
-    /// The wanted modulus is met within this share.
-    pub tolerance: f64,
-    /// Smallest replacement of a cut particle over the smallest particle of the packing.
-    pub least_replacement: f64,
-    /// Friction angle that the fill is to have [rad].
-    pub wanted_friction_angle: Option<f64>,
-    /// Cohesion that the fill is to have [Pa].
-    pub wanted_cohesion: Option<f64>,
-    /// Pressures on the sides of the samples that are sheared [Pa].
-    pub confining_pressures: Vec<f64>,
-    /// How many squares are sheared.
-    pub sheared_samples: usize,
+of_keys! {
+    /// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
+    /// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Calibration {
+        /// Modulus that the fill is to have [Pa].
+        pub wanted_modulus: Option<f64>,
+        /// Which modulus is compared with it.
+        pub modulus: Modulus,
+        /// Side of the square samples [m].
+        pub sample_size: f64,
+        /// Weight of the block that presses [N/m].
+        pub block_weight: f64,
+        /// Increment of the load on it [N/m].
+        pub load_step: f64,
+        /// Number of load steps.
+        pub steps: usize,
+        /// First load steps that the later secant leaves out.
+        pub ignored_steps: usize,
+        /// Multiples of the particles' contact stiffness at which moduli are measured.
+        pub multiples: Vec<f64>,
+        /// Moduli from elsewhere at these multiples [Pa]; empty where there are none.
+        pub compare_with: Vec<f64>,
+        /// How many packings samples are cut from.
+        pub seeds: u64,
+        /// The wanted modulus is met within this share.
+        pub tolerance: f64,
+        /// Smallest replacement of a cut particle over the smallest particle of the packing.
+        pub least_replacement: f64,
+        /// Friction angle that the fill is to have [rad].
+        pub wanted_friction_angle: Option<f64>,
+        /// Cohesion that the fill is to have [Pa].
+        pub wanted_cohesion: Option<f64>,
+        /// Pressures on the sides of the samples that are sheared [Pa].
+        pub confining_pressures: Vec<f64>,
+        /// How many squares are sheared.
+        pub sheared_samples: usize,
+    }
 }
 
 choice! {
@@ -197,56 +200,60 @@ pub struct Void {
     pub carried_to: [f64; 2],
 }
 
-/// Solid backing above the haunches, up to a level.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Backing {
-    /// Level of its upper face above the springings [m].
-    pub height: f64,
-    /// Mass density [kg/m^3], the mean over the width where it fills a share of it.
-    pub density: f64,
-    /// Share of the width that it fills.
-    pub width_share: f64,
-    /// Young's modulus [Pa], times the share of the width.
-    pub elastic_modulus: Option<f64>,
-    /// Poisson's ratio.
-    pub poisson_ratio: Option<f64>,
-    /// How it is modelled.
-    pub body: BackingBody,
-    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all; of the backing itself where
-    /// it is a continuum, which always has both.
-    pub friction_angle: Option<f64>,
-    /// See above.
-    pub cohesion: Option<f64>,
-    /// Tensile strength of a continuum [Pa]; none: it carries no tension.
-    pub tensile_strength: Option<f64>,
-    /// Compressive strength of a continuum [Pa]; none: unlimited.
-    pub compressive_strength: Option<f64>,
+of_keys! {
+    /// Solid backing above the haunches, up to a level.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Backing {
+        /// Level of its upper face above the springings [m].
+        pub height: f64,
+        /// Mass density [kg/m^3], the mean over the width where it fills a share of it.
+        pub density: f64,
+        /// Share of the width that it fills.
+        pub width_share: f64,
+        /// Young's modulus [Pa], times the share of the width.
+        pub elastic_modulus: Option<f64>,
+        /// Poisson's ratio.
+        pub poisson_ratio: Option<f64>,
+        /// How it is modelled.
+        pub body: BackingBody = "as",
+        /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all; of the backing itself where
+        /// it is a continuum, which always has both.
+        pub friction_angle: Option<f64>,
+        /// See above.
+        pub cohesion: Option<f64>,
+        /// Tensile strength of a continuum [Pa]; none: it carries no tension.
+        pub tensile_strength: Option<f64>,
+        /// Compressive strength of a continuum [Pa]; none: unlimited.
+        pub compressive_strength: Option<f64>,
+    }
 }
 
-/// How layers and backing that are a continuum are modelled: plane strain, limit analysis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContinuumPlan {
-    /// Share of cohesion and of the tangent of the friction angle that is mobilised.
-    pub mobilised_share: f64,
-    /// Dilatancy angle [rad].
-    pub dilatancy_angle: f64,
-    /// Friction angle between soil and masonry [rad]; none: two thirds of the soil's.
-    pub interface_friction_angle: Option<f64>,
-    /// Cohesion between soil and masonry [Pa].
-    pub interface_cohesion: f64,
-    /// What stands at the far ends.
-    pub ends: FillEnds,
-    /// How far it reaches behind the outer springings at the extrados [m]; none: the larger of the abutment's upper face and twice
-    /// the height above that springing.
-    pub extent: Option<f64>,
-    /// Level of the water in the pores above the springings [m]; none: dry.
-    pub water_level: Option<f64>,
-    /// What holds the fill out of the plane.
-    pub confinement: Confinement,
-    /// Wanted ratio of the upper bound to the lower bound of the load.
-    pub bound_ratio: f64,
-    /// Most triangles of the mesh.
-    pub elements: usize,
+of_keys! {
+    /// How layers and backing that are a continuum are modelled: plane strain, limit analysis.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct ContinuumPlan {
+        /// Share of cohesion and of the tangent of the friction angle that is mobilised.
+        pub mobilised_share: f64,
+        /// Dilatancy angle [rad].
+        pub dilatancy_angle: f64,
+        /// Friction angle between soil and masonry [rad]; none: two thirds of the soil's.
+        pub interface_friction_angle: Option<f64>,
+        /// Cohesion between soil and masonry [Pa].
+        pub interface_cohesion: f64,
+        /// What stands at the far ends.
+        pub ends: FillEnds,
+        /// How far it reaches behind the outer springings at the extrados [m]; none: the larger of the abutment's upper face and twice
+        /// the height above that springing.
+        pub extent: Option<f64>,
+        /// Level of the water in the pores above the springings [m]; none: dry.
+        pub water_level: Option<f64>,
+        /// What holds the fill out of the plane.
+        pub confinement: Confinement,
+        /// Wanted ratio of the upper bound to the lower bound of the load.
+        pub bound_ratio: f64,
+        /// Most triangles of the mesh.
+        pub elements: usize,
+    }
 }
 
 choice! {
@@ -286,23 +293,25 @@ choice! {
     }
 }
 
-/// Horizontal pressure of the fill on backs that move against it, for limit analysis and for the equilibrium path.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FillPressure {
-    /// Whether it acts.
-    pub applies: bool,
-    /// Friction angle of the fill [rad].
-    pub friction_angle: f64,
-    /// Cohesion of the fill [Pa].
-    pub cohesion: f64,
-    /// Share of Rankine's passive pressure of friction that movement mobilises.
-    pub mobilisation: f64,
-    /// The same for the part of cohesion.
-    pub cohesion_mobilisation: f64,
-    /// Pressure that is there whatever moves.
-    pub least: LeastPressure,
-    /// Movement at which half of what movement mobilises is there, as a share of the depth below the top of the fill.
-    pub half_movement: f64,
+of_keys! {
+    /// Horizontal pressure of the fill on backs that move against it, for limit analysis and for the equilibrium path.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct FillPressure {
+        /// Whether it acts.
+        pub applies: bool,
+        /// Friction angle of the fill [rad].
+        pub friction_angle: f64,
+        /// Cohesion of the fill [Pa].
+        pub cohesion: f64,
+        /// Share of Rankine's passive pressure of friction that movement mobilises.
+        pub mobilisation: f64,
+        /// The same for the part of cohesion.
+        pub cohesion_mobilisation: f64,
+        /// Pressure that is there whatever moves.
+        pub least: LeastPressure,
+        /// Movement at which half of what movement mobilises is there, as a share of the depth below the top of the fill.
+        pub half_movement: f64,
+    }
 }
 
 choice! {

@@ -16,9 +16,9 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let mut spans = structure::spans(file, findings);
     let defects = spans.as_mut().map(|spans| defect::defects(file, spans, findings));
     let width = general.as_ref().map(|general| general.width);
-    let piers = support::piers(file, width, findings);
+    let piers = file.all("pier", findings, |table, findings| support::pier(table, width, findings));
     let abutments = support::abutments(file, findings);
-    let masonry = material::masonry(file, findings);
+    let masonry = file.table("masonry", findings).and_then(|table| material::masonry(&table, findings));
     let joint = material::joint(file, "joint", findings);
     let ring_joint = if file.has("ring_joint") { material::joint(file, "ring_joint", findings) } else { joint };
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
@@ -35,9 +35,11 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         file.optional("carriageway", findings, |table, findings| sweep::carriageway(table, width, findings));
     let cracks = carriageway.as_ref().and_then(Option::as_ref).map_or(&[][..], |asked| &asked.cracks);
     let strip = width.map(|width| crate::model::widest_strip(width, cracks));
-    let loads = loading::loads(file, loading::Widths { barrel: width, strip }, lengths.as_ref(), findings);
+    let widths = loading::Widths { barrel: width, strip };
+    let load = |table: &Table<'_>, findings: &mut Findings| loading::load(table, widths, lengths.as_ref(), findings);
+    let loads = file.all("load", findings, load);
     let passage = passage::passage(file, strip, spans.as_deref(), lengths.as_ref(), findings);
-    let fill_pressure = file.optional("fill_pressure", findings, sweep::fill_pressure);
+    let fill_pressure = file.optional("fill_pressure", findings, crate::model::FillPressure::of);
     let sweep = file.optional("sweep", findings, sweep::sweep);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 

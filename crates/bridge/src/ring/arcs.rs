@@ -40,16 +40,13 @@ impl Arcs {
 
     /// A circle that rises upright from the lower springing and is cut at the higher one.
     pub(super) fn cut_semicircle(span: f64, right: f64, radius: f64) -> Arcs {
-        let mut arcs = if right > 0.0 {
-            Arcs::circle_to(span, right, [radius, 0.0], radius)
-        } else {
-            Arcs::circle_to(span, right, [span - radius, right], radius)
-        };
+        let centre = if right > 0.0 { [radius, 0.0] } else { [span - radius, right] };
+        let mut arcs = Arcs::circle_to(span, right, centre, radius);
         // Upright to the last bit.
         if right > 0.0 {
-            arcs.arcs[0].start = -FRAC_PI_2
+            arcs.arcs[0].start = -FRAC_PI_2;
         } else {
-            arcs.arcs[0].end = FRAC_PI_2
+            arcs.arcs[0].end = FRAC_PI_2;
         }
         arcs
     }

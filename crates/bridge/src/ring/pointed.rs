@@ -23,5 +23,11 @@ pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
 }
 
 pub(super) fn sloping(_: f64, _: f64, _: f64) -> Result<Form, Misfit> {
-    Err(super::level_alone("pointed"))
+    Err(Misfit::new(
+        "B229",
+        "right_springing",
+        "a pointed arch between springings at unequal levels is not drawn by its rise",
+        "its two sides would meet at a place that nobody measured",
+        "give its curve by points, with profile = \"measured\"",
+    ))
 }

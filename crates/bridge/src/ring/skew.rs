@@ -23,18 +23,9 @@ pub(super) fn span(
     let skew: Option<Option<f64>> = table.read("skew", findings);
     let needed = shape.is_some_and(|shape| WITH_SPAN.contains(&shape.word()));
     match (table.has("span"), table.has("square_span")) {
-        (false, false) if needed => {
-            table.need("span", findings);
-            None
-        }
-        (true, true) => {
-            table.exclude("square_span", "`span`, which runs along the road", findings);
-            None
-        }
-        (false, true) if !table.has("skew") => {
-            table.need("skew", findings);
-            None
-        }
+        (false, false) if needed => table.need("span", findings),
+        (true, true) => table.exclude("square_span", "`span`, which runs along the road", findings),
+        (false, true) if !table.has("skew") => table.need("skew", findings),
         (false, true) => Some((Some(square??.value), Some(1.0 / skew??.cos()))),
         _ => Some((span?, None)),
     }
@@ -80,16 +71,12 @@ fn points(profile: &Profile, size: Size, stretch: f64) -> Result<Vec<[f64; 2]>, 
     let square = Intrados::between(profile, size.span, size.rise, size.right)?;
     let point = |k: usize| {
         let [x, y] = square.at(k as f64 / POINTS as f64).point;
-        [
-            stretch * x,
-            if k == 0 {
-                0.0
-            } else if k == POINTS {
-                size.right
-            } else {
-                y
-            },
-        ]
+        let level = match k {
+            0 => 0.0,
+            POINTS => size.right,
+            _ => y,
+        };
+        [stretch * x, level]
     };
     Ok((0..=POINTS).map(point).collect())
 }
@@ -106,7 +93,7 @@ mod tests {
         for degrees in [0.0f64, 5.0, 20.0, 45.0, 60.0] {
             let stretch = 1.0 / degrees.to_radians().cos();
             let points = points(&Profile::Segmental, Size { span, rise, right: 0.0 }, stretch).unwrap();
-            let along = Intrados::new(&Profile::Measured { points }, span * stretch, rise).unwrap();
+            let along = Intrados::between(&Profile::Measured { points }, span * stretch, rise, 0.0).unwrap();
             for k in 0..=1777 {
                 let station = along.at(k as f64 / 1777.0);
                 let [x, y] = station.point;

@@ -31,7 +31,7 @@ fn profiles() -> Vec<(Profile, f64, f64)> {
 
 #[test]
 fn segment_of_bridgemill() {
-    let intrados = Intrados::new(&Profile::Segmental, 18.30, 2.85).unwrap();
+    let intrados = Intrados::between(&Profile::Segmental, 18.30, 2.85, 0.0).unwrap();
     let half_angle = 2.0 * (2.85f64 / 9.15).atan();
     let radius = 9.15 / half_angle.sin();
     assert!((radius - 16.1131).abs() < 1e-4);
@@ -45,7 +45,7 @@ fn segment_of_bridgemill() {
 
 #[test]
 fn parabola_length() {
-    let intrados = Intrados::new(&Profile::Parabolic, 18.30, 2.85).unwrap();
+    let intrados = Intrados::between(&Profile::Parabolic, 18.30, 2.85, 0.0).unwrap();
     let root = (1.0 + 16.0 * (2.85f64 / 18.30).powi(2)).sqrt();
     let closed = 0.5 * 18.30 * root + 18.30 * 18.30 / (8.0 * 2.85) * (4.0 * 2.85f64 / 18.30 + root).ln();
     close(intrados.length(), closed);
@@ -54,7 +54,7 @@ fn parabola_length() {
 #[test]
 fn ellipse_length() {
     // A circle, whose perimeter is known, and series of Gauss and Kummer for ellipses round and flat.
-    close(Intrados::new(&Profile::Elliptical, 10.0, 5.0).unwrap().length(), 5.0 * std::f64::consts::PI);
+    close(Intrados::between(&Profile::Elliptical, 10.0, 5.0, 0.0).unwrap().length(), 5.0 * std::f64::consts::PI);
     for (span, rise) in [(12.0, 3.0), (6.0, 5.0), (10.0, 1.0)] {
         let (a, b) = (0.5 * span, rise);
         let h = ((a - b) / (a + b)) * ((a - b) / (a + b));
@@ -66,7 +66,7 @@ fn ellipse_length() {
             sum += coefficient * coefficient * power;
         }
         close(
-            Intrados::new(&Profile::Elliptical, span, rise).unwrap().length(),
+            Intrados::between(&Profile::Elliptical, span, rise, 0.0).unwrap().length(),
             0.5 * std::f64::consts::PI * (a + b) * sum,
         );
     }
@@ -75,7 +75,7 @@ fn ellipse_length() {
 #[test]
 fn three_centred_arcs_meet_without_a_kink() {
     let (span, rise, haunch_radius) = (12.0, 3.5, 1.5);
-    let intrados = Intrados::new(&Profile::ThreeCentred { haunch_radius }, span, rise).unwrap();
+    let intrados = Intrados::between(&Profile::ThreeCentred { haunch_radius }, span, rise, 0.0).unwrap();
     let crown_radius = (4.5f64 * 4.5 + 3.5 * 3.5 - 1.5 * 1.5) / (2.0 * 2.0);
     let junction = 4.5f64.atan2(crown_radius - 3.5);
     let haunch = haunch_radius * (0.5 * std::f64::consts::PI - junction);
@@ -89,7 +89,7 @@ fn three_centred_arcs_meet_without_a_kink() {
 
 #[test]
 fn pointed_crown_has_a_point() {
-    let intrados = Intrados::new(&Profile::Pointed, 6.0, 4.5).unwrap();
+    let intrados = Intrados::between(&Profile::Pointed, 6.0, 4.5, 0.0).unwrap();
     let crown = intrados.at(0.5);
     assert_eq!(crown.normal, [0.0, 1.0]);
     close(crown.point[0], 3.0);
@@ -101,9 +101,9 @@ fn pointed_crown_has_a_point() {
 
 #[test]
 fn semicircle_is_the_highest_segment_and_the_roundest_ellipse() {
-    let circle = Intrados::new(&Profile::Semicircular, 10.0, 5.0).unwrap();
+    let circle = Intrados::between(&Profile::Semicircular, 10.0, 5.0, 0.0).unwrap();
     for other in [Profile::Segmental, Profile::Elliptical] {
-        let other = Intrados::new(&other, 10.0, 5.0).unwrap();
+        let other = Intrados::between(&other, 10.0, 5.0, 0.0).unwrap();
         for step in 0..=40 {
             let share = f64::from(step) / 40.0;
             for i in 0..2 {
@@ -117,7 +117,7 @@ fn semicircle_is_the_highest_segment_and_the_roundest_ellipse() {
 #[test]
 fn surveyed_circle_comes_out_as_a_circle() {
     let (profile, span, rise) = profiles().pop().unwrap();
-    let intrados = Intrados::new(&profile, span, rise).unwrap();
+    let intrados = Intrados::between(&profile, span, rise, 0.0).unwrap();
     let centre = [0.5 * span, rise - 16.0];
     for step in 0..=300 {
         let station = intrados.at(f64::from(step) / 300.0);
@@ -131,7 +131,7 @@ fn surveyed_circle_comes_out_as_a_circle() {
 #[test]
 fn stations_divide_every_curve_evenly() {
     for (profile, span, rise) in profiles() {
-        let intrados = Intrados::new(&profile, span, rise).unwrap();
+        let intrados = Intrados::between(&profile, span, rise, 0.0).unwrap();
         let (left, right, crown) = (intrados.at(0.0).point, intrados.at(1.0).point, intrados.at(0.5).point);
         close(left[0], 0.0);
         close(left[1], 0.0);
@@ -165,7 +165,7 @@ fn symmetric_to_the_last_bit() {
         if matches!(profile, Profile::Measured { .. }) {
             continue;
         }
-        let intrados = Intrados::new(&profile, span, rise).unwrap();
+        let intrados = Intrados::between(&profile, span, rise, 0.0).unwrap();
         for step in 0..=32 {
             let (left, right) = (intrados.at(f64::from(step) / 64.0), intrados.at(1.0 - f64::from(step) / 64.0));
             assert_eq!(left.point[1], right.point[1]);
@@ -191,7 +191,7 @@ fn impossible_shapes_are_named() {
         (measured(&[[0.0, 0.0], [2.0, -1.0], [4.0, 0.0]]), 4.0, 1.0, "measured point 2 is not above the springings"),
     ];
     for (profile, span, rise, message) in cases {
-        let misfit = Intrados::new(&profile, span, rise).unwrap_err();
+        let misfit = Intrados::between(&profile, span, rise, 0.0).unwrap_err();
         assert!(misfit.message.starts_with(message), "{profile:?}: {misfit}");
     }
     let sloping = [

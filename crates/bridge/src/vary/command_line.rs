@@ -2,6 +2,7 @@
 
 use toml_edit::Value;
 
+use super::spread::of_values;
 use super::{Request, Slip, Spread, find};
 use crate::card::Kind;
 use crate::edit::Document;
@@ -12,13 +13,9 @@ use crate::tree::shorten;
 /// # Errors
 /// A path that leads to no quantity (B501, B502), or values that are in none of these forms (B503).
 pub fn parse_setting(document: &Document, text: &str) -> Result<Request, Slip> {
-    let wrong = |message: String| Slip {
-        code: "B503",
-        message,
-        label: String::new(),
-        help: "write joint.friction_angle=30deg..40deg:5, or values with commas: analysis.damping=local,viscous"
-            .to_owned(),
-        of_values: true,
+    let wrong = |message: String| {
+        let help = "write joint.friction_angle=30deg..40deg:5, or values with commas: analysis.damping=local,viscous";
+        Slip { label: String::new(), ..of_values(message, help) }
     };
     let (path, values) =
         text.split_once('=').ok_or_else(|| wrong(format!("`{}` has no values behind an =", shorten(text))))?;

@@ -182,17 +182,12 @@ fn no_such(text: &str, step: &Step, there: usize) -> Slip {
             format!("write a number from 1 to {there}: {}[1]", step.key),
         ),
     };
-    Slip { code: "B502", message, label, help, of_values: false }
+    Slip::of_path("B502", message, label, help)
 }
 
 fn no_quantity(document: &Document, text: &str) -> Slip {
-    Slip {
-        code: "B501",
-        message: format!("`{}` is no quantity", shorten(text)),
-        label: "a section or a name; only its quantities can be varied".to_owned(),
-        help: held(document, text),
-        of_values: false,
-    }
+    let message = format!("`{}` is no quantity", shorten(text));
+    Slip::of_path("B501", message, "a section or a name; only its quantities can be varied", held(document, text))
 }
 
 /// A path that leads nowhere: what was probably meant, and what the file holds thereabouts.
@@ -211,13 +206,7 @@ fn unknown(document: &Document, text: &str, section: &'static Section) -> Slip {
         None if section.path.is_empty() => "the file has nothing of this name".to_owned(),
         None => format!("[{}] has no such key", section.path),
     };
-    Slip {
-        code: "B501",
-        message: format!("there is no quantity `{}`", shorten(text)),
-        label,
-        help: held(document, text),
-        of_values: false,
-    }
+    Slip::of_path("B501", format!("there is no quantity `{}`", shorten(text)), label, held(document, text))
 }
 
 /// What the file holds in the section that a path begins with; its sections where it begins with none.

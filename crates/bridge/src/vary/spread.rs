@@ -190,7 +190,7 @@ fn range(field: &Field, ends: &[String; 2], points: u64, geometric: bool) -> Res
     Ok(std::iter::once(ends[0].clone()).chain(middle).chain(std::iter::once(ends[1].clone())).collect())
 }
 
-fn of_values(message: String, help: &str) -> Slip {
+pub(super) fn of_values(message: String, help: &str) -> Slip {
     Slip {
         code: "B503",
         message,

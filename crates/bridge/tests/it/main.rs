@@ -9,3 +9,4 @@ mod mutation;
 mod reading;
 mod reference;
 mod vary;
+mod written;

@@ -263,7 +263,7 @@ proptest! {
         use bridge::ring::{Intrados, Profile};
         let rise = span * flatness;
         for profile in [Profile::Segmental, Profile::Parabolic, Profile::Elliptical, Profile::ThreeCentred { haunch_radius: 0.5 * rise }] {
-            let intrados = Intrados::new(&profile, span, rise).unwrap();
+            let intrados = Intrados::between(&profile, span, rise, 0.0).unwrap();
             let crown = intrados.at(0.5).point;
             prop_assert!((crown[1] - rise).abs() <= 1e-12 * span, "{:?} {}", profile, crown[1] - rise);
             prop_assert!(intrados.length() > 2.0 * (0.5 * span).hypot(rise));

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use bridge::fields::{FILE, Field, Kind, Section, sections};
+use bridge::fields::{FILE, Field, Kind, Section, sections_of};
 use bridge::read;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::{GOOD, show_all};
+use crate::written;
 
 /// Every key that a table holds, with its card and the place of its value.
 fn keys(
@@ -50,7 +51,7 @@ fn every_card_is_read() {
             used.push((section.path, field.key));
         }
     }
-    for section in sections() {
+    for section in sections_of(&FILE) {
         for field in section.fields {
             // [ring_joint] and [wall_joint] have the keys of [joint], field by field the same cards.
             let path = if section.path.ends_with("_joint") { "joint" } else { section.path };
@@ -67,7 +68,7 @@ fn defaults_are_those_of_the_cards() {
     let plain = crate::files::TINY;
     let without = read(plain.as_bytes()).bridge.unwrap();
     let mut analysis = String::from("\n[analysis]\n");
-    let section = sections().into_iter().find(|section| section.path == "analysis").unwrap();
+    let section = sections_of(&FILE).into_iter().find(|section| section.path == "analysis").unwrap();
     for field in section.fields {
         if let Need::Default(value) = field.need {
             let text = matches!(field.kind, Kind::Word(_));
@@ -86,10 +87,10 @@ fn written_documents_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/input");
     let schema = |schema| serde_json::to_string_pretty(&schema).unwrap() + "\n";
     let documents = [
-        ("reference.md", bridge::reference::reference()),
-        ("messages.md", bridge::reference::messages()),
+        ("reference.md", written::reference()),
+        ("messages.md", written::messages()),
         ("bridge.schema.json", schema(bridge::schema::schema())),
-        ("blocks.md", bridge::reference::blocks_reference()),
+        ("blocks.md", written::blocks_reference()),
         ("blocks.schema.json", schema(bridge::schema::schema_of_blocks())),
     ];
     for (name, fresh) in documents {

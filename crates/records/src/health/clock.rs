@@ -170,7 +170,6 @@ fn usual_step(times: &[f64]) -> f64 {
 /// Rows that are missing between two times.
 fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) {
     let usual = usual_step(&run.times);
-    let longest = LONGEST_GAP;
     let shown = run.time_step_shown;
     // Printed times are rounded only where the step is no multiple of what they can show.
     let counts = usual / shown;
@@ -190,7 +189,7 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
         let spot = Some([k, k + 1]);
         let times = format!("{:.4} s to {:.4} s", run.times[k], run.times[k + 1]);
         let message = format!("{} {} missing from {times}", counted(missing, "sample"), verb(missing, "is", "are"));
-        if missing <= longest {
+        if missing <= LONGEST_GAP {
             judge.warn(run, None, "R035", spot, [&format!("{message}; bridged by straight lines"), ""]);
         } else if long.is_none() {
             long = Some((spot, message));
@@ -199,7 +198,7 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
         }
     }
     if let Some((spot, message)) = long {
-        let message = format!("{message}, more than {longest}");
+        let message = format!("{message}, more than {LONGEST_GAP}");
         let set = steps.iter().any(|step| is_set_by_an_hour(*step));
         let help = "cut the file so that the passage has no gap, or accept R035 and say why the gap does not matter";
         let help = if set { SUMMER_TIME } else { help };

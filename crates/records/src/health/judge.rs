@@ -1,7 +1,7 @@
 //! Who decides: what the caller expects, leaves out and accepts, and where findings go.
 
 use crate::series::title;
-use crate::{Channel, Done, Finding, Place, Recording, Series};
+use crate::{Channel, Done, Finding, Place, Recording};
 use findings::Severity;
 
 /// The peak that a channel is expected to have, from a model or a sister bridge; its size is needed to a factor of five only.
@@ -68,11 +68,7 @@ pub(super) struct Judge<'a> {
     pub done: Vec<Done>,
 }
 
-impl<'a> Judge<'a> {
-    pub(super) fn new(scrutiny: &'a Scrutiny) -> Judge<'a> {
-        Judge { scrutiny, findings: Vec::new(), done: Vec::new() }
-    }
-
+impl Judge<'_> {
     /// Something to look at, nothing left out.
     pub(super) fn warn(
         &mut self,
@@ -172,10 +168,6 @@ impl<'a> Judge<'a> {
                 self.findings.push(Finding::new(Severity::Error, "R052", Place::default(), message, help));
             }
         }
-    }
-
-    pub(super) fn finish(self, runs: Vec<Recording>) -> Series {
-        Series { runs, done: self.done, findings: self.findings }
     }
 }
 

@@ -20,7 +20,6 @@ fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
 /// Leaves a channel out whose longest stretch without values is too long to bridge.
 pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
     let stretches = stretches(&run.channels[channel].values);
-    let longest = LONGEST_GAP;
     let n = run.times.len();
     let Some(worst) = stretches.iter().copied().max_by_key(|[first, last]| last - first) else { return };
     let count: usize = stretches.iter().map(|[first, last]| last - first + 1).sum();
@@ -28,9 +27,9 @@ pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
     if count == n {
         let message = "it has no value at all";
         judge.fault(run, Some(channel), "R040", Some([0, n - 1]), [message, "see whether the sensor was connected"]);
-    } else if length > longest {
+    } else if length > LONGEST_GAP {
         let message = format!(
-            "{} in a row {} missing ({count} of {n} in all), more than {longest} that may be bridged",
+            "{} in a row {} missing ({count} of {n} in all), more than {LONGEST_GAP} that may be bridged",
             counted(length, "sample"),
             verb(length, "is", "are")
         );

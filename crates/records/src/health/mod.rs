@@ -22,7 +22,7 @@ const FEWEST: usize = 20;
 /// Judges runs. Channels that cannot be trusted are left out and say why; short gaps are bridged and spikes taken out, and the
 /// list of what was done says so. Runs as they come out can be used.
 pub fn examine(runs: Vec<Recording>, scrutiny: &Scrutiny) -> Series {
-    let mut judge = Judge::new(scrutiny);
+    let mut judge = Judge { scrutiny, findings: Vec::new(), done: Vec::new() };
     let mut runs = runs;
     distinct_names(&mut runs, &mut judge);
     judge.sort_out_by_hand(&mut runs);
@@ -39,7 +39,7 @@ pub fn examine(runs: Vec<Recording>, scrutiny: &Scrutiny) -> Series {
     for run in &mut runs {
         missing::bridge(run, &mut judge);
     }
-    judge.finish(runs)
+    Series { runs, done: judge.done, findings: judge.findings }
 }
 
 /// Every channel by itself, and beside those of its run.

@@ -2,8 +2,8 @@
 
 use super::dialect::{self, SAMPLE};
 use super::heading::Heading;
+use super::mapping::ReadOptions;
 use super::number::{Cell, cell};
-use super::options::ReadOptions;
 use super::plan;
 use super::stamp::stamp;
 use crate::Unit;

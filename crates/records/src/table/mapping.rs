@@ -1,4 +1,6 @@
-//! Which column is which channel, as far as the caller says so.
+//! What the caller says of a file: which column is which channel, and how it is written.
+
+use super::dialect::Dialect;
 
 /// A column of the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,4 +62,17 @@ impl Default for Mapping {
     fn default() -> Mapping {
         Mapping { headed: true, time: None, channels: Vec::new(), others: Others::Read }
     }
+}
+
+/// What the caller says of a file that is read.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ReadOptions {
+    /// Name of the run, commonly the file's; a comment line `# run: slow` in the file counts more.
+    pub name: String,
+    /// Speed of the train [m/s]; counts more than a comment line `# speed: 45 km/h`.
+    pub speed: Option<f64>,
+    /// Which column is which channel.
+    pub mapping: Mapping,
+    /// How the table is written.
+    pub dialect: Dialect,
 }

@@ -10,15 +10,13 @@ mod heading;
 mod mapping;
 mod notes;
 mod number;
-mod options;
 mod plan;
 mod rows;
 mod stamp;
 mod text;
 
 pub use dialect::Dialect;
-pub use mapping::{Column, Mapping, Others, Source};
-pub use options::ReadOptions;
+pub use mapping::{Column, Mapping, Others, ReadOptions, Source};
 
 use crate::{Finding, Place, Recording};
 use findings::Severity;

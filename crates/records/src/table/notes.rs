@@ -1,6 +1,6 @@
 //! Comment lines, and the three that mean something: `# run: slow`, `# speed: 45 km/h`, `# synthetic: …`.
 
-use super::options::ReadOptions;
+use super::mapping::ReadOptions;
 use super::text::{is_comment, lines};
 use crate::{Dimension, Finding, Place, Unit};
 use findings::Severity;

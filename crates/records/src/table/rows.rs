@@ -88,15 +88,13 @@ pub(super) struct Rows {
 }
 
 /// Decimals of one column: fewest and most.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Decimals {
     range: Option<[usize; 2]>,
     exponents: bool,
 }
 
 impl Decimals {
-    const NONE: Decimals = Decimals { range: None, exponents: false };
-
     fn add(&mut self, decimals: Option<usize>) {
         match decimals {
             Some(n) => self.range = Some(self.range.map_or([n; 2], |[low, high]| [low.min(n), high.max(n)])),
@@ -117,8 +115,8 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
     let time_column = plan.clock.column();
     let mut rows = Rows { values: vec![Vec::new(); plan.slots.len()], ..Rows::default() };
     let mut faults = Faults::default();
-    let mut decimals = vec![Decimals::NONE; plan.slots.len()];
-    let mut time_decimals = Decimals::NONE;
+    let mut decimals = vec![Decimals::default(); plan.slots.len()];
+    let mut time_decimals = Decimals::default();
     let mut cells: Vec<Cow<str>> = Vec::new();
     let last_line = lines(text).filter(|(_, line)| !is_blank(line)).last().map_or(0, |(number, _)| number);
     let ended = text.ends_with(['\n', '\r']);

@@ -3,6 +3,7 @@
 use super::anova::{Test, blocks, half_width, mean, one_way};
 use super::{Answer, LEVEL, MATTERS, SAME_SPEED};
 use crate::peaks::{PeakTable, RunPeak};
+use crate::signal::range;
 use serde::{Deserialize, Serialize};
 
 /// What the peaks of one channel say.
@@ -82,8 +83,7 @@ fn channel(one: &Grouped, tested: usize) -> ChannelTest {
     let groups: Vec<&Vec<f64>> = one.groups.iter().filter(|group| !group.is_empty()).collect();
     let means: Vec<f64> = groups.iter().map(|group| mean(group)).collect();
     let size = mean(&means).abs();
-    let [low, high] = means.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(*v), h.max(*v)]);
-    let spread = if size > 0.0 && low <= high { (high - low) / size } else { 0.0 };
+    let spread = if size > 0.0 { range(&means) / size } else { 0.0 };
     let test = one_way(&one.groups, one.rounding);
     let p_adjusted = test.map(|test| (test.p * tested as f64).min(1.0));
     let (answer, why) = match test {

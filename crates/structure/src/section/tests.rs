@@ -6,7 +6,7 @@ use outcome::section::Section;
 
 /// Points of an intrados with normal scatter [m], seen by a scanner that stands somewhere.
 fn scanned(profile: &Profile, [span, rise]: [f64; 2], count: usize, scatter: f64, seed: u64) -> Vec<[f64; 2]> {
-    let curve = Intrados::new(profile, span, rise).unwrap();
+    let curve = Intrados::between(profile, span, rise, 0.0).unwrap();
     let mut dice = Dice(seed);
     // Both springings themselves, and places at random between them.
     let shares: Vec<f64> = [0.0, 1.0].into_iter().chain((2..count).map(|_| dice.roll())).collect();

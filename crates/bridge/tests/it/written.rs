@@ -1,14 +1,13 @@
-//! The input reference, `docs/input/reference.md`; made from the field cards.
+//! What `docs/input/` says of keys and messages; made from the cards.
 
 use std::fmt::Write;
 
-use crate::explain::cards;
-use crate::fields::{FILE, Field, Kind, Need, Section, blocks, sections, sections_of};
-use crate::quantity::{UNITS, USUAL_GRAVITY};
-use crate::tree::title;
+use bridge::explain::cards;
+use bridge::fields::{FILE, Field, Kind, Need, Section, blocks, sections_of, title};
+use bridge::quantity::{UNITS, USUAL_GRAVITY};
 
 /// The reference as Markdown.
-pub fn reference() -> String {
+pub(crate) fn reference() -> String {
     let mut out = String::from(
         "# The bridge file\n\nGenerated from the field cards of the reader; a test keeps it up to date.\n\nA bridge \
          file is TOML: `[section]` headers and `key = value` lines. Quantities are text with a unit, `\"18.30 m\"`; \
@@ -18,14 +17,14 @@ pub fn reference() -> String {
          message.\n\n",
     );
     units(&mut out);
-    for section in sections().into_iter().filter(|section| !section.path.is_empty()) {
+    for section in sections_of(&FILE).into_iter().filter(|section| !section.path.is_empty()) {
         describe(&FILE, section, &mut out);
     }
     out
 }
 
 /// The reference of block model files as Markdown, `docs/input/blocks.md`.
-pub fn blocks_reference() -> String {
+pub(crate) fn blocks_reference() -> String {
     let mut out = String::from(
         "# The block model file, key by key\n\nGenerated from the field cards of the reader; a test keeps it up to \
          date. [Drawings](drawings.md) says how to write such a file, [reference.md](reference.md) lists the units, \
@@ -38,7 +37,7 @@ pub fn blocks_reference() -> String {
 }
 
 /// All cards of messages as Markdown, `docs/input/messages.md`.
-pub fn messages() -> String {
+pub(crate) fn messages() -> String {
     let mut out = String::from(
         "# Messages\n\nGenerated from the cards of the reader; a test keeps it up to date. Codes that start with B are \
          errors: the file cannot be used. Codes that start with P are doubts: the value is possible but unlikely, and \
