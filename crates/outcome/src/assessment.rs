@@ -2,11 +2,10 @@
 
 use crate::checked::{Checked, Verdict, governing};
 use crate::condition::Condition;
-use crate::facts::{
-    CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
-};
+use crate::facts::{CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, VehicleFacts};
 use crate::published::assess::{checks, not_made, statics, with_sentences, worst};
 use crate::statics::Statics;
+use crate::update::Update;
 use crate::warning::Warning;
 use crate::wire::published;
 use crate::words::words;
@@ -66,7 +65,7 @@ impl<T> Stage<T> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Facts {
     /// Model updating.
-    pub update: Stage<UpdateFacts>,
+    pub update: Stage<Update>,
     /// Loads in service.
     pub service: Stage<ServiceFacts>,
     /// The file's loads at collapse.
@@ -195,7 +194,7 @@ published! {
         /// The movement of a support that makes a mechanism.
         = support_movement?: Option<Collapse> = all.facts.movement.made().and_then(|facts| facts.collapse.as_ref()),
         /// What updating found.
-        = update?: Option<Update> = all.facts.update.made().and_then(|facts| facts.update.as_ref()),
+        = update?: Option<Update> = all.facts.update.made(),
         /// The facts of its stages.
         pub facts: Facts [kept],
     }

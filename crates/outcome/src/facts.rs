@@ -5,7 +5,6 @@ use crate::collapse::{Collapse, Permissible, Status};
 use crate::help::NotCounted;
 use crate::note::Note;
 use crate::passage::PassageStatus;
-use crate::update::{Update, UpdateStatus};
 use crate::vehicles::{Graded, PermissibleFactor};
 use crate::warning::Warning;
 use crate::words::words;
@@ -494,79 +493,6 @@ pub struct MovementFacts {
     pub warnings: Vec<Warning>,
     /// The whole analysis.
     pub collapse: Option<Box<Collapse>>,
-}
-
-/// What updating found.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct UpdateFacts {
-    /// How it ended.
-    pub status: UpdateStatus,
-    /// Parameters.
-    pub parameters: Vec<ParameterFacts>,
-    /// Error norm of the start model.
-    pub initial_error_norm: Option<f64>,
-    /// Error norm at the end.
-    pub error_norm: Option<f64>,
-    /// Channels.
-    pub channels: Vec<FitFacts>,
-    /// Runs of records: name, and what the file says where it is synthetic.
-    pub runs: Vec<(String, Option<String>)>,
-    /// What was done to the records and found in them.
-    pub records: Vec<String>,
-    /// What the data can tell, in words.
-    pub told: Vec<String>,
-    /// Assumptions.
-    pub assumptions: Vec<Note>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
-    /// The whole update.
-    pub update: Option<Box<Update>>,
-}
-
-/// A parameter that was sought.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct ParameterFacts {
-    /// Its name.
-    pub name: String,
-    /// Its path in the file.
-    pub path: String,
-    /// Unit of the numbers.
-    pub unit: String,
-    /// Value of the start model.
-    pub start: f64,
-    /// Value at the end.
-    pub value: Option<f64>,
-    /// Lower end of the range that was searched.
-    pub lower: f64,
-    /// Upper end.
-    pub upper: f64,
-    /// Whether it stands on a bound.
-    pub at_bound: bool,
-    /// Whether the records tell it.
-    pub identifiable: Option<bool>,
-    /// Whether they tell it no better than the loads of the train and the width that carries them are known.
-    pub limited_by_gain: bool,
-    /// Interval that holds it with 95 %.
-    pub interval_95: Option<[f64; 2]>,
-}
-
-/// How well a channel is met.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct FitFacts {
-    /// Its name.
-    pub name: String,
-    /// Unit of the numbers.
-    pub unit: String,
-    /// Measured peak.
-    pub measured: Option<f64>,
-    /// Peak of the start model.
-    pub start: Option<f64>,
-    /// Peak of the updated model.
-    pub updated: Option<f64>,
-    /// Shape correlation of the updated model.
-    pub shape: Option<f64>,
-    /// Why it takes no part.
-    pub left_out: Option<String>,
 }
 
 /// What changes the governing utilisation.

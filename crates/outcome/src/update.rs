@@ -191,6 +191,11 @@ impl RecordsUsed {
     pub fn doubted(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity > records::Severity::Note)
     }
+
+    /// What was done to them, each with its place.
+    pub fn done_words(&self) -> impl Iterator<Item = String> {
+        self.done.iter().map(|done| format!("{}: {}", format!("{} {}", done.run, done.channel).trim(), done.what))
+    }
 }
 
 /// What the peaks of all runs and lines tell.

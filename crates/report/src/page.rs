@@ -1,7 +1,7 @@
 //! The report of one bridge.
 
 use crate::figure::Figure;
-use crate::numbers::{digits, maybe, percent, with_unit};
+use crate::numbers::{digits, percent, with_unit};
 use crate::parts::{self, Part};
 use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
@@ -229,17 +229,11 @@ pub(crate) fn page<'a>(material: &Material<'a>) -> Page<'a> {
         no_service: a.facts.service.why_not().unwrap_or("the stage has no result"),
         no_collapse: a.facts.ultimate.why_not().unwrap_or("the stage has no result"),
         no_changes: a.facts.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
-        update_words: update.map(|facts| {
-            let norm = format!(
-                "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
-                maybe(facts.initial_error_norm), maybe(facts.error_norm)
-            );
-            std::iter::once(norm).chain(facts.told.clone()).chain(facts.records.clone()).collect()
-        }).unwrap_or_default(),
-        fit: update.map(|facts| rows::fit(facts, material.inputs)).unwrap_or_default(),
-        runs: update.map(|facts| facts.runs.iter().map(|(name, synthetic)| match synthetic {
-            Some(_) => format!("{name}: SYNTHETIC, computed and not measured"),
-            None => format!("{name}: measured"),
+        update_words: update.map(rows::updated).unwrap_or_default(),
+        fit: update.map(|update| rows::fit(update, material.inputs)).unwrap_or_default(),
+        runs: update.map(|update| update.records.runs.iter().map(|run| match run.synthetic {
+            Some(_) => format!("{}: SYNTHETIC, computed and not measured", run.name),
+            None => format!("{}: measured", run.name),
         }).collect()).unwrap_or_default(),
         channels: a.facts.service.made().map(|facts| rows::channels(facts, material.inputs)).unwrap_or_default(),
         loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [

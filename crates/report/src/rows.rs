@@ -6,8 +6,9 @@ use outcome::assessment::{Assessment, once};
 use outcome::checked::{Checked, Columns, governing};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
-use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, UpdateFacts, VehicleFacts};
+use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, VehicleFacts};
 use outcome::note::{self, Note};
+use outcome::update::{Histories, Update};
 use outcome::warning::Warning;
 
 /// A comparison.
@@ -139,10 +140,12 @@ pub(crate) struct ConditionRow {
 }
 
 /// Rows of the table of condition.
-pub(crate) fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs: &[Input]) -> Vec<ConditionRow> {
+pub(crate) fn condition(list: &[Condition], update: Option<&Update>, inputs: &[Input]) -> Vec<ConditionRow> {
     let row = |one: &Condition| {
-        let facts = update.and_then(|facts| facts.parameters.iter().find(|facts| facts.name == one.parameter));
-        let interval = facts.and_then(|facts| facts.interval_95);
+        let interval = update.and_then(|update| {
+            let known = update.problem.parameters().iter().position(|known| known.name == one.parameter);
+            Some(update.summary(known?)?.interval_95)
+        });
         ConditionRow {
             parameter: one.parameter.clone(),
             before: with_unit(one.before, &one.unit),
@@ -166,6 +169,19 @@ pub(crate) fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs
     list.iter().map(row).collect()
 }
 
+/// What an update came to, what it could tell, and what was done to its records and found in them.
+pub(crate) fn updated(update: &Update) -> Vec<String> {
+    let norm = format!(
+        "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
+        maybe(update.basis.as_ref().map(|basis| basis.start.norm)),
+        maybe(update.found().map(|found| found.norm))
+    );
+    let sampled = update.posterior.iter().flat_map(|report| report.posterior.words.iter().cloned());
+    let told = outcome::published::told(update).into_iter().chain(sampled);
+    let found = update.records.findings.iter().map(outcome::records::Finding::words);
+    std::iter::once(norm).chain(told).chain(update.records.done_words()).chain(found).collect()
+}
+
 /// A channel of the records.
 pub(crate) struct FitRow {
     pub name: String,
@@ -180,18 +196,25 @@ pub(crate) struct FitRow {
 }
 
 /// Fit per channel.
-pub(crate) fn fit(update: &UpdateFacts, inputs: &[Input]) -> Vec<FitRow> {
-    let row = |one: &outcome::facts::FitFacts| FitRow {
-        name: one.name.clone(),
-        unit: one.unit.clone(),
-        measured: maybe(one.measured),
-        start: maybe(one.start),
-        updated: maybe(one.updated),
-        shape: one.shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),
-        remark: one.left_out.as_ref().map_or(String::new(), |why| format!("left out: {why}")),
-        input: table_with(inputs, "sensor", "name", &one.name),
+pub(crate) fn fit(update: &Update, inputs: &[Input]) -> Vec<FitRow> {
+    let largest = |values: &[f64]| {
+        values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
     };
-    update.channels.iter().map(row).collect()
+    let row = |(k, one): (usize, &Histories)| {
+        let end = update.found().and_then(|found| found.channels.get(k));
+        let shape = end.and_then(|end| end.shape_correlation);
+        FitRow {
+            name: one.name.clone(),
+            unit: one.quantity.unit().to_owned(),
+            measured: maybe(end.and_then(|end| end.measured_peak).or_else(|| largest(&one.measured))),
+            start: maybe(largest(&one.start)),
+            updated: maybe(end.map(|end| end.model_peak)),
+            shape: shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),
+            remark: one.left_out.as_ref().map_or(String::new(), |why| format!("left out: {why}")),
+            input: table_with(inputs, "sensor", "name", &one.name),
+        }
+    };
+    update.channels.iter().enumerate().map(row).collect()
 }
 
 /// A sensor under one load.

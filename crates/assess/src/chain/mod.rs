@@ -11,6 +11,6 @@ pub use crate::analysis::passage::Scope;
 pub use sensitivity::{SensitivityError, sensitivity};
 pub use service::{NoRule, ServiceError, augment, probes, service, window};
 pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
-pub use updated::{facts as update_facts, with_parameters};
+pub use updated::with_parameters;
 
 pub use vehicles::{vehicle_facts, vehicles};

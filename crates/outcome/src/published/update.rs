@@ -98,14 +98,10 @@ pub(crate) fn stages(update: &Update) -> Vec<Object> {
 }
 
 pub(crate) fn records(used: &RecordsUsed) -> Object {
-    let done = |done: &records::Done| {
-        let place = [done.run.as_str(), done.channel.as_str()].join(" ");
-        format!("{}: {}", place.trim(), done.what)
-    };
     let kilometres = |speed: f64| 3.6 * speed;
     object! {
         runs: list(&used.runs, RunUsed::object),
-        done: used.done.iter().map(done).collect::<Vec<_>>(),
+        done: used.done_words().collect::<Vec<_>>(),
         findings: list(used.findings.iter().zip(&used.places), |(finding, file)| object! {
             code: finding.code,
             severity: finding.severity.word(),
