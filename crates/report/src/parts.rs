@@ -7,11 +7,13 @@ use bridge::document::{Inspection, ReportDocument};
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::statics::{Reaction, Seat, Statics};
+use serde::{Serialize, Serializer};
 
 /// A section: a title, words, and a table.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct Part {
     /// Name of its place on the page; none for a table that goes on with the section before it.
+    #[serde(rename = "opens", serialize_with = "is_there")]
     pub id: Option<&'static str>,
     /// Its title.
     pub title: &'static str,
@@ -24,7 +26,13 @@ pub(crate) struct Part {
     /// Its rows.
     pub rows: Vec<Vec<String>>,
     /// Where the bridge file says what stands in a row, row by row as far as they go; empty where it does not.
+    #[serde(skip)]
     pub paths: Vec<String>,
+}
+
+/// Whether a section begins one of its own.
+fn is_there<S: Serializer>(id: &Option<&'static str>, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_bool(id.is_some())
 }
 
 impl Part {

@@ -10,8 +10,10 @@ use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, Swept
 use outcome::note::{self, Note};
 use outcome::update::{Histories, Update};
 use outcome::warning::Warning;
+use serde::Serialize;
 
 /// A comparison.
+#[derive(Serialize)]
 pub(crate) struct CheckRow {
     pub code: String,
     pub title: String,
@@ -28,10 +30,12 @@ pub(crate) struct CheckRow {
     /// How many comparisons it stands for, in words.
     pub of: String,
     /// Where the bridge file says for what the value is computed, and where its limit is.
+    #[serde(skip)]
     pub keys: [String; 2],
 }
 
 /// A check that was not made.
+#[derive(Serialize)]
 pub(crate) struct OpenRow {
     pub code: String,
     pub title: String,
@@ -98,6 +102,7 @@ pub(crate) fn open(checked: &[Checked]) -> Vec<OpenRow> {
 }
 
 /// A row of the table of responses: self-weight, live load with design augment, sum, with total augment, sum, allowable.
+#[derive(Serialize)]
 pub(crate) struct ColumnRow {
     pub what: String,
     pub cells: [String; 5],
@@ -125,6 +130,7 @@ pub(crate) fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
 }
 
 /// A parameter before and after.
+#[derive(Serialize)]
 pub(crate) struct ConditionRow {
     pub parameter: String,
     pub before: String,
@@ -136,6 +142,7 @@ pub(crate) struct ConditionRow {
     pub words: String,
     pub source: String,
     /// Its table in the bridge file.
+    #[serde(skip)]
     pub input: String,
 }
 
@@ -183,6 +190,7 @@ pub(crate) fn updated(update: &Update) -> Vec<String> {
 }
 
 /// A channel of the records.
+#[derive(Serialize)]
 pub(crate) struct FitRow {
     pub name: String,
     pub unit: String,
@@ -192,6 +200,7 @@ pub(crate) struct FitRow {
     pub shape: String,
     pub remark: String,
     /// Its sensor in the bridge file.
+    #[serde(skip)]
     pub input: String,
 }
 
@@ -218,12 +227,14 @@ pub(crate) fn fit(update: &Update, inputs: &[Input]) -> Vec<FitRow> {
 }
 
 /// A sensor under one load.
+#[derive(Serialize)]
 pub(crate) struct ChannelRow {
     pub load: String,
     pub name: String,
     pub unit: String,
     pub cells: [String; 4],
     /// Its sensor in the bridge file.
+    #[serde(skip)]
     pub input: String,
 }
 
@@ -242,6 +253,7 @@ pub(crate) fn channels(service: &ServiceFacts, inputs: &[Input]) -> Vec<ChannelR
 }
 
 /// A quantity that was changed.
+#[derive(Serialize)]
 pub(crate) struct ChangeRow {
     pub path: String,
     pub value: String,
@@ -283,6 +295,7 @@ pub(crate) fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
 }
 
 /// A vehicle that was moved over the bridge.
+#[derive(Serialize)]
 pub(crate) struct VehicleRow {
     pub code: String,
     pub title: String,
