@@ -30,6 +30,12 @@ pub enum Stage<T> {
     },
 }
 
+impl<T> Default for Stage<T> {
+    fn default() -> Stage<T> {
+        Stage::NotAsked("not asked".to_owned())
+    }
+}
+
 impl<T> Stage<T> {
     /// Its facts.
     pub fn made(&self) -> Option<&T> {
@@ -62,7 +68,7 @@ impl<T> Stage<T> {
 }
 
 /// The facts of every stage.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Facts {
     /// Model updating.
     pub update: Stage<Update>,
@@ -73,35 +79,11 @@ pub struct Facts {
     /// Vehicles moved over the bridge.
     pub vehicles: Stage<VehicleFacts>,
     /// Named cases of the file.
-    #[serde(default = "no_cases")]
     pub cases: Stage<CasesFacts>,
     /// A support that moves.
     pub movement: Stage<MovementFacts>,
     /// What changes the governing utilisation; it can only be made once there is one.
     pub sensitivity: Stage<SensitivityFacts>,
-}
-
-impl Facts {
-    /// Of an assessment that asks for no stage.
-    pub fn nothing() -> Facts {
-        fn not<T>() -> Stage<T> {
-            Stage::NotAsked("not asked".to_owned())
-        }
-        Facts {
-            update: not(),
-            service: not(),
-            ultimate: not(),
-            vehicles: not(),
-            cases: not(),
-            movement: not(),
-            sensitivity: not(),
-        }
-    }
-}
-
-/// An assessment that was kept before there were cases.
-fn no_cases() -> Stage<CasesFacts> {
-    Stage::NotAsked("the file has no [[case]]".to_owned())
 }
 
 impl Facts {
@@ -172,10 +154,8 @@ published! {
         /// What records say of its materials.
         pub condition: Vec<Condition>,
         /// What to do next, by rule.
-        #[serde(default)]
         pub next: Vec<Step> as next_steps,
         /// What it weighs, and what it hands to the ground at rest; none where it cannot be cut into blocks.
-        #[serde(default)]
         pub statics?: Option<Statics> = all.statics.as_ref().map(statics),
         /// What changes the governing utilisation.
         = sensitivity?: Option<Value> = all.facts.sensitivity.made().map(|facts| json!(facts)),

@@ -52,7 +52,6 @@ published! {
         /// Whether the limit is met.
         = met: bool = one.met(),
         /// What the value must reach for a verdict, where the factors are the engineer's own and the uncertainty of the method comes on top.
-        #[serde(default)]
         pub needed?: Option<f64> as needed_for_a_verdict,
         /// What was computed, where and how.
         pub basis: String,
@@ -97,7 +96,6 @@ pub struct NotMade {
     /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
     pub failed: bool,
     /// The stage that it rests on, where the file asks for it and the command left it out.
-    #[serde(default)]
     pub left_out: Option<String>,
 }
 
@@ -123,7 +121,6 @@ pub struct Checked {
     /// The clause that it follows, in short.
     pub clause: String,
     /// Where a bridge file says for what the value is computed, and where its limit is; empty where that is not kept.
-    #[serde(default)]
     pub keys: [String; 2],
     /// What came of it.
     pub outcome: Result<Vec<Comparison>, NotMade>,
@@ -173,7 +170,6 @@ published! {
         = beside: Vec<String> = verdict.beside(),
         = ..Given = Some(verdict.given.object()),
         /// By what it is given, and what stands beside it.
-        #[serde(default)]
         pub given: Given [kept],
         = ..Strength = Some(verdict.strength.object()),
         /// Whether strength was assessed, what is missing, and what qualifies it.
@@ -181,10 +177,8 @@ published! {
         /// Whether every analysis that a check rests on came to an end.
         pub finished: bool [kept],
         /// Whether a load case of the rule is among what is not met.
-        #[serde(default)]
         pub broken_by_rule: bool [kept],
         /// What keeps it undetermined, each in a few words.
-        #[serde(default)]
         pub open: Vec<String> [kept],
     }
 }

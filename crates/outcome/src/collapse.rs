@@ -226,13 +226,11 @@ published! {
         /// Iterations of the solver.
         pub iterations: u32 as solver_iterations,
         /// Whether blocks stand without dilation only as far as they are jammed, so that no load is known.
-        #[serde(default)]
         pub jammed: bool [kept],
         /// Points of all lines of thrust.
         = thrust_line: Vec<ThrustPoint> = of.thrust_line(),
         = ..ContinuumReport = limit.continuum.as_ref().map(|soil| soil.object()),
         /// What soil that yields as a continuum adds.
-        #[serde(default)]
         pub continuum: Option<Box<ContinuumReport>> [kept],
     }
 }
@@ -468,7 +466,6 @@ published! {
         = collapse_load: Option<f64> [kN] = found.whole(found.collapse_load, |both| both.collapse_load),
         = ..NotCounted = found.not_counted.told(),
         /// What may help the bridge and is not counted.
-        #[serde(default)]
         pub not_counted: NotCounted [kept],
         /// Load step that neither came to rest nor collapsed [N/m].
         pub stalled_load?: Option<f64> [kN/m],

@@ -31,7 +31,6 @@ published! {
         = lower_bound_factor?: Option<f64> = point.upper_factor.and(point.load_factor),
         /// Upper bound of the load factor, where fill yields as a continuum: `load_factor` is the lower one then, and `rigid_factor` that of
         /// fill as weight alone.
-        #[serde(default)]
         pub upper_factor?: Option<f64> as upper_bound_factor,
         /// Limit load of the governing subset; its lower bound, which is carried.
         = last_stable_load: Option<f64> [kN/m] = point.collapse_load,
@@ -70,7 +69,6 @@ published! {
         pub governing: Option<usize> [kept],
         = ..NotCounted = sweep.not_counted.told(),
         /// What may help the bridge and is not counted at the governing position.
-        #[serde(default)]
         pub not_counted: NotCounted [kept],
         /// At how many positions a case found no answer.
         = positions_not_converged: usize = sweep.positions_not_converged(),

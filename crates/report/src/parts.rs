@@ -416,7 +416,7 @@ mod tests {
     fn nothing() -> Assessment {
         use outcome::assessment::Facts;
         use outcome::checked::{Judgement, Rung, Strength, Verdict};
-        let facts = Facts::nothing();
+        let facts = Facts::default();
         let verdict = Verdict {
             status: Judgement::Undetermined,
             headline: Rung::NothingCompared,
