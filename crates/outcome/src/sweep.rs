@@ -112,11 +112,13 @@ impl Sweep {
 }
 
 words! {
-    /// How a sweep ended.
+    /// How a sweep ended, or a calibration.
+    #[derive(Default)]
     pub enum Ended {
-        /// Every position was answered.
+        /// Everything that was asked for was answered.
+        #[default]
         Completed = "completed",
-        /// A position was not answered, or no position makes a mechanism.
+        /// Something was not answered, or no position makes a mechanism.
         Undetermined = "undetermined",
         /// Stopped by its onlooker; what was done is there.
         Cancelled = "cancelled",
