@@ -165,7 +165,9 @@ pub(crate) fn words(found: &Found, name: &str) -> Vec<String> {
         }
         (Found::Passage(found), "moments") => found.moments.iter().map(|moment| moment.name.clone()).collect(),
         (Found::Update(found, _), "channels") => found.channels.iter().map(|channel| channel.name.clone()).collect(),
-        (Found::Update(found, _), "parameters") => found.places.iter().map(|place| place.name.clone()).collect(),
+        (Found::Update(found, _), "parameters") => {
+            found.problem.parameters().iter().map(|parameter| parameter.name.clone()).collect()
+        }
         _ => Vec::new(),
     }
 }

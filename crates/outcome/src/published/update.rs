@@ -15,7 +15,7 @@ pub(crate) fn parameters(update: &Update) -> Vec<Object> {
         let summary = update.summary(k);
         object! {
             name: parameter.name,
-            path: update.places[k].path,
+            path: update.paths[k],
             value: found.map(|found| found.value),
             start: parameter.start,
             unit: parameter.unit,
