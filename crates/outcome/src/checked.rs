@@ -136,9 +136,7 @@ words! {
         /// Neither can be said.
         Undetermined = "undetermined",
     }
-}
 
-words! {
     /// Rungs of the ladder of verdicts.
     pub enum Rung {
         /// A limit is not met.

@@ -257,9 +257,7 @@ words! {
         /// Stopped by its onlooker.
         Cancelled = "cancelled",
     }
-}
 
-words! {
     /// A state that a load should not reach in service.
     pub enum Criterion {
         /// The thrust leaves the middle third of a joint, which with distributed pressure begins to open then.

@@ -24,9 +24,7 @@ words! {
         /// A springing on a pier.
         Pier = "pier",
     }
-}
 
-words! {
     /// What is watched at a place.
     #[derive(Default)]
     pub enum Watched {
@@ -36,9 +34,7 @@ words! {
         /// Stress along the ring [MPa], tension positive.
         Stress = "stress",
     }
-}
 
-words! {
     /// Coefficients of dynamic augment by which a live load is increased.
     #[derive(Default)]
     pub enum Reading {
