@@ -293,6 +293,13 @@ pub struct VehicleFacts {
     pub warnings: Vec<Warning>,
 }
 
+impl VehicleFacts {
+    /// The vehicle that governs.
+    pub fn worst(&self) -> Option<&SweptFacts> {
+        self.vehicles.iter().find(|one| self.governing.as_ref() == Some(&one.code))
+    }
+}
+
 /// What safety a rule holds.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SafetyFacts {
