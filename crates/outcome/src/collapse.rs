@@ -6,7 +6,7 @@ pub use status::Status;
 
 use crate::help::NotCounted;
 use crate::note::Note;
-use crate::picture::{Hinge, Picture, Point};
+use crate::picture::{Hinge, Picture};
 use crate::published::{Object, kilo, list, object};
 use crate::soil::ContinuumReport;
 use crate::warning::Warning;
@@ -485,9 +485,9 @@ published! {
         pub asked?: Vec<AskedAxles> as axles =
             (!found.asked.is_empty()).then(|| list(&found.asked, |asked| asked.object(found.load_factor()))),
         /// Hinges of the mechanism.
-        pub hinges: Vec<Hinge> = list(&found.hinges, |hinge| hinge.object(found.sides(hinge))),
+        = hinges: Vec<Hinge> = list(&found.picture.hinges, |hinge| hinge.object(found.sides(hinge))),
         /// Middles of joints that slide: `x_m`, `y_m`.
-        pub sliding_joints: Vec<Point> = list(&found.sliding_joints, |at| object! { x_m: at[0], y_m: at[1], }),
+        = sliding_joints: Vec<Point> = list(&found.picture.sliding, |at| object! { x_m: at[0], y_m: at[1], }),
         /// Largest compressive stress [Pa].
         pub max_compressive_stress: Option<f64> [MPa],
         /// Number of blocks.
