@@ -88,15 +88,19 @@ impl Comparison {
     }
 }
 
-/// Why a check could not be made.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct NotMade {
-    /// In words.
-    pub why: String,
-    /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
-    pub failed: bool,
-    /// The stage that it rests on, where the file asks for it and the command left it out.
-    pub left_out: Option<String>,
+published! {
+    /// Why a check could not be made.
+    #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+    pub struct NotMade |one, check: &Checked| {
+        = code: String = &check.code,
+        = title: String = &check.title,
+        /// In words.
+        pub why: String,
+        /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
+        pub failed: bool as analysis_failed,
+        /// The stage that it rests on, where the file asks for it and the command left it out.
+        pub left_out: Option<String> [kept],
+    }
 }
 
 impl NotMade {
