@@ -4,14 +4,15 @@ use crate::evidence::Evidence;
 use bridge::assess::Expected;
 use bridge::quantity;
 use outcome::condition::{Condition, Standing};
-use outcome::facts::ParameterFacts;
+use outcome::update::Update;
 
 /// Every parameter of the update, in its order, then expectations that no parameter meets.
 pub fn condition(assessment: &Evidence) -> Vec<Condition> {
-    let Some(facts) = assessment.facts.update.made() else { return Vec::new() };
+    let Some(update) = assessment.facts.update.made() else { return Vec::new() };
     let expected = &assessment.asked.expected;
-    let mut list: Vec<Condition> = facts.parameters.iter().map(|one| judged(one, expected)).collect();
-    for lone in expected.iter().filter(|lone| facts.parameters.iter().all(|one| one.name != lone.parameter)) {
+    let all = Sought::all(update);
+    let mut list: Vec<Condition> = all.iter().map(|one| judged(one, expected)).collect();
+    for lone in expected.iter().filter(|lone| all.iter().all(|one| one.name != lone.parameter)) {
         list.push(Condition {
             parameter: lone.parameter.clone(),
             unit: String::new(),
@@ -29,7 +30,43 @@ pub fn condition(assessment: &Evidence) -> Vec<Condition> {
     list
 }
 
-fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
+/// A parameter that was sought.
+#[derive(Default)]
+struct Sought {
+    name: String,
+    unit: String,
+    /// Value of the start model.
+    start: f64,
+    /// Value at the end.
+    value: Option<f64>,
+    at_bound: bool,
+    /// Whether the records tell it.
+    identifiable: Option<bool>,
+    /// Whether they tell it no better than the loads of the train and the width that carries them are known.
+    limited_by_gain: bool,
+    interval_95: Option<[f64; 2]>,
+}
+
+impl Sought {
+    fn all(update: &Update) -> Vec<Sought> {
+        let one = |(k, parameter): (usize, &calibrate::Parameter)| {
+            let end = update.found().map(|found| &found.parameters[k]);
+            Sought {
+                name: parameter.name.clone(),
+                unit: parameter.unit.clone(),
+                start: parameter.start,
+                value: end.map(|end| end.value),
+                at_bound: end.is_some_and(|end| end.at_bound),
+                identifiable: update.identifiable(k),
+                limited_by_gain: update.limited_by_gain(k),
+                interval_95: update.summary(k).map(|summary| summary.interval_95),
+            }
+        };
+        update.problem.parameters().iter().enumerate().map(one).collect()
+    }
+}
+
+fn judged(one: &Sought, expected: &[Expected]) -> Condition {
     let wanted = expected.iter().find(|wanted| wanted.parameter == one.name);
     // Ends of ranges are SI or bare; the parameter has a unit of its own.
     let size = match one.unit.as_str() {
@@ -98,14 +135,8 @@ fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
 mod tests {
     use super::*;
 
-    fn parameter(value: f64) -> ParameterFacts {
-        ParameterFacts {
-            name: "mortar".into(),
-            unit: "MPa".into(),
-            start: 1250.0,
-            value: Some(value),
-            ..ParameterFacts::default()
-        }
+    fn parameter(value: f64) -> Sought {
+        Sought { name: "mortar".into(), unit: "MPa".into(), start: 1250.0, value: Some(value), ..Sought::default() }
     }
 
     fn expected() -> Vec<Expected> {
@@ -127,8 +158,8 @@ mod tests {
 
     #[test]
     fn nothing_is_concluded_from_what_the_records_do_not_tell() {
-        let bound = ParameterFacts { at_bound: true, ..parameter(500.0) };
-        let blind = ParameterFacts { identifiable: Some(false), ..parameter(500.0) };
+        let bound = Sought { at_bound: true, ..parameter(500.0) };
+        let blind = Sought { identifiable: Some(false), ..parameter(500.0) };
         assert_eq!(
             (judged(&bound, &expected()).standing, judged(&blind, &expected()).standing),
             (Standing::Untold, Standing::Untold)
@@ -140,17 +171,14 @@ mod tests {
     fn what_the_loads_leave_open_is_concluded_from_where_the_whole_interval_agrees() {
         let with = |value: f64, interval: [f64; 2]| {
             let (identifiable, interval_95) = (Some(false), Some(interval));
-            judged(
-                &ParameterFacts { identifiable, interval_95, limited_by_gain: true, ..parameter(value) },
-                &expected(),
-            )
+            judged(&Sought { identifiable, interval_95, limited_by_gain: true, ..parameter(value) }, &expected())
         };
         assert_eq!(with(700.0, [550.0, 900.0]).standing, Standing::Lower);
         assert_eq!(with(1500.0, [1200.0, 1800.0]).standing, Standing::AsExpected);
         assert_eq!(with(2800.0, [2200.0, 3400.0]).standing, Standing::Higher);
         let open = with(900.0, [720.0, 1100.0]);
         assert!(open.standing == Standing::Untold && open.words.contains("weight of the train"), "{open:?}");
-        let unknown = ParameterFacts { identifiable: Some(false), limited_by_gain: true, ..parameter(900.0) };
+        let unknown = Sought { identifiable: Some(false), limited_by_gain: true, ..parameter(900.0) };
         assert_eq!(judged(&unknown, &expected()).standing, Standing::Untold);
     }
 }

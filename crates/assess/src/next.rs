@@ -219,7 +219,7 @@ mod tests {
     use outcome::vehicles::Graded;
 
     fn evidence() -> Evidence {
-        let (asked, facts) = (Assess::default(), Facts::nothing());
+        let (asked, facts) = (Assess::default(), Facts::default());
         Evidence { bridge: samples::bridgemill(), asked, facts, statics: None, doubts: Vec::new() }
     }
 
@@ -342,7 +342,7 @@ mod tests {
         e.facts.sensitivity = Stage::Made(facts(0.9));
         let list = steps(&e, &[], &verdict(Judgement::Adequate));
         assert!(list.len() == 1 && list[0].because.contains("none turns it"), "{list:?}");
-        e.facts.sensitivity = Facts::nothing().sensitivity;
+        e.facts.sensitivity = Facts::default().sensitivity;
         let why = NotMade::failed("positions without a result");
         let open = Checked {
             code: "C201".into(),

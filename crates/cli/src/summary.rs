@@ -332,8 +332,11 @@ fn movement(page: &mut String, found: &Collapse) {
 }
 
 fn mechanism(page: &mut String, found: &Collapse) {
-    let (ring, wall): (Vec<&Hinge>, Vec<&Hinge>) =
-        found.hinges.iter().partition(|hinge| hinge.edge != HingeAt::Other || found.hinges.len() <= MOST_HINGES);
+    let (ring, wall): (Vec<&Hinge>, Vec<&Hinge>) = found
+        .picture
+        .hinges
+        .iter()
+        .partition(|hinge| hinge.edge != HingeAt::Other || found.picture.hinges.len() <= MOST_HINGES);
     let count = ring.len();
     if count > MOST_HINGES {
         let _ = writeln!(page, "  {:<22}  {count}, see hinges.csv", "hinges");
@@ -344,8 +347,8 @@ fn mechanism(page: &mut String, found: &Collapse) {
     if !wall.is_empty() {
         let _ = writeln!(page, "  {:<22}  {} more outside the ring, see hinges.csv", "", wall.len());
     }
-    if !found.sliding_joints.is_empty() {
-        let _ = writeln!(page, "  {:<22}  {}", "sliding joints", found.sliding_joints.len());
+    if !found.picture.sliding.is_empty() {
+        let _ = writeln!(page, "  {:<22}  {}", "sliding joints", found.picture.sliding.len());
     }
 }
 

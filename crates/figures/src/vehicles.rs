@@ -40,14 +40,14 @@ fn curves(v: &Swept) -> Vec<Sweep> {
         Some(_) => &[(|p| p.deformable, "deformable joints"), (|p| p.rigid, "rigid blocks")],
         None => &[(|p| p.adequacy, "")],
     };
-    let both_ways = ways.iter().all(|(way, _)| v.envelope.iter().any(|p| p.direction == *way));
+    let both_ways = ways.iter().all(|(way, _)| v.envelope.iter().any(|p| p.case.direction == *way));
     let mut curves = Vec::new();
     for (factor, method) in factors {
         for (way, words) in ways {
             // A case answered by one method alone is no gap in the other's curve.
-            let own = v.envelope.iter().filter(|p| p.direction == way);
+            let own = v.envelope.iter().filter(|p| p.case.direction == way);
             let own = own.filter(|p| v.deformable.is_none() || factor(p).is_some() || !p.converged);
-            let mut points: Vec<(f64, f64)> = own.map(|p| (p.position, drawn(factor(p)))).collect();
+            let mut points: Vec<(f64, f64)> = own.map(|p| (p.case.position, drawn(factor(p)))).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             points.dedup_by(|next, kept| {
                 let same = (next.0 - kept.0).abs() < 1e-6;
@@ -96,21 +96,23 @@ mod tests {
     use super::*;
     use crate::factor_bars::{ENOUGH, SHORT};
     use outcome::collapse::Status;
-    use outcome::vehicles::Across;
+    use outcome::vehicles::{Across, Case, Weights};
 
     fn swept(code: &str, adequacy: Option<f64>) -> Swept {
-        let point = |k: usize, direction| EnvelopePoint {
-            arrangement: String::new(),
-            direction,
+        let case = |k: usize, direction| Case {
             position: k as f64,
-            converged: true,
-            adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
+            direction,
+            arrangement: String::new(),
             axles: Some([0, 0]),
             critical_axle: None,
             uniform: None,
-            weights: None,
-            rigid: None,
-            deformable: None,
+            horizontal: 0.0,
+            load: 0.0,
+            weights: Weights { masonry: 1.0, fill: None, surfacing: None },
+        };
+        let point = |k: usize, direction| EnvelopePoint {
+            adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
+            ..EnvelopePoint::at(case(k, direction))
         };
         let library = outcome::rules::library().expect("library");
         let (rule, model) = (library.rule("cs-454").expect("rule"), library.model("cs-454").expect("model"));

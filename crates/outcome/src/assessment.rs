@@ -2,11 +2,10 @@
 
 use crate::checked::{Checked, Verdict, governing};
 use crate::condition::Condition;
-use crate::facts::{
-    CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
-};
+use crate::facts::{CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, VehicleFacts};
 use crate::published::assess::{checks, not_made, statics, with_sentences, worst};
 use crate::statics::Statics;
+use crate::update::Update;
 use crate::warning::Warning;
 use crate::wire::published;
 use crate::words::words;
@@ -29,6 +28,12 @@ pub enum Stage<T> {
         /// In words.
         why: String,
     },
+}
+
+impl<T> Default for Stage<T> {
+    fn default() -> Stage<T> {
+        Stage::NotAsked("not asked".to_owned())
+    }
 }
 
 impl<T> Stage<T> {
@@ -63,10 +68,10 @@ impl<T> Stage<T> {
 }
 
 /// The facts of every stage.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Facts {
     /// Model updating.
-    pub update: Stage<UpdateFacts>,
+    pub update: Stage<Update>,
     /// Loads in service.
     pub service: Stage<ServiceFacts>,
     /// The file's loads at collapse.
@@ -74,35 +79,11 @@ pub struct Facts {
     /// Vehicles moved over the bridge.
     pub vehicles: Stage<VehicleFacts>,
     /// Named cases of the file.
-    #[serde(default = "no_cases")]
     pub cases: Stage<CasesFacts>,
     /// A support that moves.
     pub movement: Stage<MovementFacts>,
     /// What changes the governing utilisation; it can only be made once there is one.
     pub sensitivity: Stage<SensitivityFacts>,
-}
-
-impl Facts {
-    /// Of an assessment that asks for no stage.
-    pub fn nothing() -> Facts {
-        fn not<T>() -> Stage<T> {
-            Stage::NotAsked("not asked".to_owned())
-        }
-        Facts {
-            update: not(),
-            service: not(),
-            ultimate: not(),
-            vehicles: not(),
-            cases: not(),
-            movement: not(),
-            sensitivity: not(),
-        }
-    }
-}
-
-/// An assessment that was kept before there were cases.
-fn no_cases() -> Stage<CasesFacts> {
-    Stage::NotAsked("the file has no [[case]]".to_owned())
 }
 
 impl Facts {
@@ -173,10 +154,8 @@ published! {
         /// What records say of its materials.
         pub condition: Vec<Condition>,
         /// What to do next, by rule.
-        #[serde(default)]
         pub next: Vec<Step> as next_steps,
         /// What it weighs, and what it hands to the ground at rest; none where it cannot be cut into blocks.
-        #[serde(default)]
         pub statics?: Option<Statics> = all.statics.as_ref().map(statics),
         /// What changes the governing utilisation.
         = sensitivity?: Option<Value> = all.facts.sensitivity.made().map(|facts| json!(facts)),
@@ -195,7 +174,7 @@ published! {
         /// The movement of a support that makes a mechanism.
         = support_movement?: Option<Collapse> = all.facts.movement.made().and_then(|facts| facts.collapse.as_ref()),
         /// What updating found.
-        = update?: Option<Update> = all.facts.update.made().and_then(|facts| facts.update.as_ref()),
+        = update?: Option<Update> = all.facts.update.made(),
         /// The facts of its stages.
         pub facts: Facts [kept],
     }

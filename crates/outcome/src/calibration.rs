@@ -1,6 +1,5 @@
 //! Contacts of particles fitted to a wanted fill: what was found.
 
-use crate::words::words;
 pub mod moduli;
 pub mod report;
 pub mod strength;
@@ -10,31 +9,20 @@ pub use strength::{Contact, Strength, TargetStrength};
 
 use crate::picture::Point;
 use crate::published::{list, object};
+use crate::sweep::Ended;
 use crate::warning::Warning;
 use crate::wire::{Unit, Wire, published};
-use bridge::{Calibration, Modulus};
+use bridge::Calibration;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-
-words! {
-    /// How a calibration ended.
-    pub enum Verdict {
-        /// Everything that was asked for was found.
-        Completed = "completed",
-        /// The wanted modulus is out of reach, or could not be checked.
-        Undetermined = "undetermined",
-        /// The onlooker stopped it.
-        Cancelled = "cancelled",
-    }
-}
 
 published! {
     /// What a calibration found; its status is published as that of the command. The stiffness is that with the wanted modulus, and that of
     /// the file where none is wanted.
-    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
     pub struct CalibrationReport |report| {
-        /// How it ended.
-        pub verdict: Verdict [kept],
+        /// How it ended: undetermined where the wanted modulus is out of reach, or could not be checked.
+        pub verdict: Ended [kept],
         /// Name of the bridge.
         pub bridge: String,
         /// Normal stiffness of contacts between particles of mean size.
@@ -58,8 +46,6 @@ published! {
         = check_standard_error: Option<f64> [MPa] = report.checked().map(|spread| spread.standard_error),
         /// Seeds of these packings.
         = check_seeds: Vec<u64> = report.check.as_ref().map_or(&[][..], |check| &check.seeds),
-        /// Which modulus is compared with the wanted one.
-        pub modulus: Modulus [kept],
         /// The plan.
         pub plan: Calibration [kept],
         /// Stiffness [Pa/m] of contacts between particles in the file, normal and shear, for particles of mean size.
@@ -194,17 +180,6 @@ pub struct AtRest {
     pub block: f64,
 }
 
-/// Particles in the press.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Confined {
-    /// Centres and radii [m], from the lower left corner of the square.
-    pub particles: Vec<[f64; 3]>,
-    /// Level of the block's underside [m].
-    pub block: f64,
-    /// Mean stress under it [Pa].
-    pub stress: f64,
-}
-
 /// A sample for drawings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Drawn {
@@ -216,8 +191,8 @@ pub struct Drawn {
     pub cuts: Vec<Cut>,
     /// The particles as cut, the replacements last.
     pub particles: Vec<[f64; 3]>,
-    /// Under the block alone, and after the last load step.
-    pub pressed: [Confined; 2],
+    /// Under the block alone, and after the last load step: from the lower left corner of the square, and the mean stress under the block [Pa].
+    pub pressed: [(AtRest, f64); 2],
 }
 
 /// A particle that the cut went through.

@@ -52,7 +52,6 @@ published! {
         /// Whether the limit is met.
         = met: bool = one.met(),
         /// What the value must reach for a verdict, where the factors are the engineer's own and the uncertainty of the method comes on top.
-        #[serde(default)]
         pub needed?: Option<f64> as needed_for_a_verdict,
         /// What was computed, where and how.
         pub basis: String,
@@ -89,16 +88,19 @@ impl Comparison {
     }
 }
 
-/// Why a check could not be made.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct NotMade {
-    /// In words.
-    pub why: String,
-    /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
-    pub failed: bool,
-    /// The stage that it rests on, where the file asks for it and the command left it out.
-    #[serde(default)]
-    pub left_out: Option<String>,
+published! {
+    /// Why a check could not be made.
+    #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+    pub struct NotMade |one, check: &Checked| {
+        = code: String = &check.code,
+        = title: String = &check.title,
+        /// In words.
+        pub why: String,
+        /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
+        pub failed: bool as analysis_failed,
+        /// The stage that it rests on, where the file asks for it and the command left it out.
+        pub left_out: Option<String> [kept],
+    }
 }
 
 impl NotMade {
@@ -123,7 +125,6 @@ pub struct Checked {
     /// The clause that it follows, in short.
     pub clause: String,
     /// Where a bridge file says for what the value is computed, and where its limit is; empty where that is not kept.
-    #[serde(default)]
     pub keys: [String; 2],
     /// What came of it.
     pub outcome: Result<Vec<Comparison>, NotMade>,
@@ -139,9 +140,7 @@ words! {
         /// Neither can be said.
         Undetermined = "undetermined",
     }
-}
 
-words! {
     /// Rungs of the ladder of verdicts.
     pub enum Rung {
         /// A limit is not met.
@@ -173,7 +172,6 @@ published! {
         = beside: Vec<String> = verdict.beside(),
         = ..Given = Some(verdict.given.object()),
         /// By what it is given, and what stands beside it.
-        #[serde(default)]
         pub given: Given [kept],
         = ..Strength = Some(verdict.strength.object()),
         /// Whether strength was assessed, what is missing, and what qualifies it.
@@ -181,10 +179,8 @@ published! {
         /// Whether every analysis that a check rests on came to an end.
         pub finished: bool [kept],
         /// Whether a load case of the rule is among what is not met.
-        #[serde(default)]
         pub broken_by_rule: bool [kept],
         /// What keeps it undetermined, each in a few words.
-        #[serde(default)]
         pub open: Vec<String> [kept],
     }
 }

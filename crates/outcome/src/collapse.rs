@@ -6,7 +6,7 @@ pub use status::Status;
 
 use crate::help::NotCounted;
 use crate::note::Note;
-use crate::picture::{Hinge, Picture, Point};
+use crate::picture::{Hinge, Picture};
 use crate::published::{Object, kilo, list, object};
 use crate::soil::ContinuumReport;
 use crate::warning::Warning;
@@ -226,13 +226,11 @@ published! {
         /// Iterations of the solver.
         pub iterations: u32 as solver_iterations,
         /// Whether blocks stand without dilation only as far as they are jammed, so that no load is known.
-        #[serde(default)]
         pub jammed: bool [kept],
         /// Points of all lines of thrust.
         = thrust_line: Vec<ThrustPoint> = of.thrust_line(),
         = ..ContinuumReport = limit.continuum.as_ref().map(|soil| soil.object()),
         /// What soil that yields as a continuum adds.
-        #[serde(default)]
         pub continuum: Option<Box<ContinuumReport>> [kept],
     }
 }
@@ -259,9 +257,7 @@ words! {
         /// Stopped by its onlooker.
         Cancelled = "cancelled",
     }
-}
 
-words! {
     /// A state that a load should not reach in service.
     pub enum Criterion {
         /// The thrust leaves the middle third of a joint, which with distributed pressure begins to open then.
@@ -468,7 +464,6 @@ published! {
         = collapse_load: Option<f64> [kN] = found.whole(found.collapse_load, |both| both.collapse_load),
         = ..NotCounted = found.not_counted.told(),
         /// What may help the bridge and is not counted.
-        #[serde(default)]
         pub not_counted: NotCounted [kept],
         /// Load step that neither came to rest nor collapsed [N/m].
         pub stalled_load?: Option<f64> [kN/m],
@@ -490,9 +485,9 @@ published! {
         pub asked?: Vec<AskedAxles> as axles =
             (!found.asked.is_empty()).then(|| list(&found.asked, |asked| asked.object(found.load_factor()))),
         /// Hinges of the mechanism.
-        pub hinges: Vec<Hinge> = list(&found.hinges, |hinge| hinge.object(found.sides(hinge))),
+        = hinges: Vec<Hinge> = list(&found.picture.hinges, |hinge| hinge.object(found.sides(hinge))),
         /// Middles of joints that slide: `x_m`, `y_m`.
-        pub sliding_joints: Vec<Point> = list(&found.sliding_joints, |at| object! { x_m: at[0], y_m: at[1], }),
+        = sliding_joints: Vec<Point> = list(&found.picture.sliding, |at| object! { x_m: at[0], y_m: at[1], }),
         /// Largest compressive stress [Pa].
         pub max_compressive_stress: Option<f64> [MPa],
         /// Number of blocks.

@@ -5,7 +5,6 @@ use crate::collapse::{Collapse, Permissible, Status};
 use crate::help::NotCounted;
 use crate::note::Note;
 use crate::passage::PassageStatus;
-use crate::update::{Update, UpdateStatus};
 use crate::vehicles::{Graded, PermissibleFactor};
 use crate::warning::Warning;
 use crate::words::words;
@@ -25,9 +24,7 @@ words! {
         /// A springing on a pier.
         Pier = "pier",
     }
-}
 
-words! {
     /// What is watched at a place.
     #[derive(Default)]
     pub enum Watched {
@@ -37,9 +34,7 @@ words! {
         /// Stress along the ring [MPa], tension positive.
         Stress = "stress",
     }
-}
 
-words! {
     /// Coefficients of dynamic augment by which a live load is increased.
     #[derive(Default)]
     pub enum Reading {
@@ -81,7 +76,6 @@ pub struct AugmentFacts {
     pub source: String,
     /// The same span by span: motion adds by the length of the span that is loaded. The numbers above are those of the
     /// longest.
-    #[serde(default)]
     pub spans: Vec<SpanAugmentFacts>,
 }
 
@@ -162,14 +156,12 @@ pub struct SectionFacts {
     /// Position of the first axle then [m].
     pub minimum_at_m: f64,
     /// The span, from 1, whose loaded length decides what motion adds to it.
-    #[serde(default)]
     pub minimum_span: usize,
     /// Greatest.
     pub maximum: f64,
     /// Position of the first axle then [m].
     pub maximum_at_m: f64,
     /// The span, from 1, whose loaded length decides what motion adds to it.
-    #[serde(default)]
     pub maximum_span: usize,
 }
 
@@ -181,10 +173,8 @@ pub struct JointFacts {
     /// Its coefficient on the longest span.
     pub augment: f64,
     /// Its coefficient where the shear is largest.
-    #[serde(default)]
     pub shear_augment: f64,
     /// Its coefficient where the thrust goes farthest.
-    #[serde(default)]
     pub eccentricity_augment: f64,
     /// Largest shear stress of a point of a joint [MPa].
     pub shear_mpa: f64,
@@ -214,15 +204,12 @@ pub struct UltimateFacts {
     /// The same with fill that presses, where the file has it; `load_factor` is the lower end.
     pub load_factor_with_fill_pressure: Option<f64>,
     /// What may help the bridge and is not counted.
-    #[serde(default)]
     pub not_counted: NotCounted,
     /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
-    #[serde(default)]
     pub load_factor_at_most: Option<f64>,
     /// Position of the first load or axle then [m].
     pub position_m: Option<f64>,
     /// Load that is carried there, the lower bound [kN/m].
-    #[serde(default)]
     pub last_stable_load_kn_per_m: Option<f64>,
     /// Collapse load there [kN/m].
     pub collapse_load_kn_per_m: Option<f64>,
@@ -230,15 +217,12 @@ pub struct UltimateFacts {
     pub reference_load_kn_per_m: f64,
     /// Loads at which states are first reached there that a bridge should not come to in service, where deformable joints were
     /// followed.
-    #[serde(default)]
     pub permissible: Vec<Permissible>,
     /// Uniform loads of which a part does more harm than the whole: the loads above are those of the parts.
-    #[serde(default)]
     pub shortened: Vec<ShortenedFacts>,
     /// Positions that were tried.
     pub positions: usize,
     /// Positions at which a case found no answer: with one of them, nothing is settled.
-    #[serde(default)]
     pub positions_not_converged: usize,
     /// Assumptions.
     pub assumptions: Vec<Note>,
@@ -275,10 +259,8 @@ pub struct VehicleFacts {
     /// One entry a vehicle.
     pub vehicles: Vec<SweptFacts>,
     /// What the bridge is worth in the grades of the vehicles' load models: what they are of, the highest grade, and the others in words.
-    #[serde(default)]
     pub grades: Vec<[String; 3]>,
     /// The same as data.
-    #[serde(default)]
     pub graded: Vec<Graded>,
     /// Distance between positions [m].
     pub step_m: f64,
@@ -289,34 +271,33 @@ pub struct VehicleFacts {
     /// The adequacy factor that these carried.
     pub adequacy_by_discrete_elements: Option<f64>,
     /// The governing vehicle's adequacy factor by the method that gives less.
-    #[serde(default)]
     pub headline: Option<f64>,
     /// Positions at which a case found no answer, over all vehicles.
-    #[serde(default)]
     pub positions_not_converged: usize,
     /// What must be given before the bridge is adequate by the rule: what the rule asks for, and what the library's rule that it builds on
     /// asks for.
-    #[serde(default)]
     pub requires: Vec<Requirement>,
     /// The share of loads along the bridge, where the file writes it, be it 0.
-    #[serde(default)]
     pub braking: Option<f64>,
     /// Why that share, as the file says; empty where it does not.
-    #[serde(default)]
     pub braking_reason: String,
     /// What the rule or the load model has and the program leaves out of these vehicles' loads, in words.
-    #[serde(default)]
     pub left_out: Vec<String>,
     /// Vehicles of the same loading that were not moved: their codes.
-    #[serde(default)]
     pub load_cases_missing: Vec<String>,
     /// Doubtful values of the file's own vehicles and rule.
-    #[serde(default)]
     pub doubtful: Vec<DoubtFacts>,
     /// Assumptions.
     pub assumptions: Vec<Note>,
     /// Warnings.
     pub warnings: Vec<Warning>,
+}
+
+impl VehicleFacts {
+    /// The vehicle that governs.
+    pub fn worst(&self) -> Option<&SweptFacts> {
+        self.vehicles.iter().find(|one| self.governing.as_ref() == Some(&one.code))
+    }
 }
 
 /// What safety a rule holds.
@@ -335,16 +316,12 @@ pub struct SafetyFacts {
     /// Every factor as "name value", and how sure it is.
     pub factors: Vec<(String, Confidence)>,
     /// The file of the rule; empty where the rule is the library's.
-    #[serde(default)]
     pub rule_file: String,
     /// The library's rule that a rule of a file builds on; empty where the rule is the library's.
-    #[serde(default)]
     pub based_on: String,
     /// Whether the file names that rule, or it is only the nearest one.
-    #[serde(default)]
     pub based_on_named: bool,
     /// Factors that differ from those of the library's rule: of a rule file, and of the vehicles' own files.
-    #[serde(default)]
     pub changed_factors: Vec<ChangedFactor>,
 }
 
@@ -375,16 +352,12 @@ pub struct SweptFacts {
     /// The same with fill that presses, where the file has it; `adequacy` is the lower end.
     pub adequacy_with_fill_pressure: Option<f64>,
     /// What may help the bridge and is not counted.
-    #[serde(default)]
     pub not_counted: NotCounted,
     /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
-    #[serde(default)]
     pub adequacy_at_most: Option<f64>,
     /// Positions that were tried.
-    #[serde(default)]
     pub positions: usize,
     /// Positions at which a case found no answer: with one of them, nothing is settled.
-    #[serde(default)]
     pub positions_not_converged: usize,
     /// Position of its first axle in the governing case [m].
     pub position_m: Option<f64>,
@@ -393,42 +366,30 @@ pub struct SweptFacts {
     /// Width of the barrel that carries an axle [m].
     pub effective_width_m: f64,
     /// How that width was found, in words.
-    #[serde(default)]
     pub effective_width_derivation: String,
     /// How it stands across the bridge, in words.
-    #[serde(default)]
     pub stands: String,
     /// Largest thrusts at springings and feet of piers, over all its cases.
-    #[serde(default)]
     pub thrusts: Vec<ThrustFacts>,
     /// Factor on every axle.
     pub load_factor: f64,
     /// Factor on its loads that acted, without what motion adds.
-    #[serde(default)]
     pub live_load: f64,
     /// How sure that factor is.
-    #[serde(default)]
     pub live_load_confidence: Confidence,
     /// What motion added, in words.
-    #[serde(default)]
     pub impact: String,
     /// Whether both are from the vehicle's own file and not from the rule.
-    #[serde(default)]
     pub factors_of_vehicle_file: bool,
     /// Cases that the interior-point method answered one by one.
-    #[serde(default)]
     pub slow_cases: usize,
     /// How sure its loads and distances are.
-    #[serde(default)]
     pub loads_confidence: Confidence,
     /// The factor of rigid blocks, where deformable joints were followed too: `adequacy` is the smaller one then.
-    #[serde(default)]
     pub rigid: Option<f64>,
     /// The factor in balance on deformable joints.
-    #[serde(default)]
     pub deformable: Option<f64>,
     /// Factors at which states are first reached that a bridge should not come to in service.
-    #[serde(default)]
     pub permissible: Vec<PermissibleFactor>,
 }
 
@@ -449,7 +410,6 @@ pub struct ThrustFacts {
     pub outside: bool,
     /// Largest pressure over the barrel's width, [`crate::statics::pressure`], of these values and of those with the outermost, the innermost
     /// and the smallest thrust and the largest shear [kPa].
-    #[serde(default)]
     pub pressure_kpa: f64,
 }
 
@@ -494,79 +454,6 @@ pub struct MovementFacts {
     pub warnings: Vec<Warning>,
     /// The whole analysis.
     pub collapse: Option<Box<Collapse>>,
-}
-
-/// What updating found.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct UpdateFacts {
-    /// How it ended.
-    pub status: UpdateStatus,
-    /// Parameters.
-    pub parameters: Vec<ParameterFacts>,
-    /// Error norm of the start model.
-    pub initial_error_norm: Option<f64>,
-    /// Error norm at the end.
-    pub error_norm: Option<f64>,
-    /// Channels.
-    pub channels: Vec<FitFacts>,
-    /// Runs of records: name, and what the file says where it is synthetic.
-    pub runs: Vec<(String, Option<String>)>,
-    /// What was done to the records and found in them.
-    pub records: Vec<String>,
-    /// What the data can tell, in words.
-    pub told: Vec<String>,
-    /// Assumptions.
-    pub assumptions: Vec<Note>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
-    /// The whole update.
-    pub update: Option<Box<Update>>,
-}
-
-/// A parameter that was sought.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct ParameterFacts {
-    /// Its name.
-    pub name: String,
-    /// Its path in the file.
-    pub path: String,
-    /// Unit of the numbers.
-    pub unit: String,
-    /// Value of the start model.
-    pub start: f64,
-    /// Value at the end.
-    pub value: Option<f64>,
-    /// Lower end of the range that was searched.
-    pub lower: f64,
-    /// Upper end.
-    pub upper: f64,
-    /// Whether it stands on a bound.
-    pub at_bound: bool,
-    /// Whether the records tell it.
-    pub identifiable: Option<bool>,
-    /// Whether they tell it no better than the loads of the train and the width that carries them are known.
-    pub limited_by_gain: bool,
-    /// Interval that holds it with 95 %.
-    pub interval_95: Option<[f64; 2]>,
-}
-
-/// How well a channel is met.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct FitFacts {
-    /// Its name.
-    pub name: String,
-    /// Unit of the numbers.
-    pub unit: String,
-    /// Measured peak.
-    pub measured: Option<f64>,
-    /// Peak of the start model.
-    pub start: Option<f64>,
-    /// Peak of the updated model.
-    pub updated: Option<f64>,
-    /// Shape correlation of the updated model.
-    pub shape: Option<f64>,
-    /// Why it takes no part.
-    pub left_out: Option<String>,
 }
 
 /// What changes the governing utilisation.

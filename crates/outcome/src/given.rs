@@ -15,7 +15,6 @@ use std::fmt;
 published! {
     /// By what a verdict is given, and what a reader must know beside it.
     #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-    #[serde(default)]
     pub struct Given |given| {
         /// Code of the rule of `[sweep]`, or "file" for the factor of `[assess]`; none where strength is not asked for.
         pub by: Option<String>,

@@ -10,12 +10,10 @@ pub struct GroundPlan {
     /// Width of the barrel [m].
     pub width: f64,
     /// Whether the file gives its skew, be it 0.
-    #[serde(default)]
     pub skew_given: bool,
     /// Spans from left to right.
     pub spans: Vec<SpanInPlan>,
     /// Piers from left to right.
-    #[serde(default)]
     pub piers: Vec<PierInPlan>,
     /// Longitudinal cracks, from one edge [m].
     pub cracks: Vec<f64>,

@@ -22,9 +22,7 @@ words! {
         /// Somebody asked to stop.
         Cancelled = "cancelled",
     }
-}
 
-words! {
     /// What a channel records.
     pub enum Measurand {
         /// Displacement [m], in mm.

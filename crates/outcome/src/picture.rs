@@ -260,7 +260,6 @@ pub struct Picture {
     /// Layers of the cover that are weight alone, and backing, from the extrados up.
     pub bands: Vec<Band>,
     /// Defects of the rings, in the order of the file.
-    #[serde(default)]
     pub defects: Vec<DefectMark>,
     /// What the loads of the drawing are, where they are one case of many: vehicle, factor, place, direction.
     pub case: Option<String>,
@@ -285,7 +284,6 @@ pub struct Picture {
     /// Index of the last stable snapshot.
     pub last_stable: Option<usize>,
     /// Soil that yields as a continuum, where fill is one.
-    #[serde(default)]
     pub soil: Option<crate::soil::SoilPicture>,
     /// Dimensions of the drawing; none for models without an arch.
     pub dimensions: Vec<DimensionLine>,
@@ -296,7 +294,6 @@ pub struct Picture {
     /// Whether the loads of path and snapshots are support movements [m] instead of forces [N/m].
     pub moves_supports: bool,
     /// What joints of other stiffness would carry.
-    #[serde(default)]
     pub over_stiffness: Option<OverStiffness>,
 }
 

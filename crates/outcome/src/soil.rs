@@ -22,17 +22,14 @@ published! {
         /// Both bounds of a soil that dilates by its friction angle, at the same share [N/m].
         pub associated: Option<[f64; 2]> [kN/m] as associated_bounds,
         /// Load at which the iteration for flow with less dilation settled [N/m]: an estimate, and no bound.
-        #[serde(default)]
         pub iterated: Option<f64> [kN/m] as iterated_load,
         /// Lower bound in plane strain, where spandrel walls bound the stress out of the plane [N/m].
-        #[serde(default)]
         pub plane_strain?: Option<f64> [kN/m] as plane_strain_load,
         /// How a piece of spandrel wall gives way in the mechanism: "tilts" or "slides".
         = wall_gives?: Option<String> = soil.wall.map(|wall| if wall.tilts { "tilts" } else { "slides" }),
         /// The ends of that piece along the bridge, in m.
         = wall_gives_at?: Option<[f64; 2]> = soil.wall.map(|wall| wall.ends),
         /// The piece of a spandrel wall that gives way the most in the mechanism, where walls bound the stress out of the plane.
-        #[serde(default)]
         pub wall: Option<WallThatGives> [kept],
         /// The least and the largest share that the range is for.
         pub shares: [f64; 2] as range_shares,
@@ -41,7 +38,6 @@ published! {
         /// Share of the permanent loads that is carried, where they are not.
         pub permanent_share?: Option<f64>,
         /// This share of the permanent loads is carried by stresses that were found, where none were found that carry all of them.
-        #[serde(default)]
         pub carried_share: Option<f64> [kept],
         /// Share of the loads that stands beyond the ends of the fill and is left out.
         pub left_out: f64 as load_left_out,

@@ -56,12 +56,7 @@ pub struct Reaction {
     /// (Meyerhof 1953); none where several rings spring there, or the resultant lies outside.
     pub pressure: Option<f64>,
     /// Width across of what bears there over that of the barrel; the pressure is over that width.
-    #[serde(default = "one")]
     pub spread: f64,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 /// Narrowest strip that a resultant near the edge of its joint, or beyond it, is taken to bear on [m].

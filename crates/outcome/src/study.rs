@@ -7,7 +7,7 @@ pub use design::{Design, Variation, count, runs};
 pub use sensitivity::{Extreme, Sensitivity, Trend, sensitivity};
 
 use crate::published::list;
-use crate::published::vary::{quantities, run, sensitivities};
+use crate::published::vary::{numbers, quantities, values};
 use crate::wire::published;
 use crate::words::words;
 use bridge::vary::{Setting, Varied};
@@ -46,20 +46,27 @@ words! {
     }
 }
 
-/// A run and what it gave.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Row {
-    /// Which values it had.
-    pub run: Variation,
-    /// What it gave.
-    pub outcome: Outcome,
-    /// How long it took when it was computed [s].
-    pub seconds: f64,
-    /// Whether it was taken from an earlier command.
-    pub cached: bool,
-}
-
 published! {
+    /// A run and what it gave.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Row |row, study: &Study, number: usize| {
+        = run: usize = number,
+        = varied: Option<String> = row.run.varied.map(|quantity| study.path(quantity)),
+        = values: Object = values(study, row),
+        /// Which values it had.
+        pub run: Variation [kept],
+        = status: String = &row.outcome.status,
+        = outcomes: Object = numbers(&row.outcome),
+        = warnings: Vec<String> = &row.outcome.warnings,
+        = message?: Option<String> = row.outcome.message.as_ref(),
+        /// What it gave.
+        pub outcome: Outcome [kept],
+        /// How long it took when it was computed [s].
+        pub seconds: f64,
+        /// Whether it was taken from an earlier command.
+        pub cached: bool,
+    }
+
     /// All runs of one command.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     pub struct Study |study| {
@@ -80,12 +87,12 @@ published! {
         /// What was varied: `quantity`, `unit`, `own`, `values`.
         pub quantities: Vec<Varied> = quantities(study),
         /// The bridge as its file has it, as one of the rows.
-        = baseline: Option<Object> = study.baseline().map(|row| run(study, 0, row)),
+        = baseline: Option<Object> = study.baseline().map(|row| row.object(study, 0)),
         /// Every run in the order of the design: `values`, `status`, `outcomes` and so on.
         = rows: Vec<Object> =
-            list(study.rows.iter().enumerate().skip(1), |(number, row)| run(study, number, row)),
+            list(study.rows.iter().enumerate().skip(1), |(number, row)| row.object(study, number)),
         /// What each quantity does to the number: `low`, `high`, `elasticity`, `trend` and so on.
-        = sensitivity: Vec<Object> = sensitivities(study),
+        = sensitivity: Vec<Object> = list(&sensitivity(study), |one| one.object(study)),
         /// How many runs there are, the bridge as its file has it among them.
         = runs: usize = study.rows.len(),
         /// How many of them were taken from an earlier command.
@@ -99,6 +106,11 @@ impl Study {
     /// The bridge as its file has it.
     pub fn baseline(&self) -> Option<&Row> {
         self.rows.first()
+    }
+
+    /// The path of a quantity.
+    pub(crate) fn path(&self, quantity: usize) -> String {
+        self.quantities[quantity].path.to_string()
     }
 
     /// The leading number of a row.

@@ -31,7 +31,6 @@ published! {
         = lower_bound_factor?: Option<f64> = point.upper_factor.and(point.load_factor),
         /// Upper bound of the load factor, where fill yields as a continuum: `load_factor` is the lower one then, and `rigid_factor` that of
         /// fill as weight alone.
-        #[serde(default)]
         pub upper_factor?: Option<f64> as upper_bound_factor,
         /// Limit load of the governing subset; its lower bound, which is carried.
         = last_stable_load: Option<f64> [kN/m] = point.collapse_load,
@@ -70,7 +69,6 @@ published! {
         pub governing: Option<usize> [kept],
         = ..NotCounted = sweep.not_counted.told(),
         /// What may help the bridge and is not counted at the governing position.
-        #[serde(default)]
         pub not_counted: NotCounted [kept],
         /// At how many positions a case found no answer.
         = positions_not_converged: usize = sweep.positions_not_converged(),
@@ -114,11 +112,13 @@ impl Sweep {
 }
 
 words! {
-    /// How a sweep ended.
+    /// How a sweep ended, or a calibration.
+    #[derive(Default)]
     pub enum Ended {
-        /// Every position was answered.
+        /// Everything that was asked for was answered.
+        #[default]
         Completed = "completed",
-        /// A position was not answered, or no position makes a mechanism.
+        /// Something was not answered, or no position makes a mechanism.
         Undetermined = "undetermined",
         /// Stopped by its onlooker; what was done is there.
         Cancelled = "cancelled",

@@ -2,7 +2,7 @@
 //! parameters carry the units that they are shown in, named beside them.
 
 use crate::note::Note;
-use crate::passage::Measurand;
+use crate::passage::{Measurand, PassageStatus};
 use crate::published::object;
 use crate::published::update::{channels, parameters, records, sensitivity, stages, told};
 use crate::warning::Warning;
@@ -10,35 +10,16 @@ use crate::wire::published;
 use crate::words::words;
 use calibrate::identify::Identifiability;
 use calibrate::linearised::Left;
-use calibrate::posterior::{CommonGain, Likelihood, Posterior, Summary};
+use calibrate::posterior::{CommonGain, Posterior, Summary};
+use calibrate::search::hierarchical;
 use calibrate::search::hierarchical::Variant;
 use calibrate::search::sweep::Sweep;
-use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Basis, Found, Problem, Start};
 use serde::{Deserialize, Serialize};
 
-words! {
-    /// How an update ended.
-    #[derive(Default)]
-    pub enum UpdateStatus {
-        /// Every search that was asked for came to its end.
-        Completed = "completed",
-        /// A search, or the start model, found no end; the reason says which and why.
-        #[default]
-        NotConverged = "not-converged",
-        /// Somebody asked to stop; the log holds what was done.
-        Cancelled = "cancelled",
-    }
-}
-
-/// One parameter beside what `Problem` says of it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ParameterPlace {
-    /// Its name in results.
-    pub name: String,
-    /// Path of the quantity in the bridge file.
-    pub path: String,
-}
+/// How an update ended, in the words of passages: completed where every search that was asked for came to its end; where a search, or the start
+/// model, found no end, the reason says which and why; the log holds what was done before somebody asked to stop.
+pub type UpdateStatus = PassageStatus;
 
 /// A channel's histories over the passage at `Update::times`, self-weight taken off [unit of the channel].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -123,12 +104,8 @@ impl SearchLine {
 pub struct PosteriorReport {
     /// The posterior; parameters in their units.
     pub posterior: Posterior,
-    /// Noise and model error.
-    pub likelihood: Likelihood,
     /// Which surrogate stood for the model, its degree, its points and its error, in words.
     pub surrogate: String,
-    /// Root mean square error of the surrogate by channel, as a share of the measured peak.
-    pub surrogate_error: Vec<f64>,
     /// How long it took [s].
     pub seconds: f64,
 }
@@ -191,6 +168,11 @@ impl RecordsUsed {
     pub fn doubted(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity > records::Severity::Note)
     }
+
+    /// What was done to them, each with its place.
+    pub fn done_words(&self) -> impl Iterator<Item = String> {
+        self.done.iter().map(|done| format!("{}: {}", format!("{} {}", done.run, done.channel).trim(), done.what))
+    }
 }
 
 /// What the peaks of all runs and lines tell.
@@ -222,8 +204,8 @@ published! {
         pub reason?: Option<String>,
         /// Every parameter: `name`, `value`, `unit`, `interval_95`, `identifiable` and so on.
         = parameters: Vec<Object> = parameters(update),
-        /// Where the parameters stand in the file, in the order of `problem`.
-        pub places: Vec<ParameterPlace> [kept],
+        /// Paths of the parameters in the bridge file, in the order of `problem`.
+        pub paths: Vec<String> [kept],
         /// Parameters with ranges, channels as measured, and how misfit is measured.
         pub problem: Problem [kept],
         /// Where standard deviations, intervals and correlations come from: the linearised problem or the sampled posterior.
@@ -260,12 +242,6 @@ published! {
         = naive_error_norm: Option<f64> = update.first_pass().and_then(|pass| pass.naive_norm),
         /// The paper's search, by reading and start.
         pub paper: Vec<PaperSearch> [kept],
-        /// Trust-region least squares from many starts.
-        pub modern: Option<modern::Outcome> [kept],
-        /// Evolution over the whole ranges.
-        pub referee: Option<referee::Outcome> [kept],
-        /// A plain gradient search; of several starts, the one that ended best.
-        pub gradient: Option<gradient::Outcome> [kept],
         /// Rank of the scaled derivatives at the answer.
         = rank: Option<usize> = update.identifiability.as_ref().map(|told| told.rank),
         /// Their condition number.

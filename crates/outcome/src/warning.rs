@@ -20,12 +20,12 @@ pub use service::{Asked, Command, Service};
 pub use soil::Yielding;
 pub use vehicles::{Braking, BrokenPath, Lanes, OpenPositions, RecalledFactor, TooLong, Vehicles};
 
-use crate::sentences::subjects;
+use crate::sentences::coded_subjects;
 use crate::wire::{Unit, Wire};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-subjects! {
+coded_subjects! {
     /// A warning of an analysis: its numbers; two that read the same are the same.
     #[derive(Debug, Clone, Serialize, Deserialize)]
     pub enum Warning {
@@ -51,21 +51,6 @@ subjects! {
 }
 
 impl Warning {
-    /// Its code, `A…`.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Warning::Calibration(one) => one.code(),
-            Warning::Command(one) => one.code(),
-            Warning::Cover(one) => one.code(),
-            Warning::Joints(one) => one.code(),
-            Warning::Loads(one) => one.code(),
-            Warning::Passed(one) => one.code(),
-            Warning::Service(one) => one.code(),
-            Warning::Vehicles(one) => one.code(),
-            Warning::Yielding(one) => one.code(),
-        }
-    }
-
     /// Its sentence.
     pub fn message(&self) -> String {
         self.to_string()

@@ -1,8 +1,8 @@
 //! Kinds with the words that files and scripts read.
 
-/// An enumeration whose variants are written as words: `word`, `ALL`, and the same words in files.
+/// Enumerations whose variants are written as words: `word`, `ALL`, and the same words in files.
 macro_rules! words {
-    ($(#[$meta:meta])* pub enum $Name:ident { $($(#[$about:meta])* $Variant:ident = $word:literal,)* }) => {
+    ($($(#[$meta:meta])* pub enum $Name:ident { $($(#[$about:meta])* $Variant:ident = $word:literal,)* })*) => { $(
         $(#[$meta])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
         pub enum $Name { $($(#[$about])* #[serde(rename = $word)] $Variant,)* }
@@ -24,7 +24,7 @@ macro_rules! words {
         }
 
         crate::wire::plain!($Name);
-    };
+    )* };
 }
 
 pub(crate) use words;

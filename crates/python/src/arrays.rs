@@ -35,9 +35,9 @@ fn of_collapse<'py>(owner: &Bound<'py, PyAny>, found: &Collapse, name: &str, at:
         "particle_centre" => Some(column(owner, &picture.particles, |disc| &disc.centre)),
         "particle_radius" => Some(column(owner, &picture.particles, |disc| &disc.radius)),
         "particle_layer" => Some(column(owner, &picture.particles, |disc| &disc.layer)),
-        "hinge_point" => Some(column(owner, &found.hinges, |hinge| &hinge.point)),
-        "hinge_rotation" => Some(column(owner, &found.hinges, |hinge| &hinge.rotation)),
-        "hinge_blocks" => Some(column(owner, &found.hinges, |hinge| &hinge.between)),
+        "hinge_point" => Some(column(owner, &found.picture.hinges, |hinge| &hinge.point)),
+        "hinge_rotation" => Some(column(owner, &found.picture.hinges, |hinge| &hinge.rotation)),
+        "hinge_blocks" => Some(column(owner, &found.picture.hinges, |hinge| &hinge.between)),
         _ => return of_snapshot(owner, picture.snapshots.get(at), name),
     };
     seen.transpose()
@@ -165,7 +165,9 @@ pub(crate) fn words(found: &Found, name: &str) -> Vec<String> {
         }
         (Found::Passage(found), "moments") => found.moments.iter().map(|moment| moment.name.clone()).collect(),
         (Found::Update(found, _), "channels") => found.channels.iter().map(|channel| channel.name.clone()).collect(),
-        (Found::Update(found, _), "parameters") => found.places.iter().map(|place| place.name.clone()).collect(),
+        (Found::Update(found, _), "parameters") => {
+            found.problem.parameters().iter().map(|parameter| parameter.name.clone()).collect()
+        }
         _ => Vec::new(),
     }
 }

@@ -1,7 +1,9 @@
 //! Drawings inside a page: without headers, with names of their own, as wide as the page.
 
+use serde::Serialize;
+
 /// A drawing of a stage.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Figure {
     /// The stage that drew it.
     pub stage: String,

@@ -1,7 +1,6 @@
 //! Assessments as pages: one self-contained HTML file a bridge, and a table of many bridges. Plain data goes in, text comes
 //! out; the same text for the same data. The strings of a report are also given as data, for another typesetter.
 
-mod data;
 mod figure;
 mod fleet;
 mod numbers;
@@ -9,7 +8,6 @@ mod page;
 mod parts;
 mod rows;
 
-pub use data::data;
 pub use figure::Figure;
 pub use fleet::{FleetRow, fleet_csv, fleet_html};
-pub use page::{Appendix, Material, Photograph, StageLine, StageState, html};
+pub use page::{Appendix, Material, Photograph, StageLine, StageState, data, html};

@@ -1,7 +1,7 @@
 //! The report of one bridge.
 
 use crate::figure::Figure;
-use crate::numbers::{digits, maybe, percent, with_unit};
+use crate::numbers::{digits, percent, with_unit};
 use crate::parts::{self, Part};
 use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
@@ -11,6 +11,9 @@ use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::checked::governing;
+use serde::{Serialize, Serializer};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// Everything that a report is made of.
@@ -57,7 +60,7 @@ impl Photograph {
 }
 
 /// How every number can be made again.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Appendix {
     /// Version of the program.
     pub version: String,
@@ -76,7 +79,7 @@ pub struct Appendix {
 }
 
 /// A stage in the appendix.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct StageLine {
     /// Its name.
     pub name: String,
@@ -116,10 +119,17 @@ impl fmt::Display for StageState {
     }
 }
 
+impl Serialize for StageState {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
+    }
+}
+
 /// Every string of a report, by section.
-#[derive(Template)]
+#[derive(Template, Serialize)]
 #[template(path = "report.html")]
 pub(crate) struct Page<'a> {
+    #[serde(skip)]
     pub style: &'static str,
     pub bridge: &'a str,
     pub status: &'static str,
@@ -163,37 +173,21 @@ pub(crate) struct Page<'a> {
     pub cases: Vec<Part>,
     pub numbers: Vec<Part>,
     pub back: Vec<Part>,
+    #[serde(skip)]
     pub photographs: &'a [Photograph],
-    pub figures: Figures<'a>,
+    #[serde(skip)]
+    pub figures: &'a [Figure],
 }
 
-/// Drawings by the section that they stand in.
-#[derive(Default)]
-pub(crate) struct Figures<'a> {
-    pub built: Vec<&'a Figure>,
-    pub update: Vec<&'a Figure>,
-    pub service: Vec<&'a Figure>,
-    pub ultimate: Vec<&'a Figure>,
-    pub vehicles: Vec<&'a Figure>,
-    pub movement: Vec<&'a Figure>,
-    pub cases: Vec<&'a Figure>,
-}
+/// Sections with drawings; those of a stage without a section stand in the one of collapse, "ultimate".
+const DRAWN: [&str; 7] = ["built", "update", "service", "ultimate", "vehicles", "movement", "cases"];
 
-fn figures(list: &[Figure]) -> Figures<'_> {
-    let mut all = Figures::default();
-    for figure in list {
-        let section = match figure.stage.as_str() {
-            "built" => &mut all.built,
-            "update" => &mut all.update,
-            "service" => &mut all.service,
-            "vehicles" => &mut all.vehicles,
-            "cases" => &mut all.cases,
-            "movement" => &mut all.movement,
-            _ => &mut all.ultimate,
-        };
-        section.push(figure);
+impl Page<'_> {
+    /// The drawings of a section.
+    fn drawn(&self, section: &str) -> Vec<&Figure> {
+        let of = |figure: &Figure| DRAWN.iter().find(|known| **known == figure.stage).unwrap_or(&DRAWN[3]);
+        self.figures.iter().filter(|figure| *of(figure) == section).collect()
     }
-    all
 }
 
 /// The page as HTML: one file, nothing beside it.
@@ -202,8 +196,17 @@ pub fn html(material: &Material<'_>) -> String {
     page(material).render().unwrap_or_default()
 }
 
+/// Every string of the page as data, by the names that the page has for them, and its drawings as they were made: for typesetters other than
+/// a browser.
+pub fn data(material: &Material<'_>) -> Value {
+    let page = page(material);
+    let mut data = json!(page);
+    data["figures"] = json!(DRAWN.iter().map(|section| (*section, page.drawn(section))).collect::<BTreeMap<_, _>>());
+    data
+}
+
 /// Every string of the page.
-pub(crate) fn page<'a>(material: &Material<'a>) -> Page<'a> {
+fn page<'a>(material: &Material<'a>) -> Page<'a> {
     let a = material.assessment;
     let (warnings, assumptions) = rows::said(a);
     let update = a.facts.update.made();
@@ -229,17 +232,11 @@ pub(crate) fn page<'a>(material: &Material<'a>) -> Page<'a> {
         no_service: a.facts.service.why_not().unwrap_or("the stage has no result"),
         no_collapse: a.facts.ultimate.why_not().unwrap_or("the stage has no result"),
         no_changes: a.facts.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
-        update_words: update.map(|facts| {
-            let norm = format!(
-                "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
-                maybe(facts.initial_error_norm), maybe(facts.error_norm)
-            );
-            std::iter::once(norm).chain(facts.told.clone()).chain(facts.records.clone()).collect()
-        }).unwrap_or_default(),
-        fit: update.map(|facts| rows::fit(facts, material.inputs)).unwrap_or_default(),
-        runs: update.map(|facts| facts.runs.iter().map(|(name, synthetic)| match synthetic {
-            Some(_) => format!("{name}: SYNTHETIC, computed and not measured"),
-            None => format!("{name}: measured"),
+        update_words: update.map(rows::updated).unwrap_or_default(),
+        fit: update.map(|update| rows::fit(update, material.inputs)).unwrap_or_default(),
+        runs: update.map(|update| update.records.runs.iter().map(|run| match run.synthetic {
+            Some(_) => format!("{}: SYNTHETIC, computed and not measured", run.name),
+            None => format!("{}: measured", run.name),
         }).collect()).unwrap_or_default(),
         channels: a.facts.service.made().map(|facts| rows::channels(facts, material.inputs)).unwrap_or_default(),
         loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [
@@ -284,7 +281,7 @@ pub(crate) fn page<'a>(material: &Material<'a>) -> Page<'a> {
         numbers: a.statics.iter().flat_map(parts::statics).chain(parts::vehicles(a)).collect(),
         back: parts::check_sheet(material.document, a, a.statics.as_ref()),
         photographs: material.photographs,
-        figures: figures(material.figures),
+        figures: material.figures,
     }
 }
 

@@ -1,17 +1,19 @@
 //! Sections of a report that are words and tables alone: what identifies it, what is to be confirmed, what the bridge weighs, how widths
 //! were found, and the sheets to check and sign. Every typesetter sets them in one loop.
 
-use crate::numbers::{digits, percent};
+use crate::numbers::{digits, maybe, percent};
 use crate::page::{Appendix, Photograph};
 use bridge::document::{Inspection, ReportDocument};
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::statics::{Reaction, Seat, Statics};
+use serde::{Serialize, Serializer};
 
 /// A section: a title, words, and a table.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct Part {
     /// Name of its place on the page; none for a table that goes on with the section before it.
+    #[serde(rename = "opens", serialize_with = "is_there")]
     pub id: Option<&'static str>,
     /// Its title.
     pub title: &'static str,
@@ -24,7 +26,13 @@ pub(crate) struct Part {
     /// Its rows.
     pub rows: Vec<Vec<String>>,
     /// Where the bridge file says what stands in a row, row by row as far as they go; empty where it does not.
+    #[serde(skip)]
     pub paths: Vec<String>,
+}
+
+/// Whether a section begins one of its own.
+fn is_there<S: Serializer>(id: &Option<&'static str>, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_bool(id.is_some())
 }
 
 impl Part {
@@ -211,16 +219,16 @@ pub(crate) fn statics(statics: &Statics) -> Vec<Part> {
 }
 
 fn reaction(one: &Reaction, width: f64) -> Vec<String> {
-    let maybe = |value: Option<f64>, scale: f64| value.map_or_else(|| "–".to_owned(), |value| digits(scale * value));
+    let scaled = |value: Option<f64>, scale: f64| maybe(value.map(|value| scale * value));
     vec![
         one.place.clone(),
         kilonewtons(one.vertical),
         kilonewtons(one.horizontal),
         kilonewtons(one.vertical * width),
         kilonewtons(one.horizontal * width),
-        maybe(one.eccentricity, 1e3),
-        maybe(one.depth, 1.0),
-        maybe(one.pressure, 1e-6),
+        scaled(one.eccentricity, 1e3),
+        scaled(one.depth, 1.0),
+        scaled(one.pressure, 1e-6),
     ]
 }
 
@@ -238,8 +246,7 @@ pub(crate) fn cases(a: &Assessment) -> Option<Part> {
         .cases
         .iter()
         .map(|one| {
-            let factor = one.load_factor.map_or_else(|| "–".to_owned(), digits);
-            vec![one.name.clone(), factor, one.status.to_string(), one.method.clone(), one.acts.clone()]
+            vec![one.name.clone(), maybe(one.load_factor), one.status.to_string(), one.method.clone(), one.acts.clone()]
         })
         .collect();
     Some(part)
@@ -268,8 +275,8 @@ pub(crate) fn vehicles(a: &Assessment) -> Vec<Part> {
     thrusts.heads =
         vec!["joint", "thrust [kN/m]", "shear [kN/m]", "eccentricity [mm]", "depth [m]", "pressure [MPa]", "resultant"];
     thrusts.numbers = vec![false, true, true, true, true, true, false];
-    let governing = facts.governing.as_ref().and_then(|code| facts.vehicles.iter().find(|one| one.code == *code));
-    thrusts.rows = governing
+    thrusts.rows = facts
+        .worst()
         .into_iter()
         .flat_map(|one| &one.thrusts)
         .map(|one| {
@@ -307,68 +314,7 @@ pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Op
     };
     part.words.push(format!("{who}{category}"));
     part.heads = vec!["no.", "item", "this assessment", "independent value", "method", "initials, date"];
-    let mut items: Vec<(String, String)> = vec![
-        ("dimensions and materials against survey and tests (Inputs)".into(), "all values of the file".into()),
-        ("drawing against the site (The bridge as drawn)".into(), "figures".into()),
-    ];
-    if let Some(statics) = statics {
-        items.push((
-            "dead load, by hand from areas and densities".into(),
-            format!("{} kN/m", kilonewtons(statics.total())),
-        ));
-        let up: f64 = statics.reactions.iter().filter(|one| one.seat != Seat::Carried).map(|one| one.vertical).sum();
-        if up > 0.0 {
-            items.push((
-                "sum of vertical reactions on the ground = dead load".into(),
-                format!("{} kN/m", kilonewtons(up)),
-            ));
-        }
-    }
-    if let Some(facts) = a.facts.vehicles.made() {
-        items.push(("rule, factors and their sources".into(), facts.rule.clone()));
-        let governing = facts.governing.as_ref().and_then(|code| facts.vehicles.iter().find(|one| one.code == *code));
-        if let Some(one) = governing {
-            items.push((format!("axle loads and distances of {}", one.code), one.title.clone()));
-            items.push((
-                format!("effective width of {}", one.code),
-                format!("{} m: {}", digits(one.effective_width_m), one.effective_width_derivation),
-            ));
-            let factor = one.adequacy.map_or_else(|| "not known".to_owned(), digits);
-            items.push((
-                format!("least adequacy factor, {}", one.code),
-                format!("{factor}, first axle at {} m", crate::numbers::maybe(one.position_m)),
-            ));
-        }
-    }
-    if let Some(facts) = a.facts.ultimate.made() {
-        let factor = facts.load_factor.map_or_else(|| "not known".to_owned(), digits);
-        items.push(("factor on the loads of the file at collapse".into(), factor));
-        let limit = facts.collapse.as_deref().and_then(|found| found.limit());
-        if let Some((lower, upper)) = limit.and_then(|found| found.lower_bound.zip(found.upper_bound)) {
-            items.push((
-                "the same by two theorems: work of the mechanism as drawn, and equilibrium of the line of thrust as drawn".into(),
-                format!("at most {} kN/m, at least {} kN/m", kilonewtons(upper), kilonewtons(lower)),
-            ));
-        }
-    }
-    for check in &a.checked {
-        let worst = check.outcome.iter().flatten().map(|one| one.utilisation).fold(f64::NEG_INFINITY, f64::max);
-        if worst.is_finite() {
-            items.push((format!("{} {}", check.code, check.title), format!("{} of the limit", percent(worst))));
-        }
-    }
-    let mut codes: Vec<&str> = Vec::new();
-    for (_, warning) in a.facts.warnings() {
-        if !codes.contains(&warning.code()) {
-            codes.push(warning.code());
-        }
-    }
-    items.push((
-        "each warning considered, and answered in writing".into(),
-        if codes.is_empty() { "none".into() } else { codes.join(", ") },
-    ));
-    items.push(("assumptions agreed with the owner (Assumptions)".into(), "list".into()));
-    items.push(("verdict".into(), a.verdict.head()));
+    let items = items(a, statics);
     let withheld = matches!(document.check_category.as_deref().map(str::trim), Some("III" | "3"));
     let numbered = |k: usize| (k + 1).to_string();
     let shown = |value: &str| if withheld { BLANK.to_owned() } else { value.to_owned() };
@@ -392,6 +338,59 @@ pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Op
     parts
 }
 
+/// What is to be checked, and what this assessment says of it.
+fn items(a: &Assessment, statics: Option<&Statics>) -> Vec<(String, String)> {
+    let mut items: Vec<(String, String)> = Vec::new();
+    let mut put = |item: &str, value: String| items.push((item.to_owned(), value));
+    put("dimensions and materials against survey and tests (Inputs)", "all values of the file".into());
+    put("drawing against the site (The bridge as drawn)", "figures".into());
+    if let Some(statics) = statics {
+        put("dead load, by hand from areas and densities", format!("{} kN/m", kilonewtons(statics.total())));
+        let up: f64 = statics.reactions.iter().filter(|one| one.seat != Seat::Carried).map(|one| one.vertical).sum();
+        if up > 0.0 {
+            put("sum of vertical reactions on the ground = dead load", format!("{} kN/m", kilonewtons(up)));
+        }
+    }
+    let known = |factor: Option<f64>| factor.map_or_else(|| "not known".to_owned(), digits);
+    if let Some(facts) = a.facts.vehicles.made() {
+        put("rule, factors and their sources", facts.rule.clone());
+        if let Some(one) = facts.worst() {
+            put(&format!("axle loads and distances of {}", one.code), one.title.clone());
+            let width = format!("{} m: {}", digits(one.effective_width_m), one.effective_width_derivation);
+            put(&format!("effective width of {}", one.code), width);
+            let factor = format!("{}, first axle at {} m", known(one.adequacy), maybe(one.position_m));
+            put(&format!("least adequacy factor, {}", one.code), factor);
+        }
+    }
+    if let Some(facts) = a.facts.ultimate.made() {
+        put("factor on the loads of the file at collapse", known(facts.load_factor));
+        let limit = facts.collapse.as_deref().and_then(|found| found.limit());
+        if let Some((lower, upper)) = limit.and_then(|found| found.lower_bound.zip(found.upper_bound)) {
+            put(
+                "the same by two theorems: work of the mechanism as drawn, and equilibrium of the line of thrust as drawn",
+                format!("at most {} kN/m, at least {} kN/m", kilonewtons(upper), kilonewtons(lower)),
+            );
+        }
+    }
+    for check in &a.checked {
+        let worst = check.outcome.iter().flatten().map(|one| one.utilisation).fold(f64::NEG_INFINITY, f64::max);
+        if worst.is_finite() {
+            put(&format!("{} {}", check.code, check.title), format!("{} of the limit", percent(worst)));
+        }
+    }
+    let mut codes: Vec<&str> = Vec::new();
+    for (_, warning) in a.facts.warnings() {
+        if !codes.contains(&warning.code()) {
+            codes.push(warning.code());
+        }
+    }
+    let codes = if codes.is_empty() { "none".into() } else { codes.join(", ") };
+    put("each warning considered, and answered in writing", codes);
+    put("assumptions agreed with the owner (Assumptions)", "list".into());
+    put("verdict", a.verdict.head());
+    items
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -408,7 +407,7 @@ mod tests {
     fn nothing() -> Assessment {
         use outcome::assessment::Facts;
         use outcome::checked::{Judgement, Rung, Strength, Verdict};
-        let facts = Facts::nothing();
+        let facts = Facts::default();
         let verdict = Verdict {
             status: Judgement::Undetermined,
             headline: Rung::NothingCompared,

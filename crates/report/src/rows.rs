@@ -6,11 +6,14 @@ use outcome::assessment::{Assessment, once};
 use outcome::checked::{Checked, Columns, governing};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
-use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, UpdateFacts, VehicleFacts};
+use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, VehicleFacts};
 use outcome::note::{self, Note};
+use outcome::update::{Histories, Update};
 use outcome::warning::Warning;
+use serde::Serialize;
 
 /// A comparison.
+#[derive(Serialize)]
 pub(crate) struct CheckRow {
     pub code: String,
     pub title: String,
@@ -27,10 +30,12 @@ pub(crate) struct CheckRow {
     /// How many comparisons it stands for, in words.
     pub of: String,
     /// Where the bridge file says for what the value is computed, and where its limit is.
+    #[serde(skip)]
     pub keys: [String; 2],
 }
 
 /// A check that was not made.
+#[derive(Serialize)]
 pub(crate) struct OpenRow {
     pub code: String,
     pub title: String,
@@ -97,6 +102,7 @@ pub(crate) fn open(checked: &[Checked]) -> Vec<OpenRow> {
 }
 
 /// A row of the table of responses: self-weight, live load with design augment, sum, with total augment, sum, allowable.
+#[derive(Serialize)]
 pub(crate) struct ColumnRow {
     pub what: String,
     pub cells: [String; 5],
@@ -124,6 +130,7 @@ pub(crate) fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
 }
 
 /// A parameter before and after.
+#[derive(Serialize)]
 pub(crate) struct ConditionRow {
     pub parameter: String,
     pub before: String,
@@ -135,14 +142,17 @@ pub(crate) struct ConditionRow {
     pub words: String,
     pub source: String,
     /// Its table in the bridge file.
+    #[serde(skip)]
     pub input: String,
 }
 
 /// Rows of the table of condition.
-pub(crate) fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs: &[Input]) -> Vec<ConditionRow> {
+pub(crate) fn condition(list: &[Condition], update: Option<&Update>, inputs: &[Input]) -> Vec<ConditionRow> {
     let row = |one: &Condition| {
-        let facts = update.and_then(|facts| facts.parameters.iter().find(|facts| facts.name == one.parameter));
-        let interval = facts.and_then(|facts| facts.interval_95);
+        let interval = update.and_then(|update| {
+            let known = update.problem.parameters().iter().position(|known| known.name == one.parameter);
+            Some(update.summary(known?)?.interval_95)
+        });
         ConditionRow {
             parameter: one.parameter.clone(),
             before: with_unit(one.before, &one.unit),
@@ -166,7 +176,21 @@ pub(crate) fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs
     list.iter().map(row).collect()
 }
 
+/// What an update came to, what it could tell, and what was done to its records and found in them.
+pub(crate) fn updated(update: &Update) -> Vec<String> {
+    let norm = format!(
+        "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
+        maybe(update.basis.as_ref().map(|basis| basis.start.norm)),
+        maybe(update.found().map(|found| found.norm))
+    );
+    let sampled = update.posterior.iter().flat_map(|report| report.posterior.words.iter().cloned());
+    let told = outcome::published::told(update).into_iter().chain(sampled);
+    let found = update.records.findings.iter().map(outcome::records::Finding::words);
+    std::iter::once(norm).chain(told).chain(update.records.done_words()).chain(found).collect()
+}
+
 /// A channel of the records.
+#[derive(Serialize)]
 pub(crate) struct FitRow {
     pub name: String,
     pub unit: String,
@@ -176,31 +200,41 @@ pub(crate) struct FitRow {
     pub shape: String,
     pub remark: String,
     /// Its sensor in the bridge file.
+    #[serde(skip)]
     pub input: String,
 }
 
 /// Fit per channel.
-pub(crate) fn fit(update: &UpdateFacts, inputs: &[Input]) -> Vec<FitRow> {
-    let row = |one: &outcome::facts::FitFacts| FitRow {
-        name: one.name.clone(),
-        unit: one.unit.clone(),
-        measured: maybe(one.measured),
-        start: maybe(one.start),
-        updated: maybe(one.updated),
-        shape: one.shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),
-        remark: one.left_out.as_ref().map_or(String::new(), |why| format!("left out: {why}")),
-        input: table_with(inputs, "sensor", "name", &one.name),
+pub(crate) fn fit(update: &Update, inputs: &[Input]) -> Vec<FitRow> {
+    let largest = |values: &[f64]| {
+        values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
     };
-    update.channels.iter().map(row).collect()
+    let row = |(k, one): (usize, &Histories)| {
+        let end = update.found().and_then(|found| found.channels.get(k));
+        let shape = end.and_then(|end| end.shape_correlation);
+        FitRow {
+            name: one.name.clone(),
+            unit: one.quantity.unit().to_owned(),
+            measured: maybe(end.and_then(|end| end.measured_peak).or_else(|| largest(&one.measured))),
+            start: maybe(largest(&one.start)),
+            updated: maybe(end.map(|end| end.model_peak)),
+            shape: shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),
+            remark: one.left_out.as_ref().map_or(String::new(), |why| format!("left out: {why}")),
+            input: table_with(inputs, "sensor", "name", &one.name),
+        }
+    };
+    update.channels.iter().enumerate().map(row).collect()
 }
 
 /// A sensor under one load.
+#[derive(Serialize)]
 pub(crate) struct ChannelRow {
     pub load: String,
     pub name: String,
     pub unit: String,
     pub cells: [String; 4],
     /// Its sensor in the bridge file.
+    #[serde(skip)]
     pub input: String,
 }
 
@@ -219,6 +253,7 @@ pub(crate) fn channels(service: &ServiceFacts, inputs: &[Input]) -> Vec<ChannelR
 }
 
 /// A quantity that was changed.
+#[derive(Serialize)]
 pub(crate) struct ChangeRow {
     pub path: String,
     pub value: String,
@@ -260,6 +295,7 @@ pub(crate) fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
 }
 
 /// A vehicle that was moved over the bridge.
+#[derive(Serialize)]
 pub(crate) struct VehicleRow {
     pub code: String,
     pub title: String,

@@ -65,11 +65,13 @@ fn derived(bridge: &bridge::Bridge, c: &outcome::collapse::Collapse) -> Vec<(Str
     // Angle of the haunch hinge from the crown, for circles: the intrados hinge above the springings nearest to them.
     let radius = (0.25 * span.span * span.span + span.rise * span.rise) / (2.0 * span.rise);
     let angle = |p: [f64; 2]| (p[0] - 0.5 * span.span).atan2(p[1] - span.rise + radius).to_degrees().abs();
-    let haunches = c.hinges.iter().filter(|h| h.edge == outcome::picture::HingeAt::Intrados).map(|h| angle(h.point));
+    let haunches =
+        c.picture.hinges.iter().filter(|h| h.edge == outcome::picture::HingeAt::Intrados).map(|h| angle(h.point));
     if let Some(haunch) = haunches.reduce(f64::max) {
         found.push(("haunch_hinge_from_crown_deg".to_string(), haunch.into()));
     }
     let edges: Vec<&str> = c
+        .picture
         .hinges
         .iter()
         .map(|h| match h.edge {
@@ -80,7 +82,7 @@ fn derived(bridge: &bridge::Bridge, c: &outcome::collapse::Collapse) -> Vec<(Str
         .collect();
     found.push(("hinge_edges".to_string(), edges.concat().into()));
     // Walls have hinges of their own, in no order.
-    let mut ring: Vec<_> = c.hinges.iter().zip(&edges).filter(|(_, edge)| **edge != "O").collect();
+    let mut ring: Vec<_> = c.picture.hinges.iter().zip(&edges).filter(|(_, edge)| **edge != "O").collect();
     ring.sort_by(|a, b| a.0.point[0].total_cmp(&b.0.point[0]));
     let ring: Vec<&str> = ring.into_iter().map(|(_, edge)| *edge).collect();
     found.push(("ring_hinge_edges".to_string(), ring.concat().into()));

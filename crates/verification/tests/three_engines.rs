@@ -81,6 +81,7 @@ fn hinged(d: &Discretised, c: &Collapse) -> Vec<(usize, HingeAt)> {
     let joints = joints(d);
     let distance = |[bed, top]: [Vec2; 2], at: Vec2| (at - bed).norm().min((at - top).norm());
     let mut found: Vec<_> = c
+        .picture
         .hinges
         .iter()
         .map(|hinge| {

@@ -28,7 +28,7 @@ pub(super) fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if c.limit().is_some_and(|l| l.friction == FlowRule::NonAssociated) {
         c.assumptions.push(note::Blocks::NoBound.into());
     }
-    if c.limit().is_some() && several_rings(d) && !c.sliding_joints.is_empty() {
+    if c.limit().is_some() && several_rings(d) && !c.picture.sliding.is_empty() {
         c.warnings.push(warning::Joints::RingsShare.into());
     }
     if let Some(seed) = c.packing.as_ref().map(|p| p.seed) {

@@ -179,7 +179,7 @@ fn vehicles_are_asked_on_a_continuum_where_they_govern() {
     let least = one.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
     assert!(yields <= least * (1.0 + 1e-9), "{yields} {least}");
     let at = one.case.as_ref().unwrap();
-    assert!(one.envelope.iter().any(|p| p.position == at.position && p.adequacy == Some(least)), "{at:?} {least}");
+    assert!(one.envelope.iter().any(|p| p.case.position == at.position && p.adequacy == Some(least)), "{at:?} {least}");
     // Stronger soil counts for no more than the rings do.
     let mut strong = b.clone();
     strong.cover.layers.iter_mut().for_each(|layer| layer.cohesion = Some(200e3));

@@ -31,12 +31,12 @@ pub(super) fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         _ => note::Blocks::Rigid,
     });
     match (report.friction, report.associated_load) {
-        (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => {
-            warnings.push(warning::Joints::Sliding { joints: c.sliding_joints.len() }.into());
+        (FlowRule::Associated, _) if !c.picture.sliding.is_empty() => {
+            warnings.push(warning::Joints::Sliding { joints: c.picture.sliding.len() }.into());
         }
         (FlowRule::NonAssociated, _) if report.jammed => warnings.push(warning::Joints::Jammed.into()),
         (FlowRule::NonAssociated, associated_load) if c.status == Status::NotConverged => {
-            warnings.push(warning::Joints::NotSettled { joints: c.sliding_joints.len(), associated_load }.into());
+            warnings.push(warning::Joints::NotSettled { joints: c.picture.sliding.len(), associated_load }.into());
         }
         (FlowRule::Associated, _) => assumptions.push(note::Blocks::FrictionAssociated),
         (FlowRule::NonAssociated, associated_load) => {

@@ -71,7 +71,7 @@ fn points_give_the_load_of_discrete_elements() {
     let points = by_path(samples::bridgemill(), Some(JointContact::Points));
     let load = points.last_stable_load.unwrap() / 1e3;
     assert!((load - 205.5).abs() < 0.5, "{load}");
-    assert!(!points.hinges.is_empty());
+    assert!(!points.picture.hinges.is_empty());
 }
 
 #[test]

@@ -30,8 +30,6 @@ pub(super) fn of_blocks(plan: &Plan, d: &Discretised, by: By, picture: Picture) 
         limit_load: None,
         crushing_limit_load: None,
         stalled_load: None,
-        hinges: picture.hinges.clone(),
-        sliding_joints: picture.sliding.clone(),
         max_compressive_stress: None,
         blocks: d.model.blocks.len(),
         particles: d.model.particles.len(),

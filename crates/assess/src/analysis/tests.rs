@@ -36,12 +36,12 @@ fn the_mechanism_of_bridgemill_has_four_hinges_that_alternate() {
     b.plan.method = Method::Limit;
     let c = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap();
     assert_eq!(c.status, Status::Collapsed);
-    let edges: Vec<_> = c.hinges.iter().map(|h| h.edge).collect();
-    let x: Vec<_> = c.hinges.iter().map(|h| h.point[0]).collect();
+    let edges: Vec<_> = c.picture.hinges.iter().map(|h| h.edge).collect();
+    let x: Vec<_> = c.picture.hinges.iter().map(|h| h.point[0]).collect();
     assert!(x.windows(2).all(|w| w[0] < w[1]), "{x:?}");
     use HingeAt::{Extrados, Intrados};
     // The part between the left springing and the load turns down about the springing's intrados.
-    assert_eq!(edges, [Intrados, Extrados, Intrados, Extrados], "{:?}", c.hinges);
+    assert_eq!(edges, [Intrados, Extrados, Intrados, Extrados], "{:?}", c.picture.hinges);
     assert_eq!(c.picture.thrust_lines.len(), 1);
     assert_eq!(c.picture.thrust_lines[0].len(), 63);
     let codes: Vec<_> = c.warnings.iter().map(|w| w.code()).collect();
@@ -62,8 +62,9 @@ fn the_least_thickness_of_a_semicircle_is_the_one_of_milankovitch() {
     // Five hinges: springings, haunches, crown. The haunch lies 54.484 degrees from the crown; joints are 0.9 degrees
     // apart.
     let angle = |p: [f64; 2]| (p[0] - 5.0).atan2(p[1]).to_degrees().abs();
-    let haunches: Vec<_> = c.hinges.iter().filter(|h| h.edge == HingeAt::Intrados).map(|h| angle(h.point)).collect();
-    assert!(!haunches.is_empty() && haunches.iter().all(|a| (a - 54.484).abs() < 0.9), "{:?}", c.hinges);
+    let haunches: Vec<_> =
+        c.picture.hinges.iter().filter(|h| h.edge == HingeAt::Intrados).map(|h| angle(h.point)).collect();
+    assert!(!haunches.is_empty() && haunches.iter().all(|a| (a - 54.484).abs() < 0.9), "{:?}", c.picture.hinges);
 }
 
 #[test]
@@ -111,9 +112,9 @@ fn bridgemill_by_discrete_elements_carries_the_published_loads() {
         assert!((c.last_stable_load.unwrap() / 1e3 - stable).abs() < 0.005);
         assert!((c.collapse_load.unwrap() / 1e3 - collapse).abs() < 0.005);
         use HingeAt::{Extrados, Intrados};
-        let edges: Vec<_> = c.hinges.iter().map(|h| h.edge).collect();
-        assert_eq!(edges, [Intrados, Extrados, Intrados, Extrados], "{:?}", c.hinges);
-        assert!(c.sliding_joints.is_empty());
+        let edges: Vec<_> = c.picture.hinges.iter().map(|h| h.edge).collect();
+        assert_eq!(edges, [Intrados, Extrados, Intrados, Extrados], "{:?}", c.picture.hinges);
+        assert!(c.picture.sliding.is_empty());
         assert_eq!(c.picture.thrust_lines[0].len(), 63);
     }
 }
@@ -203,7 +204,7 @@ fn every_profile_stands_alone_in_rows_and_in_two_rings() {
         // Low arches thrust more than their slender piers bear: the neighbour takes part, with hinges of its own.
         if name == "segmental" || name == "parabolic" {
             assert!(rows[0].collapse_load.unwrap() < 0.95 * load, "{name}");
-            assert!(rows[0].hinges.iter().any(|h| h.point[0] > 7.6), "{name}: {:?}", rows[0].hinges);
+            assert!(rows[0].picture.hinges.iter().any(|h| h.point[0] > 7.6), "{name}: {:?}", rows[0].picture.hinges);
         }
         // Rings that slide on one another are weaker than one ring of their thickness, even when sliding dilates.
         let separated = associated(spans(vec![two_rings(span.clone())], 1.6, 1.6, 4.0, 6));

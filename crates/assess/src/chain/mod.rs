@@ -11,5 +11,5 @@ pub use crate::analysis::passage::Scope;
 pub use sensitivity::{SensitivityError, sensitivity};
 pub use service::service;
 pub use ultimate::{Ultimate, movement, movement_facts, ultimate};
-pub use updated::{facts as update_facts, with_parameters};
+pub use updated::with_parameters;
 pub use vehicles::vehicle_facts;

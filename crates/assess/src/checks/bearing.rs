@@ -91,7 +91,7 @@ mod tests {
         Evidence {
             bridge: b,
             asked: Assess { limits, ..Assess::default() },
-            facts: Facts::nothing(),
+            facts: Facts::default(),
             statics,
             doubts: Vec::new(),
         }

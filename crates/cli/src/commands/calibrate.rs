@@ -10,8 +10,8 @@ use crate::status::Status;
 use crate::watcher::watched;
 use crate::{quantities, summary};
 use extrados::{CalibrateFillOptions, Refusal, calibrate_fill};
-use outcome::calibration::Verdict;
 use outcome::published;
+use outcome::sweep::Ended;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
 pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
@@ -24,7 +24,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     let folder = source.folder(&folder::named(&arguments.out, &arguments.file), "calibrate-fill")?;
     let found = watched(desk.screen.quiet, |spectator| calibrate_fill(&source.project, &options, spectator))?;
     let mut report = source.report(Status::of(found.verdict.word()));
-    if found.verdict == Verdict::Cancelled {
+    if found.verdict == Ended::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }
     report.warn_of(&mut desk.screen, &found.warnings);

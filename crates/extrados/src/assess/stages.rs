@@ -19,13 +19,11 @@ use bridge::edit::Document;
 use outcome::assessment::{Assessment, Facts, Stage};
 use outcome::checked::{Checked, governing};
 use outcome::collapse::Status;
-use outcome::facts::{
-    CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
-};
+use outcome::facts::{CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, VehicleFacts};
 use outcome::given::Doubt;
 use outcome::passage::PassageStatus;
 use outcome::statics::Statics;
-use outcome::update::UpdateStatus;
+use outcome::update::{Update, UpdateStatus};
 use report::{Figure, StageLine, StageState};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -167,7 +165,7 @@ impl Stages<'_> {
     }
 
     /// The update where records are given: its facts, and bridge and text with what it found.
-    fn updated(&mut self, own: &Bridge) -> Result<(Stage<UpdateFacts>, Bridge, Document), Halt> {
+    fn updated(&mut self, own: &Bridge) -> Result<(Stage<Update>, Bridge, Document), Halt> {
         let whole = self.project.document(&[])?;
         let named = self.project.meaning().update.clone();
         let Some(asked) = named else {
@@ -189,7 +187,7 @@ impl Stages<'_> {
         let input = (own, &asked, files.iter().map(|file| blake3::hash(&file.bytes)).collect::<Vec<_>>());
         let means = self.means;
         let stage = self.stage("update", &input, |watch| sought(&task, means, watch))?;
-        let edited = stage.made().and_then(|facts| chain::with_parameters(&whole, &asked.parameters, facts));
+        let edited = stage.made().and_then(|found| chain::with_parameters(&whole, &asked.parameters, found));
         let bridge = edited.as_ref().and_then(|edited| project.read_again(edited.text().as_bytes()).bridge);
         Ok(match (edited, bridge) {
             (Some(edited), Some(bridge)) => (stage, bridge, edited),
@@ -297,7 +295,7 @@ fn doubts(project: &Project) -> Vec<Doubt> {
 }
 
 /// The update of a stage.
-fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ran<UpdateFacts> {
+fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ran<Update> {
     let known = means.shelf.evaluations(&task.identity()).map_err(|refusal| refusal.message)?;
     let mut watch = Seeking { watch, shelf: means.shelf };
     let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: means.clock };
@@ -309,5 +307,5 @@ fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ra
         return Err(found.reason.unwrap_or_else(|| "no search came to an end".to_owned()));
     }
     let figures = pictures::update(&found);
-    Ok(Some((chain::update_facts(found), figures)))
+    Ok(Some((found, figures)))
 }

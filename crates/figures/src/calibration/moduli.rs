@@ -63,7 +63,7 @@ pub(super) fn moduli(report: &CalibrationReport) -> Option<String> {
     }
     let which = format!("{}, given for comparison", report.matched());
     entries.push(Entry::mark(Mark::Hollow, INK, which).when(!compared.is_empty()));
-    let found = report.found.as_ref().and_then(|m| m.at(report.modulus));
+    let found = report.found.as_ref().and_then(|m| m.at(report.plan.modulus));
     if let (Some(wanted), Some(at)) = (report.plan.wanted_modulus, found) {
         let pen = Pen::line(INK, 0.9).dashed("5 4").class("wanted");
         panel.curve([0.0, at.multiple].map(|multiple| [multiple, wanted / 1e6]), pen);

@@ -3,7 +3,7 @@
 use crate::elevation::{INK, LOAD};
 use crate::geometry::{Extent, View};
 use crate::sheet::{Anchor, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, THIN, WIDTH};
-use outcome::calibration::{CalibrationReport, Confined, Drawn};
+use outcome::calibration::{AtRest, CalibrationReport, Drawn};
 
 /// Colour of particles, and of those that replace others.
 const GRAIN: &str = "#ece0c8";
@@ -26,8 +26,8 @@ pub(super) fn sample(report: &CalibrationReport) -> Option<String> {
     let head = Style::small().anchored(Anchor::Middle);
     let titles = [
         "as cut".to_owned(),
-        format!("{:.1} kPa, the block alone", drawn.pressed[0].stress / 1e3),
-        format!("{:.0} kPa", drawn.pressed[1].stress / 1e3),
+        format!("{:.1} kPa, the block alone", drawn.pressed[0].1 / 1e3),
+        format!("{:.0} kPa", drawn.pressed[1].1 / 1e3),
     ];
     let kept = drawn.particles.len() - drawn.cuts.iter().filter(|cut| cut.replaced).count();
     for (k, title) in titles.iter().enumerate() {
@@ -66,7 +66,7 @@ fn cut(sheet: &mut Sheet, view: &View, drawn: &Drawn, kept: usize) {
     sheet.rectangle(view.area(Extent { low: [0.0; 2], high: [drawn.size; 2] }), Pen::line(LOAD, MEDIUM));
 }
 
-fn pressed(sheet: &mut Sheet, view: &View, size: f64, state: &Confined, kept: usize) {
+fn pressed(sheet: &mut Sheet, view: &View, size: f64, (state, stress): &(AtRest, f64), kept: usize) {
     let (thick, side) = (0.1 * size, 1.2 * size);
     let walls = [
         Extent { low: [0.0, -thick], high: [size, 0.0] },
@@ -81,7 +81,7 @@ fn pressed(sheet: &mut Sheet, view: &View, size: f64, state: &Confined, kept: us
     sheet.rectangle(view.area(block), Pen::shape("#f2e8d5", INK, THIN).class("block"));
     let [x, y] = view.spot([0.5 * size, state.block + 0.15 * size]);
     let long = 0.12 * size * view.scale();
-    if state.stress > 1e4 {
+    if *stress > 1e4 {
         for k in [-2.0, -1.0, 0.0, 1.0, 2.0] {
             let at = x + 0.19 * k * size * view.scale();
             sheet.arrow([at, y - long], [at, y - 1.0], Pen::line(LOAD, MEDIUM).class("load"));

@@ -17,7 +17,8 @@ pub(crate) fn heading(sheet: &mut Sheet, at: Spot, right: f64, told: &Heading) {
         sheet.text([at[0] + name_width(name), at[1]], words, Style::grey());
     } else {
         sheet.text([at[0], at[1] - HEADING], name, Style::bold());
-        sheet.text(at, &shortened(words, right - at[0]), Style::grey());
+        let shown = Style::small().shortened(words, right - at[0], str::to_owned).unwrap_or_default();
+        sheet.text(at, &shown, Style::grey());
     }
 }
 
@@ -30,12 +31,4 @@ pub(crate) fn heading_lines(left: f64, right: f64, (name, words): &Heading) -> f
 /// Width of a name with the gap beside it.
 fn name_width(name: &str) -> f64 {
     Style::bold().width(name) + 14.0
-}
-
-/// As much of a line of small print as a limit allows.
-fn shortened(words: &str, limit: f64) -> String {
-    let fits = |text: &String| Style::small().width(text) <= limit;
-    let cut = |length: usize| format!("{}…", words.chars().take(length).collect::<String>().trim_end());
-    let shorter = (1..words.chars().count()).rev().map(cut);
-    std::iter::once(words.to_owned()).chain(shorter).find(fits).unwrap_or_default()
 }

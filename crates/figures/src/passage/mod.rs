@@ -6,7 +6,10 @@ mod ring;
 mod scene;
 mod vtu;
 
-use crate::file::File;
+pub use records::records as passage_records;
+pub use ring::ring as passage_ring;
+pub use vtu::files as passage_paraview;
+
 use outcome::passage::Passage;
 
 /// Most moments that are drawn; ParaView files have all.
@@ -24,19 +27,4 @@ pub fn passage_drawings(passage: &Passage) -> Vec<(String, String)> {
         put(format!("moment-{k}-ring"), ring::ring(passage, k));
     }
     drawings
-}
-
-/// The records of the sensors alone.
-pub fn passage_records(passage: &Passage) -> Option<String> {
-    records::records(passage)
-}
-
-/// The ring at one moment that is kept.
-pub fn passage_ring(passage: &Passage, moment: usize) -> Option<String> {
-    ring::ring(passage, moment)
-}
-
-/// The ParaView files of a passage.
-pub fn passage_paraview(passage: &Passage) -> Vec<File> {
-    vtu::files(passage)
 }

@@ -15,8 +15,8 @@ const MOST: usize = 12;
 /// Colour of curves.
 const CURVE: &str = "#0b5394";
 
-/// Every channel over time, its peak marked; none without a record.
-pub(super) fn records(passage: &Passage) -> Option<String> {
+/// The records of the sensors: every channel over time, its peak marked; none without a record.
+pub fn records(passage: &Passage) -> Option<String> {
     let end = *passage.times.last()?;
     let second = format!(
         "{} at {} km/h, {}; self-weight taken off; {} positions",

@@ -14,8 +14,8 @@ const CLOSED: &str = "#2e6b2e";
 const OPEN: &str = "#c0301c";
 const SLIDING: &str = "#e08a00";
 
-/// Lines of thrust and joint states; none where the moment has no joints.
-pub(super) fn ring(passage: &Passage, index: usize) -> Option<String> {
+/// The ring at one moment that is kept: lines of thrust and joint states; none where the moment has no joints.
+pub fn ring(passage: &Passage, index: usize) -> Option<String> {
     let moment = passage.moments.get(index)?;
     let joints = || moment.rows.iter().filter(|row| matches!(row.kind, RowKind::Joint { .. }));
     joints().next()?;

@@ -4,8 +4,8 @@ use crate::file::File;
 use crate::vtk::{Array, Cells, Grid, over_time};
 use outcome::passage::{Moment, Pair, PairState, Passage, RowKind};
 
-/// One VTU a moment for the mesh and one for the joints, and their series over time.
-pub(super) fn files(passage: &Passage) -> Vec<File> {
+/// The ParaView files of a passage: one VTU a moment for the mesh and one for the joints, and their series over time.
+pub fn files(passage: &Passage) -> Vec<File> {
     // In order of time.
     let mut order: Vec<usize> = (0..passage.moments.len()).collect();
     order.sort_by(|a, b| passage.moments[*a].time.total_cmp(&passage.moments[*b].time));

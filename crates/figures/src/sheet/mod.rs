@@ -385,6 +385,12 @@ impl Style {
         self.anchor = anchor;
         self
     }
+    /// As much of a text as fits into a limit as it is written; what is cut ends in an ellipsis.
+    pub(crate) fn shortened(&self, text: &str, limit: f64, written: impl Fn(&str) -> String) -> Option<String> {
+        let cut = |length: usize| format!("{}…", text.chars().take(length).collect::<String>().trim_end());
+        let shorter = (1..text.chars().count()).rev().map(|length| written(&cut(length)));
+        std::iter::once(written(text)).chain(shorter).find(|line| self.width(line) <= limit)
+    }
     /// The first line of a text no wider than a limit.
     pub(crate) fn first_line(&self, text: &str, limit: f64) -> String {
         self.wrap(text, limit).into_iter().next().unwrap_or_default()

@@ -39,10 +39,7 @@ pub(super) fn search_words(update: &Update, paper: &PaperSearch) -> String {
 
 /// A name with its unit in brackets, no wider than a limit; a long name is cut, the unit stays.
 pub(super) fn fitting(name: &str, unit: &str, limit: f64) -> String {
-    let fits = |text: &String| Style::default().width(text) <= limit;
-    let cut = |length: usize| format!("{}…", name.chars().take(length).collect::<String>().trim_end());
-    let shorter = (1..=name.chars().count()).rev().map(|length| named(&cut(length), unit));
-    std::iter::once(named(name, unit)).chain(shorter).find(fits).unwrap_or_else(|| raised(unit))
+    Style::default().shortened(name, limit, |name| named(name, unit)).unwrap_or_else(|| raised(unit))
 }
 
 /// A value with its unit, three digits.

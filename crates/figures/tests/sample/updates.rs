@@ -1,7 +1,6 @@
 //! Updates of a made-up bridge, searched in earnest: the model is a formula, the searches are those of the program.
 
 use outcome::calibrate::posterior;
-use outcome::calibrate::posterior::Likelihood;
 use outcome::calibrate::search::hierarchical;
 use outcome::calibrate::search::hierarchical::Variant;
 use outcome::calibrate::search::jacobian;
@@ -11,8 +10,7 @@ use outcome::calibrate::{
 };
 use outcome::passage::Measurand;
 use outcome::update::{
-    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update,
-    UpdateStatus,
+    Histories, PaperSearch, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update, UpdateStatus,
 };
 use std::sync::LazyLock;
 
@@ -135,13 +133,7 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
         let posterior = posterior::sample(&mut evaluator, &basis, &settings).unwrap();
         let surrogate =
             "sampled from a polynomial of degree 3 through 126 points of the model; its error is 0.4 % of the peaks";
-        PosteriorReport {
-            posterior,
-            likelihood: Likelihood::default(),
-            surrogate: surrogate.into(),
-            surrogate_error: vec![0.004; CHANNELS.len()],
-            seconds: 1.0,
-        }
+        PosteriorReport { posterior, surrogate: surrogate.into(), seconds: 1.0 }
     });
     let evaluations = evaluator.done();
     let full =
@@ -163,23 +155,19 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
         computed: evaluations,
         seconds: 1.0,
     };
-    let place = |parameter: &Parameter| ParameterPlace { name: parameter.name.clone(), path: String::new() };
     Update {
         bridge: "Railway arch, four spans of 6 m".into(),
         train: "paper-short".into(),
         status: UpdateStatus::Completed,
         reason: None,
         answer: Some(0),
-        places: problem.parameters().iter().map(place).collect(),
+        paths: problem.parameters().iter().map(|_| String::new()).collect(),
         basis: Some(basis.clone()),
         times: (0..SAMPLES).map(|k| STEP * k as f64).collect(),
         positions: (0..SAMPLES).map(|k| 12.5 * STEP * k as f64).collect(),
         channels: histories.collect(),
         searches: vec![line],
         paper: vec![PaperSearch { variant: Variant::Printed, start: Start::Stated, outcome }],
-        modern: None,
-        referee: None,
-        gradient: None,
         identifiability,
         linearised: None,
         posterior,

@@ -1,6 +1,7 @@
 //! A report as it grows: what is taken in, and what is said of it.
 
-use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, TargetStrength, Verdict};
+use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, TargetStrength};
+use crate::sweep::Ended;
 use crate::warning;
 use bridge::{Bridge, Modulus};
 use findings::words::counted;
@@ -8,39 +9,20 @@ use findings::words::counted;
 impl CalibrationReport {
     /// Nothing found yet.
     pub fn blank(bridge: &Bridge, seeds: &[u64]) -> CalibrationReport {
-        CalibrationReport {
-            verdict: Verdict::Completed,
-            bridge: bridge.name.clone(),
-            modulus: bridge.calibration.modulus,
-            plan: bridge.calibration.clone(),
-            stiffness: [0.0; 2],
-            seeds: seeds.to_vec(),
-            squares: 0,
-            particles: 0,
-            mean_diameter: 0.0,
-            solid_fraction: 0.0,
-            cut: 0,
-            replaced: 0,
-            table: Vec::new(),
-            found: None,
-            reach: None,
-            check: None,
-            strength: None,
-            drawn: None,
-            warnings: Vec::new(),
-        }
+        let (plan, bridge) = (bridge.calibration.clone(), bridge.name.clone());
+        CalibrationReport { bridge, plan, seeds: seeds.to_vec(), ..CalibrationReport::default() }
     }
 
     /// Stopped by the onlooker.
     pub fn cancelled(mut self) -> CalibrationReport {
-        self.verdict = Verdict::Cancelled;
+        self.verdict = Ended::Cancelled;
         self
     }
 
     /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
     pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
-            self.verdict = Verdict::Undetermined;
+            self.verdict = Ended::Undetermined;
             self.warnings.push(warning::Calibration::NothingSheared.into());
             return None;
         };
@@ -48,7 +30,7 @@ impl CalibrationReport {
             self.warnings.push(warning::Calibration::NotSheared { samples: found.left_out }.into());
         }
         if !reached || !wanted.met_by(&found) {
-            self.verdict = Verdict::Undetermined;
+            self.verdict = Ended::Undetermined;
             self.warnings.push(warning::Calibration::StrengthOutOfReach { found: found.clone() }.into());
         }
         let contact = found.contact;
@@ -62,7 +44,7 @@ impl CalibrationReport {
         let apart = again.as_ref().is_none_or(|again| sheared.reached && !sheared.wanted.checked_by(again));
         sheared.check.clone_from(&again);
         if apart {
-            self.verdict = Verdict::Undetermined;
+            self.verdict = Ended::Undetermined;
             self.warnings.push(warning::Calibration::StrengthApart { again }.into());
         }
     }
@@ -78,7 +60,7 @@ impl CalibrationReport {
 
     /// The modulus that is compared with the wanted one.
     pub fn compared(&self, measured: &Measured) -> Option<Spread> {
-        match self.modulus {
+        match self.plan.modulus {
             Modulus::Tangent => measured.tangent,
             Modulus::Secant => measured.secant,
         }
@@ -86,7 +68,7 @@ impl CalibrationReport {
 
     /// The word for it.
     pub fn matched(&self) -> &'static str {
-        match self.modulus {
+        match self.plan.modulus {
             Modulus::Tangent => "tangent",
             Modulus::Secant => "secant",
         }
@@ -134,7 +116,7 @@ impl CalibrationReport {
     pub fn multiple_error(&self) -> Option<f64> {
         let found = self.found.as_ref()?;
         let spread = self.compared(found)?;
-        let mut rows: Vec<At> = self.table.iter().filter_map(|m| m.at(self.modulus)).collect();
+        let mut rows: Vec<At> = self.table.iter().filter_map(|m| m.at(self.plan.modulus)).collect();
         rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
         let above = rows.iter().position(|at| at.multiple > found.multiple).unwrap_or(rows.len());
         let above = above.min(rows.len().checked_sub(1)?).max(1);
@@ -148,7 +130,7 @@ impl CalibrationReport {
     pub fn judged(&mut self, wanted: f64) {
         match self.checked() {
             None => {
-                self.verdict = Verdict::Undetermined;
+                self.verdict = Ended::Undetermined;
                 self.warnings.push(warning::Calibration::NotChecked.into());
             }
             Some(check) if (check.mean / wanted - 1.0).abs() > CHECKED => {
@@ -160,7 +142,7 @@ impl CalibrationReport {
 
     /// Says how far stiffness alone reaches.
     pub fn out_of_reach(&mut self, wanted: f64, [low, high]: [At; 2]) {
-        self.verdict = Verdict::Undetermined;
+        self.verdict = Ended::Undetermined;
         self.warnings.push(warning::Calibration::OutOfReach { wanted, ends: [low, high] }.into());
         self.reach = Some([low, high]);
     }

@@ -1,7 +1,6 @@
 //! Trains that pass over finite elements.
 
 use crate::sentences::notes;
-use serde::{Deserialize, Serialize};
 
 notes! {
     /// What a passage assumes.
@@ -34,33 +33,19 @@ notes! {
     }
 }
 
-/// What carries shear in joints of mortar.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum JointShear {
-    /// Panels of this strength [Pa], whatever presses on them.
-    Panels(f64),
-    /// Friction [rad] and cohesion [Pa] of joints, and of those between rings.
-    Friction([(f64, f64); 2]),
-}
-
-impl std::fmt::Display for JointShear {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            JointShear::Panels(strength) => write!(
-                to,
-                "beside panels that shear like stone up to {:.3} MPa whatever presses on them, where springs have lifted off too",
-                strength / 1e6
-            ),
-            JointShear::Friction(joints) => {
-                let [joint, rings] = joints
-                    .map(|(angle, cohesion)| format!("tan {:.1}° and {:.1} kPa", angle.to_degrees(), cohesion / 1e3));
-                let between = if rings == joint { String::new() } else { format!(" ({rings} between rings)") };
-                write!(
-                    to,
-                    "and shear like stone up to friction and cohesion of [joint], {joint}{between}: nothing where they have opened, friction \
-                     alone once they have"
-                )
-            }
-        }
+notes! {
+    /// What carries shear in joints of mortar.
+    #[derive(Copy)]
+    JointShear {
+        /// Panels of this strength [Pa], whatever presses on them.
+        Panels(strength: f64) =>
+            "beside panels that shear like stone up to {:.3} MPa whatever presses on them, where springs have lifted off too", strength / 1e6;
+        /// Friction [rad] and cohesion [Pa] of joints, and of those between rings.
+        Friction(joints: [(f64, f64); 2]) =>
+            "and shear like stone up to friction and cohesion of [joint], {}: nothing where they have opened, friction alone once they have",
+            match joints.map(|(angle, cohesion)| format!("tan {:.1}° and {:.1} kPa", angle.to_degrees(), cohesion / 1e3)) {
+                [joint, rings] if rings == joint => joint,
+                [joint, rings] => format!("{joint} ({rings} between rings)"),
+            };
     }
 }

@@ -5,7 +5,6 @@ use crate::vehicles::{Across, Weights};
 use bridge::Method;
 use findings::words::counted;
 use rules::{Acting, Source};
-use serde::{Deserialize, Serialize};
 
 notes! {
     /// What is assumed of loads and vehicles that move.
@@ -93,23 +92,14 @@ notes! {
     }
 }
 
-/// What is done with forces across the bridge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Sideways {
-    /// They move loads across the bridge.
-    Counted,
-    /// They are left out.
-    LeftOut,
-}
-
-impl std::fmt::Display for Sideways {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        to.write_str(match self {
-            Sideways::Counted => {
-                "centrifugal and side forces count by the load that they move across the bridge, and not as forces on walls, parapets and piers"
-            }
-            Sideways::LeftOut => "curvature and wind are left out",
-        })
+notes! {
+    /// What is done with forces across the bridge.
+    #[derive(Copy, Eq)]
+    Sideways {
+        /// They move loads across the bridge.
+        Counted => "centrifugal and side forces count by the load that they move across the bridge, and not as forces on walls, parapets and \
+                    piers";
+        LeftOut => "curvature and wind are left out";
     }
 }
 

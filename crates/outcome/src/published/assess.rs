@@ -18,14 +18,7 @@ pub(crate) fn checks(checked: &[Checked]) -> Vec<Object> {
 /// Checks that could not be made.
 pub(crate) fn not_made(checked: &[Checked]) -> Vec<Object> {
     let not_made = checked.iter().filter_map(|check| Some((check, check.outcome.as_ref().err()?)));
-    list(not_made, |(check, why)| {
-        object! {
-            code: check.code,
-            title: check.title,
-            why: why.why,
-            analysis_failed: why.failed,
-        }
-    })
+    list(not_made, |(check, why)| why.object(check))
 }
 
 /// The comparison that governs.

@@ -26,7 +26,7 @@ pub fn path(c: &Collapse) -> String {
 /// Hinges of the mechanism.
 pub fn hinges(c: &Collapse) -> String {
     let mut csv = String::from("x_m,y_m,edge,rotation,first_side,second_side\n");
-    for h in &c.hinges {
+    for h in &c.picture.hinges {
         row!(&mut csv, h.point, h.edge.word(), h.rotation, c.sides(h).unwrap_or_default());
     }
     csv

@@ -15,7 +15,7 @@ pub(crate) fn parameters(update: &Update) -> Vec<Object> {
         let summary = update.summary(k);
         object! {
             name: parameter.name,
-            path: update.places[k].path,
+            path: update.paths[k],
             value: found.map(|found| found.value),
             start: parameter.start,
             unit: parameter.unit,
@@ -98,14 +98,10 @@ pub(crate) fn stages(update: &Update) -> Vec<Object> {
 }
 
 pub(crate) fn records(used: &RecordsUsed) -> Object {
-    let done = |done: &records::Done| {
-        let place = [done.run.as_str(), done.channel.as_str()].join(" ");
-        format!("{}: {}", place.trim(), done.what)
-    };
     let kilometres = |speed: f64| 3.6 * speed;
     object! {
         runs: list(&used.runs, RunUsed::object),
-        done: used.done.iter().map(done).collect::<Vec<_>>(),
+        done: used.done_words().collect::<Vec<_>>(),
         findings: list(used.findings.iter().zip(&used.places), |(finding, file)| object! {
             code: finding.code,
             severity: finding.severity.word(),

@@ -3,7 +3,7 @@
 use super::objects::{Object, json, kilo, list, number, object};
 use super::rows::row;
 use crate::collapse::Collapse;
-use crate::study::{Outcome, Row, Study, sensitivity};
+use crate::study::{Outcome, Row, Study};
 use bridge::vary::Setting;
 use serde_json::{Value, json};
 
@@ -54,7 +54,8 @@ pub fn run_from_record(bytes: &[u8]) -> Option<(Outcome, f64)> {
     Some((outcome, record.get("seconds")?.as_f64()?))
 }
 
-fn numbers(outcome: &Outcome) -> Object {
+/// What a run found, by name.
+pub(crate) fn numbers(outcome: &Outcome) -> Object {
     outcome.numbers.iter().map(|(name, number)| (name.clone(), json!(number))).collect()
 }
 
@@ -71,49 +72,14 @@ pub(crate) fn quantities(study: &Study) -> Vec<Object> {
     })
 }
 
-/// A run with its number.
-pub(crate) fn run(study: &Study, number: usize, row: &Row) -> Object {
-    object! {
-        run: number,
-        varied: row.run.varied.map(|quantity| path(study, quantity)),
-        values: (0..study.quantities.len()).map(|quantity| value_of(study, row, quantity)).collect::<Object>(),
-        status: row.outcome.status,
-        outcomes: numbers(&row.outcome),
-        warnings: row.outcome.warnings,
-        message?: row.outcome.message,
-        seconds: row.seconds,
-        cached: row.cached,
-    }
-}
-
-/// What each quantity does to the number that a study is about.
-pub(crate) fn sensitivities(study: &Study) -> Vec<Object> {
-    list(&sensitivity(study), |one| {
-        object! {
-            quantity: path(study, one.quantity),
-            low: one.low.as_ref().map(extreme),
-            high: one.high.as_ref().map(extreme),
-            swing_percent: one.swing_percent,
-            elasticity: one.elasticity,
-            trend: one.trend,
-            runs_without_outcome: one.without_answer,
-        }
-    })
-}
-
-fn path(study: &Study, quantity: usize) -> String {
-    study.quantities[quantity].path.to_string()
-}
-
-/// A value by the path of its quantity: its number in the unit of the quantity, or its word.
-fn value_of(study: &Study, row: &Row, quantity: usize) -> (String, Value) {
-    let setting = study.setting(row, quantity);
-    let number = setting.and_then(|setting| setting.number).map(|number| json!(number));
-    (path(study, quantity), number.unwrap_or_else(|| json!(setting.map(|setting| &setting.text))))
-}
-
-fn extreme(end: &crate::study::Extreme) -> Object {
-    object! { value: end.value, outcome: end.outcome, change_percent: end.change_percent, }
+/// Values of a run by the paths of their quantities: a number in the unit of the quantity, or a word.
+pub(crate) fn values(study: &Study, row: &Row) -> Object {
+    let value = |quantity: usize| {
+        let setting = study.setting(row, quantity);
+        let number = setting.and_then(|setting| setting.number).map(|number| json!(number));
+        (study.path(quantity), number.unwrap_or_else(|| json!(setting.map(|setting| &setting.text))))
+    };
+    (0..study.quantities.len()).map(value).collect()
 }
 
 /// Every run in a line, units in the heading.
@@ -127,7 +93,7 @@ pub fn vary_table(study: &Study) -> String {
     row!(&mut csv, "run", "varied", headings.collect::<Vec<_>>(), "status", names);
     for (number, row) in study.rows.iter().enumerate() {
         let varied = match row.run.varied {
-            Some(quantity) => path(study, quantity),
+            Some(quantity) => study.path(quantity),
             None if number == 0 => "as the file has it".to_owned(),
             None => "all".to_owned(),
         };

@@ -50,19 +50,16 @@ pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
     );
     for v in &found.vehicles {
         for p in &v.envelope {
-            let axles = each(from_one(p.axles));
-            let weights = weight_cells(p.weights);
-            let arrangement = Quoted(&p.arrangement);
             row!(
                 &mut csv,
                 v.code,
-                p.direction.word(),
-                p.position,
+                p.case.direction.word(),
+                p.case.position,
                 p.converged,
                 [p.adequacy, p.rigid, p.deformable],
-                axles,
-                weights,
-                arrangement
+                each(from_one(p.case.axles)),
+                weight_cells(p.weights),
+                Quoted(&p.case.arrangement)
             );
         }
     }

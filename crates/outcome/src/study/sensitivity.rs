@@ -1,6 +1,7 @@
 //! What each quantity does to the answer.
 
 use super::{Row, Setting, Study};
+use crate::wire::published;
 use crate::words::words;
 use serde::{Deserialize, Serialize};
 
@@ -25,36 +26,39 @@ words! {
     }
 }
 
-/// An answer and the value that gave it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Extreme {
-    /// The value as people write it.
-    pub value: String,
-    /// The answer.
-    pub outcome: f64,
-    /// Change against the file's own bridge [%].
-    pub change_percent: Option<f64>,
-}
+published! {
+    /// An answer and the value that gave it.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Extreme {
+        /// The value as people write it.
+        pub value: String,
+        /// The answer.
+        pub outcome: f64,
+        /// Change against the file's own bridge [%].
+        pub change_percent: Option<f64>,
+    }
 
-/// What a quantity does to the answer.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Sensitivity {
-    /// Which quantity.
-    pub quantity: usize,
-    /// The smallest answer; the first of equals.
-    pub low: Option<Extreme>,
-    /// The largest answer; the first of equals.
-    pub high: Option<Extreme>,
-    /// Largest less smallest, the answer of the file's own bridge counted among them.
-    pub swing: Option<f64>,
-    /// The same over the answer of the file's own bridge [%].
-    pub swing_percent: Option<f64>,
-    /// d ln(answer) / d ln(value): over the nearest values on both sides of the file's own, or on the one side there is.
-    pub elasticity: Option<f64>,
-    /// Which way the answer goes.
-    pub trend: Trend,
-    /// Runs without the answer.
-    pub without_answer: usize,
+    /// What a quantity does to the answer.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct Sensitivity |one, study: &Study| {
+        = quantity: String = study.path(one.quantity),
+        /// Which quantity.
+        pub quantity: usize [kept],
+        /// The smallest answer; the first of equals.
+        pub low: Option<Extreme>,
+        /// The largest answer; the first of equals.
+        pub high: Option<Extreme>,
+        /// Largest less smallest, the answer of the file's own bridge counted among them.
+        pub swing: Option<f64> [kept],
+        /// The same over the answer of the file's own bridge [%].
+        pub swing_percent: Option<f64>,
+        /// d ln(answer) / d ln(value): over the nearest values on both sides of the file's own, or on the one side there is.
+        pub elasticity: Option<f64>,
+        /// Which way the answer goes.
+        pub trend: Trend,
+        /// Runs without the answer.
+        pub without_answer: usize as runs_without_outcome,
+    }
 }
 
 /// What each quantity of a one-at-a-time study does to the answer, in the order of the quantities; nothing for a grid,

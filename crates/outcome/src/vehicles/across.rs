@@ -24,7 +24,6 @@ published! {
         /// How the width of the axles was found, in words.
         pub derivation: String as effective_width_derivation,
         /// The vehicle of another kind that stands in the lanes beside it; empty where these are empty, or hold vehicles of the same kind.
-        #[serde(default)]
         pub beside: String [kept],
     }
 }

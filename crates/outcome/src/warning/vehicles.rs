@@ -2,7 +2,7 @@
 
 use super::cards::warnings;
 use crate::note::Sideways;
-use crate::sentences::listed;
+use crate::sentences::{listed, notes};
 use rules::{Acting, Source, Ways};
 use serde::{Deserialize, Serialize};
 
@@ -41,29 +41,17 @@ pub(super) fn doubtful(source: &Source) -> String {
     format!("({}): {}{note}", source.confidence.word(), source.text)
 }
 
-/// A factor that is recalled, and the load models on which it acts.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum RecalledFactor {
-    /// One of the rule, by its name.
-    Named(String, f64),
-    /// On live loads of models.
-    LiveLoad(f64, String),
-    /// On what motion adds to loads of models.
-    Impact(Box<Acting>, String),
-    /// On these vehicles in the lanes beside models.
-    Beside(f64, Vec<String>, String),
-}
-
-impl std::fmt::Display for RecalledFactor {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            RecalledFactor::Named(name, factor) => write!(to, "{name} {factor}"),
-            RecalledFactor::LiveLoad(factor, models) => write!(to, "live load {factor} ({models})"),
-            RecalledFactor::Impact(acting, models) => write!(to, "impact {} ({models})", acting.told()),
-            RecalledFactor::Beside(share, vehicles, models) => {
-                write!(to, "{share} of {} in the lanes beside ({models})", vehicles.join(", "))
-            }
-        }
+notes! {
+    /// A factor that is recalled, and the load models on which it acts.
+    RecalledFactor {
+        /// One of the rule, by its name.
+        Named(name: String, factor: f64) => "{name} {factor}";
+        LiveLoad(factor: f64, models: String) => "live load {factor} ({models})";
+        /// On what motion adds to loads of models.
+        Impact(acting: Box<Acting>, models: String) => "impact {} ({models})", acting.told();
+        /// On these vehicles in the lanes beside models.
+        Beside(share: f64, vehicles: Vec<String>, models: String) =>
+            "{share} of {} in the lanes beside ({models})", listed(vehicles);
     }
 }
 
@@ -104,7 +92,7 @@ impl std::fmt::Display for OpenPositions {
     }
 }
 
-crate::sentences::notes! {
+notes! {
     /// What is left open of a vehicle on deformable joints.
     BrokenPath {
         Falls => "the blocks fall under their own weight";
@@ -139,24 +127,15 @@ impl std::fmt::Display for Lanes {
     }
 }
 
-/// Why no horizontal forces act.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum Braking {
-    /// The file says so, with its reason where it gives one.
-    Written(Option<String>),
-    /// Trains without a word of it.
-    OfTrains,
-    /// Vehicles on roads without a word of it.
-    OfRoad,
-}
-
-impl std::fmt::Display for Braking {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Braking::Written(Some(reason)) => write!(to, "the file writes braking = 0 ({reason})"),
-            Braking::Written(None) => to.write_str("the file writes braking = 0"),
-            Braking::OfTrains => to.write_str("braking and traction of trains are left out"),
-            Braking::OfRoad => to.write_str("braking is left out"),
-        }
+notes! {
+    /// Why no horizontal forces act.
+    Braking {
+        /// The file says so, with its reason where it gives one.
+        Written(reason: Option<String>) => "the file writes braking = 0{}",
+            reason.as_ref().map_or(String::new(), |reason| format!(" ({reason})"));
+        /// Trains without a word of it.
+        OfTrains => "braking and traction of trains are left out";
+        /// Vehicles on roads without a word of it.
+        OfRoad => "braking is left out";
     }
 }

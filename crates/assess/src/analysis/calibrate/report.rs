@@ -5,7 +5,7 @@ use super::sample::Sample;
 use bridge::Calibration;
 use mechanics::dem;
 use outcome::calibration::moduli::{Moduli, scatter};
-use outcome::calibration::{AtRest, CalibrationReport, Confined, Curve, CurvePoint, Drawn, Measured, Spread};
+use outcome::calibration::{CalibrationReport, Curve, CurvePoint, Drawn, Measured, Spread};
 
 /// What presses of all samples amount to.
 pub(super) fn measured(multiple: f64, samples: &[Sample], pressed: &[Pressed], plan: &Calibration) -> Measured {
@@ -46,14 +46,12 @@ fn drawn(measured: &Measured, samples: &[Sample]) -> Option<Drawn> {
     let [first, last] = &moments[..] else { return None };
     let sample = &samples[*k];
     let points = &measured.samples[*k].2.points;
-    let confined =
-        |moment: &AtRest, stress| Confined { particles: moment.particles.clone(), block: moment.block, stress };
     Some(Drawn {
         name: (sample.seed, sample.square),
         size: sample.size,
         cuts: sample.cuts.clone(),
         particles: sample.particles.iter().map(|p| [p.centre.x, p.centre.y, p.radius]).collect(),
-        pressed: [confined(first, points.first()?.stress), confined(last, points.last()?.stress)],
+        pressed: [(first.clone(), points.first()?.stress), (last.clone(), points.last()?.stress)],
     })
 }
 

@@ -12,7 +12,8 @@ use mechanics::dem;
 use mechanics::ids::{GroupId, Table};
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
-use outcome::calibration::{Measured, Verdict};
+use outcome::calibration::Measured;
+use outcome::sweep::Ended;
 
 const LENGTH: f64 = 0.1;
 
@@ -114,13 +115,13 @@ fn the_first_estimate_is_that_of_the_paper() {
 fn stiffer_contacts_make_stiffer_fill_and_the_same_bits() {
     let bridge = small();
     let found = calibrate_fill(&bridge, &mut Unwatched).unwrap();
-    assert_eq!(found.verdict, Verdict::Completed);
+    assert_eq!(found.verdict, Ended::Completed);
     assert!(found.squares >= 8 && found.table.len() == 2, "{} {}", found.squares, found.table.len());
     let [soft, stiff] = [&found.table[0], &found.table[1]].map(|m| m.at(Modulus::Tangent).unwrap().modulus);
     assert!(stiff > 1.5 * soft && stiff < 4.0 * soft, "{soft} {stiff}");
     assert!(found.replaced > 0 && found.replaced <= found.cut);
     let drawn = found.drawn.as_ref().unwrap();
-    assert!(drawn.pressed[1].block < drawn.pressed[0].block);
+    assert!(drawn.pressed[1].0.block < drawn.pressed[0].0.block);
     let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let alone = single.install(|| calibrate_fill(&bridge, &mut Unwatched)).unwrap();
     assert_eq!(outcome::published::calibration_curves(&found), outcome::published::calibration_curves(&alone));
@@ -154,7 +155,7 @@ impl Watch for Impatient {
 fn it_stops_when_asked() {
     for patience in [1, 60] {
         let found = calibrate_fill(&small(), &mut Impatient(patience)).unwrap();
-        assert_eq!(found.verdict, Verdict::Cancelled, "{patience}");
+        assert_eq!(found.verdict, Ended::Cancelled, "{patience}");
     }
 }
 
@@ -170,7 +171,7 @@ fn a_strength_that_discs_do_not_have_is_out_of_reach() {
         particles.sizes = bridge::Sizes::Count { count: 900, ratio: 1.5 };
     }
     let found = calibrate_fill(&bridge, &mut Unwatched).unwrap();
-    assert_eq!(found.verdict, Verdict::Undetermined);
+    assert_eq!(found.verdict, Ended::Undetermined);
     assert!(found.warnings.iter().any(|w| w.code() == "A163"), "{:?}", found.warnings);
     let strength = found.strength.as_ref().unwrap();
     let angle = strength.found.friction_angle.mean.to_degrees();

@@ -16,7 +16,7 @@ use bridge::update::{self, Compared, Update as Asked};
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
 use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
 use outcome::note::{InUpdate, Note};
-use outcome::update::{Histories, ParameterPlace, RecordsUsed, Update, UpdateStatus};
+use outcome::update::{Histories, RecordsUsed, Update, UpdateStatus};
 use outcome::warning::{self, Warning};
 use searches::Searches;
 use thiserror::Error;
@@ -107,7 +107,6 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
     };
     found.reason.clone_from(&made.failed);
     (found.searches, found.paper) = (made.lines, made.paper);
-    (found.modern, found.referee, found.gradient) = (made.modern, made.referee, made.gradient);
     let mut updated = None;
     if found.status != UpdateStatus::Cancelled
         && let Some(point) = found.found().map(calibrate::Found::point)
@@ -263,14 +262,13 @@ fn blind(parameters: Vec<Parameter>, setup: &Setup) -> Result<Problem, UpdateErr
 
 /// An update of which nothing is known yet but what was asked.
 fn cancelled(task: &Task<'_>, setup: &Setup, problem: Problem) -> Update {
-    let place = |p: &bridge::update::Parameter| ParameterPlace { name: p.name.clone(), path: p.path.to_string() };
     Update {
         bridge: task.bridge.name.clone(),
         train: setup.train.clone(),
         status: UpdateStatus::Cancelled,
         reason: None,
         answer: None,
-        places: task.asked.parameters.iter().map(place).collect(),
+        paths: task.asked.parameters.iter().map(|asked| asked.path.to_string()).collect(),
         problem,
         basis: None,
         times: setup.times.clone(),
@@ -278,9 +276,6 @@ fn cancelled(task: &Task<'_>, setup: &Setup, problem: Problem) -> Update {
         channels: Vec::new(),
         searches: Vec::new(),
         paper: Vec::new(),
-        modern: None,
-        referee: None,
-        gradient: None,
         identifiability: None,
         linearised: None,
         posterior: None,

@@ -21,9 +21,6 @@ const SURROGATE: [usize; 2] = [150, 30];
 pub(super) struct Searches {
     pub lines: Vec<SearchLine>,
     pub paper: Vec<PaperSearch>,
-    pub modern: Option<modern::Outcome>,
-    pub referee: Option<referee::Outcome>,
-    pub gradient: Option<gradient::Outcome>,
     /// Whether somebody asked to stop.
     pub stopped: bool,
     pub failed: Option<String>,
@@ -46,33 +43,23 @@ impl Searches {
         }
         if wants(update::Search::Modern) {
             let settings = modern::Settings { starts: plan.starts as usize, seed: plan.seed, step: STEP };
-            all.one(Search::Modern, "", evaluator, clock, |all, evaluator| {
+            all.one(Search::Modern, "", evaluator, clock, |_, evaluator| {
                 let outcome = modern::search(evaluator, basis, &settings);
-                let end = of_status(&outcome.status);
-                let found = outcome.found.clone();
-                all.modern = Some(outcome);
-                (end, found)
+                (of_status(&outcome.status), outcome.found)
             });
         }
         if wants(update::Search::Referee) {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
-            all.one(Search::Referee, "", evaluator, clock, |all, evaluator| {
+            all.one(Search::Referee, "", evaluator, clock, |_, evaluator| {
                 let outcome = referee::search(evaluator, basis, &settings);
-                let (end, found) = (of_status(&outcome.status), outcome.found.clone());
-                all.referee = Some(outcome);
-                (end, found)
+                (of_status(&outcome.status), outcome.found)
             });
         }
         if wants(update::Search::Gradient) {
             for &(from, start) in gradient_starts(plan.start) {
-                all.one(Search::Gradient, from, evaluator, clock, |all, evaluator| {
+                all.one(Search::Gradient, from, evaluator, clock, |_, evaluator| {
                     let outcome = gradient::search(evaluator, basis, start, 100);
-                    let (end, found) = (of_status(&outcome.status), outcome.found.clone());
-                    let norm = |one: &gradient::Outcome| one.found.as_ref().map_or(f64::INFINITY, |found| found.norm);
-                    if all.gradient.as_ref().is_none_or(|best| norm(&outcome) < norm(best)) {
-                        all.gradient = Some(outcome);
-                    }
-                    (end, found)
+                    (of_status(&outcome.status), outcome.found)
                 });
             }
         }
@@ -231,9 +218,8 @@ pub(super) fn posterior(
     let settings = surrogate::Settings { training: SURROGATE[0], held_out: SURROGATE[1], seed: plan.seed };
     let polynomial = surrogate::build(evaluator, basis, &settings)?;
     let problem = polynomial.widen(noise);
-    let likelihood = likelihood(plan);
     let settings = posterior::Settings {
-        likelihood,
+        likelihood: likelihood(plan),
         effective_samples: plan.samples as f64,
         seed: plan.seed,
         ..posterior::Settings::default()
@@ -248,9 +234,7 @@ pub(super) fn posterior(
     };
     Ok(sampled.map_err(words).map(|posterior| PosteriorReport {
         posterior,
-        likelihood,
         surrogate: polynomial.words(),
-        surrogate_error: polynomial.mean_error.clone(),
         seconds: clock() - begun,
     }))
 }

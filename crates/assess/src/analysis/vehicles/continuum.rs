@@ -90,7 +90,7 @@ impl One<'_> {
             let place = drive.iter().position(|k| *k == at.point).unwrap_or(0);
             let beside = drive.iter().enumerate().filter(|(n, _)| *n != place && n.abs_diff(place) < step);
             let like = |point: usize, weights: Weights| {
-                let position = swept.envelope[point].position;
+                let position = swept.envelope[point].case.position;
                 Stands { point, case: Case { position, weights, ..at.case.clone() } }
             };
             let others = self.weights.iter().filter(|w| **w != at.case.weights).map(|w| like(at.point, *w));
@@ -105,19 +105,10 @@ impl One<'_> {
     /// What governs at a point where fill is weight, and the whole vehicle.
     fn at(&self, swept: &Swept, point: usize) -> Vec<Stands> {
         let p = &swept.envelope[point];
-        let pattern = self.chosen.vehicle.patterns().into_iter().find(|pattern| pattern.label == p.arrangement);
+        let pattern = self.chosen.vehicle.patterns().into_iter().find(|pattern| pattern.label == p.case.arrangement);
         let Some(pattern) = pattern else { return Vec::new() };
-        let governing = Case {
-            position: p.position,
-            direction: p.direction,
-            arrangement: p.arrangement.clone(),
-            axles: p.axles,
-            critical_axle: p.critical_axle,
-            weights: p.weights.unwrap_or(self.weights[0]),
-            uniform: p.uniform,
-            horizontal: 0.0,
-            load: 0.0,
-        };
+        let weights = p.weights.unwrap_or(self.weights[0]);
+        let governing = Case { weights, horizontal: 0.0, load: 0.0, ..p.case.clone() };
         let axles = pattern.axles.len().checked_sub(1).map(|last| [0, last]);
         // As far as the fill reaches.
         let uniform = self.bodies.first().map(Body::ends).filter(|_| !pattern.stretches.is_empty());
@@ -178,8 +169,8 @@ fn drives(envelope: &[EnvelopePoint]) -> Vec<Vec<usize>> {
     let mut drives: Vec<Vec<usize>> = Vec::new();
     for (k, point) in envelope.iter().enumerate() {
         let same = |drive: &&mut Vec<usize>| {
-            let first = &envelope[drive[0]];
-            (&first.arrangement, first.direction) == (&point.arrangement, point.direction)
+            let (first, case) = (&envelope[drive[0]].case, &point.case);
+            (&first.arrangement, first.direction) == (&case.arrangement, case.direction)
         };
         match drives.iter_mut().find(same) {
             Some(drive) => drive.push(k),
@@ -187,7 +178,7 @@ fn drives(envelope: &[EnvelopePoint]) -> Vec<Vec<usize>> {
         }
     }
     for drive in &mut drives {
-        drive.sort_by(|a, b| envelope[*a].position.total_cmp(&envelope[*b].position));
+        drive.sort_by(|a, b| envelope[*a].case.position.total_cmp(&envelope[*b].case.position));
     }
     drives
 }

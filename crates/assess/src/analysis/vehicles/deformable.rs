@@ -119,18 +119,9 @@ impl Moves for Vehicle<'_> {
 
     fn likely(&self, place: usize) -> Vec<Case> {
         let point = &self.swept.envelope[place];
-        let governs = Case {
-            horizontal: self.shared.plan.braking,
-            position: point.position,
-            direction: point.direction,
-            arrangement: point.arrangement.clone(),
-            axles: point.axles,
-            critical_axle: point.critical_axle,
-            weights: point.weights.unwrap_or(self.shared.weights[0]),
-            uniform: point.uniform,
-            load: 0.0,
-        };
-        let Some(pattern) = self.pattern(&point.arrangement) else { return vec![governs] };
+        let weights = point.weights.unwrap_or(self.shared.weights[0]);
+        let governs = Case { weights, horizontal: self.shared.plan.braking, load: 0.0, ..point.case.clone() };
+        let Some(pattern) = self.pattern(&governs.arrangement) else { return vec![governs] };
         let last = pattern.axles.len().checked_sub(1);
         let borders = self.shared.borders;
         let uniform = (!pattern.stretches.is_empty()).then(|| [borders[0], borders[borders.len() - 1]]);
@@ -140,10 +131,10 @@ impl Moves for Vehicle<'_> {
     }
 
     fn like(&self, case: &Case, place: usize) -> Option<Case> {
-        let point = &self.swept.envelope[place];
-        let alike = case.arrangement == point.arrangement && case.direction == point.direction;
-        let pattern = self.pattern(&point.arrangement).filter(|_| alike)?;
-        Some(self.trimmed(&pattern, Case { position: point.position, ..case.clone() }))
+        let there = &self.swept.envelope[place].case;
+        let alike = case.arrangement == there.arrangement && case.direction == there.direction;
+        let pattern = self.pattern(&there.arrangement).filter(|_| alike)?;
+        Some(self.trimmed(&pattern, Case { position: there.position, ..case.clone() }))
     }
 
     fn shifted(&self, case: &Case, by: f64) -> Case {
@@ -232,7 +223,7 @@ impl Vehicle<'_> {
         }
         // The worst position, where it lies between the others.
         for answer in found.answers.iter().skip(positions).flatten() {
-            let mut point = EnvelopePoint::at(&answer.case);
+            let mut point = EnvelopePoint::at(answer.case.clone());
             point.deforms(answer.found.factor * capacity, &answer.case);
             envelope.push(point);
         }

@@ -60,7 +60,7 @@ pub(super) fn carried(
 fn inset(bridge: &Bridge, by_limit: &Collapse) -> Option<f64> {
     let strength = bridge.masonry.compressive_strength?;
     let (mut work, mut turned) = (0.0, 0.0);
-    for hinge in &by_limit.hinges {
+    for hinge in &by_limit.picture.hinges {
         let away = |t: &outcome::picture::ThrustPoint| (t.point[0] - hinge.point[0]).hypot(t.point[1] - hinge.point[1]);
         let points = by_limit.picture.thrust_lines.iter().flatten();
         let nearest = points.min_by(|a, b| away(a).total_cmp(&away(b)))?;

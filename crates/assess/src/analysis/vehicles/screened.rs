@@ -79,9 +79,9 @@ fn agree_at(seed: u64, step: f64) {
     assert_eq!(few.by_interior_point, few.cases, "{seed}");
     assert_eq!((all.positions_not_converged, few.positions_not_converged), (0, 0), "{seed}");
     for (a, b) in all.envelope.iter().zip(&few.envelope) {
-        assert_eq!((a.position, a.adequacy.is_some()), (b.position, b.adequacy.is_some()));
+        assert_eq!((a.case.position, a.adequacy.is_some()), (b.case.position, b.adequacy.is_some()));
         let [full, least] = [a.adequacy.unwrap_or(1.0), b.adequacy.unwrap_or(1.0)];
-        assert!((least / full - 1.0).abs() < 1e-9, "{seed}, {:.2} m: {least} {full}", a.position);
+        assert!((least / full - 1.0).abs() < 1e-9, "{seed}, {:.2} m: {least} {full}", a.case.position);
     }
     assert_eq!((all.factor(), &all.sections), (few.factor(), &few.sections), "{seed}");
 }

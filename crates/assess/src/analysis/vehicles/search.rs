@@ -146,7 +146,7 @@ impl Telling<'_> {
 
     /// A case's place in the envelope, without its factor.
     fn point(&self, key: &Key) -> EnvelopePoint {
-        EnvelopePoint::at(&self.standing.placed(key))
+        EnvelopePoint::at(self.standing.placed(key))
     }
 }
 

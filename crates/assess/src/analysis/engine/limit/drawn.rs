@@ -31,8 +31,8 @@ pub(super) fn found(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Re
     loads(d, &outcome, unlimited, &mut c);
     c.assumptions.push(note::Blocks::Rigid.into());
     c.warnings.extend(outcome.jammed.then(|| warning::Joints::Jammed.into()));
-    if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.sliding_joints.is_empty() {
-        c.warnings.push(warning::Joints::Sliding { joints: c.sliding_joints.len() }.into());
+    if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.picture.sliding.is_empty() {
+        c.warnings.push(warning::Joints::Sliding { joints: c.picture.sliding.len() }.into());
     }
     Ok(c)
 }

@@ -146,8 +146,6 @@ fn report(
     c.contacts =
         at_peak.map_or(0, |frame| frame.joints.iter().flat_map(|j| &j.ends).filter(|e| e.compression > 0.0).count());
     c.tolerance = settings.tolerance;
-    c.hinges.clone_from(&c.picture.hinges);
-    c.sliding_joints.clone_from(&c.picture.sliding);
     c
 }
 

@@ -169,7 +169,7 @@ source = { text = "none", date = "2026", confidence = "assumed" }
         plan.texts = vec![("apart.toml".into(), vehicle.into())];
         let found = swept(&b);
         let one = &found.vehicles[0];
-        let axles: Vec<_> = one.envelope.iter().map(|point| point.axles).collect();
+        let axles: Vec<_> = one.envelope.iter().map(|point| point.case.axles).collect();
         (axles, one.envelope.iter().filter_map(|point| point.adequacy).collect::<Vec<_>>())
     };
     let (axles, factors) = governing(0.0);
