@@ -7,7 +7,7 @@ use super::{Loads, Place};
 use crate::analysis::AnalysisError;
 use crate::analysis::engine::continuum::Moving;
 use crate::analysis::engine::continuum::moved::{self, Answer, Asked};
-use crate::analysis::parallel::Portion;
+use crate::analysis::parallel::portion;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::note;
@@ -33,7 +33,7 @@ pub(super) fn instead(
 ) -> Result<bool, AnalysisError> {
     let body = [Moving::new(loads.bridge, loads.d)?];
     let (runs, asked) = runs(loads, rows);
-    let (answers, whole) = moved::all(&body, &asked, body[0].ratio(), &mut Portion::new(watch, [0.1, 1.0]))?;
+    let (answers, whole) = moved::all(&body, &asked, body[0].ratio(), &mut portion(watch, [0.1, 1.0]))?;
     let mut places: Vec<Option<Vec<(&Run, Answer)>>> = rows.iter().map(|_| Some(Vec::new())).collect();
     for (run, answer) in runs.iter().zip(answers) {
         // A position is answered where all of its runs are.

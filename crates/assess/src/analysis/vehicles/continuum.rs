@@ -6,7 +6,7 @@
 use super::super::engine::continuum::Moving as Body;
 use super::super::engine::continuum::moved::{self, Asked};
 use super::super::engine::rigid;
-use super::super::parallel::Portion;
+use super::super::parallel::portion;
 use super::twins::twins;
 use super::{AnalysisError, factored};
 use crate::vehicles::Chosen;
@@ -46,7 +46,7 @@ pub(super) fn beside(
     let count = own.len() as f64;
     for (n, &k) in own.iter().enumerate() {
         let one = One { bridges: &bridges, bodies: &bodies, weights, rule, plan, chosen: &vehicles[k] };
-        let part = &mut Portion::new(watch, [n as f64 / count, (n + 1) as f64 / count]);
+        let part = &mut portion(watch, [n as f64 / count, (n + 1) as f64 / count]);
         if !one.judged(&mut swept[k], part)? {
             return Ok(false);
         }
@@ -83,7 +83,7 @@ impl One<'_> {
         let stride = |drive: &[usize]| drive.len().div_ceil(POSITIONS).max(1);
         let first: Vec<Stands> =
             drives.iter().flat_map(|d| d.iter().step_by(stride(d))).flat_map(|&k| self.at(swept, k)).collect();
-        let Some(worst) = self.asked(swept, first, &mut Portion::new(watch, [0.0, 0.8]))? else { return Ok(false) };
+        let Some(worst) = self.asked(swept, first, &mut portion(watch, [0.0, 0.8]))? else { return Ok(false) };
         if let Some((_, at)) = worst {
             let drive = drives.iter().find(|drive| drive.contains(&at.point)).map_or(&[][..], Vec::as_slice);
             let step = stride(drive);
@@ -95,7 +95,7 @@ impl One<'_> {
             };
             let others = self.weights.iter().filter(|w| **w != at.case.weights).map(|w| like(at.point, *w));
             let second: Vec<Stands> = beside.map(|(_, &k)| like(k, at.case.weights)).chain(others).collect();
-            if self.asked(swept, second, &mut Portion::new(watch, [0.8, 1.0]))?.is_none() {
+            if self.asked(swept, second, &mut portion(watch, [0.8, 1.0]))?.is_none() {
                 return Ok(false);
             }
         }

@@ -38,7 +38,7 @@ pub use outcome::vehicles::ByDiscreteElements;
 pub use outcome::vehicles::Weights;
 pub use outcome::vehicles::{Extreme, SectionEnvelope};
 
-use super::parallel::Portion;
+use super::parallel::portion;
 use super::state::{self, Change};
 use super::{AnalysisError, default_stiffness, engine, moving, policy};
 use crate::vehicles::{Chosen, chosen, left_out};
@@ -75,7 +75,7 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
     let mut runs = Vec::new();
     for (k, sign) in [0.0, 1.0, -1.0].into_iter().enumerate() {
         own.sweep.iter_mut().for_each(|plan| plan.braking = sign * share);
-        let part = &mut Portion::new(watch, [k as f64 / 3.0, (k + 1) as f64 / 3.0]);
+        let part = &mut portion(watch, [k as f64 / 3.0, (k + 1) as f64 / 3.0]);
         let run = moved(&own, part)?;
         let stopped = run.status() == Ended::Cancelled;
         runs.push(run);
@@ -100,20 +100,20 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let gives = bridge.plan.method == Method::Path;
     let yields = !gives && continuum::is_wanted(bridge);
     let before = if vehicles.iter().any(|chosen| chosen.acting.beside.is_some()) { 0.3 } else { 0.0 };
-    let first_part = &mut Portion::new(watch, [0.0, before]);
-    let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), first_part)?;
-    let rigid_part = &mut Portion::new(watch, if gives || yields { [before, 0.5] } else { [before, 1.0] });
-    let mut swept = search::all(bridge, (&rule, plan), (&vehicles, &weights), (step, true), rigid_part)?;
+    let (first_part, rigid_part) = ([0.0, before], if gives || yields { [before, 0.5] } else { [before, 1.0] });
+    let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), &mut portion(watch, first_part))?;
+    let asked = (&vehicles[..], &weights[..]);
+    let mut swept = search::all(bridge, (&rule, plan), asked, (step, true), &mut portion(watch, rigid_part))?;
     let answered = swept.iter().all(|one| !matches!(one.status, Status::Cancelled | Status::UnstableUnderSelfWeight));
     if gives && answered {
-        let second_part = &mut Portion::new(watch, [0.5, 1.0]);
+        let second_part = &mut portion(watch, [0.5, 1.0]);
         let moved = (&mut swept[..], step);
         if !deformable::beside(bridge, (&rule, plan), (&vehicles, &weights), moved, second_part)? {
             swept.iter_mut().for_each(Swept::cancel);
         }
     }
     if yields && answered {
-        let second_part = &mut Portion::new(watch, [0.5, 1.0]);
+        let second_part = &mut portion(watch, [0.5, 1.0]);
         if !continuum::beside(bridge, (&rule, plan), (&vehicles, &weights), &mut swept, second_part)? {
             swept.iter_mut().for_each(Swept::cancel);
         }

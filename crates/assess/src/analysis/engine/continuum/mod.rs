@@ -4,7 +4,7 @@ mod beside;
 pub mod moved;
 
 use crate::analysis::engine::Engine;
-use crate::analysis::engine::rigid::{cancelled, draw, settings};
+use crate::analysis::engine::rigid::{cancelled, draw, loaded, settings};
 use crate::analysis::geometry::point;
 use crate::analysis::{AnalysisError, notes, parallel, picture, template};
 use beside::Beside;
@@ -32,10 +32,6 @@ impl Engine for Continuum {
         Method::Limit
     }
 
-    fn joints(&self, _: &Bridge) -> Result<(), AnalysisError> {
-        Ok(())
-    }
-
     fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         found(bridge, true, watch)
     }
@@ -50,11 +46,8 @@ pub fn with_strength_of_the_file(bridge: &Bridge, watch: &mut dyn Watch) -> Resu
 }
 
 fn found(bridge: &Bridge, others: bool, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let mut d = discretise(bridge)?;
+    let mut d = loaded(discretise(bridge)?)?;
     d.loading.movements.clear();
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
     parallel::alone("bounds of the load", true, watch, |token| whole(bridge, &d, &earth, others, token))
 }

@@ -8,7 +8,7 @@
 
 use super::{Bracket, Moving};
 use crate::analysis::AnalysisError;
-use crate::analysis::parallel::{self, Portion, Stage};
+use crate::analysis::parallel::{self, Stage, portion};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use structure::discretise::dispersal::Strip;
@@ -80,18 +80,18 @@ pub(in crate::analysis) fn all(
     let seeds = seeds(asked);
     let own =
         |_: &Work<'_>, k: usize, token: &_| bodies[asked[k].body].bracket(&asked[k].strips, ratio.max(COARSE), token);
-    let mut done = work.answered("bounds at every eighth place", &seeds, &mut Portion::new(watch, [0.0, 0.3]), own)?;
-    done = done && work.refined(ratio, &mut Portion::new(watch, [0.3, 0.4]))?;
+    let mut done = work.answered("bounds at every eighth place", &seeds, &mut portion(watch, [0.0, 0.3]), own)?;
+    done = done && work.refined(ratio, &mut portion(watch, [0.3, 0.4]))?;
     let others: Vec<usize> = (0..asked.len()).filter(|k| !seeds.contains(k)).collect();
     if done {
         let like = |work: &Work<'_>, k: usize, token: &_| {
             bodies[asked[k].body].beside(&asked[k].strips, &work.apart_from(k, &seeds), token)
         };
-        done = work.answered("lower bounds between them", &others, &mut Portion::new(watch, [0.4, 0.7]), like)?;
+        done = work.answered("lower bounds between them", &others, &mut portion(watch, [0.4, 0.7]), like)?;
     }
-    done = done && work.bounded_above(false, &mut Portion::new(watch, [0.7, 0.72]))?;
-    done = done && work.refined(ratio, &mut Portion::new(watch, [0.72, 0.9]))?;
-    done = done && work.bounded_above(true, &mut Portion::new(watch, [0.9, 1.0]))?;
+    done = done && work.bounded_above(false, &mut portion(watch, [0.7, 0.72]))?;
+    done = done && work.refined(ratio, &mut portion(watch, [0.72, 0.9]))?;
+    done = done && work.bounded_above(true, &mut portion(watch, [0.9, 1.0]))?;
     Ok((work.answers, done))
 }
 

@@ -51,7 +51,7 @@ fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Re
     let taken = default_stiffness::note(bridge);
     let bridge = &default_stiffness::stiffened(bridge);
     require_stiffness(bridge)?;
-    let d = rigid::prepared(bridge)?;
+    let d = rigid::loaded(rigid::prepared(bridge)?)?;
     let rigid = rigid::uncrushed(bridge, &d, watch)?;
     if rigid.status == limit::Status::Cancelled {
         return Ok(rigid::cancelled(bridge, &d, By::Path(PathReport::default())));
@@ -146,8 +146,6 @@ fn report(
     c.contacts =
         at_peak.map_or(0, |frame| frame.joints.iter().flat_map(|j| &j.ends).filter(|e| e.compression > 0.0).count());
     c.tolerance = settings.tolerance;
-    c.hinges.clone_from(&c.picture.hinges);
-    c.sliding_joints.clone_from(&c.picture.sliding);
     c
 }
 
@@ -196,10 +194,7 @@ fn draw(d: &Discretised, outcome: &path::Outcome, picture: &mut Picture) {
     }
     let motions = outcome.mechanism.iter().map(|&(v, rotation)| Motion { translation: point(v), rotation });
     picture.mechanism = scaled(motions.collect());
-    if let Some(mechanism) = &picture.mechanism {
-        let found = moving(d, &outcome.interfaces, mechanism);
-        (picture.hinges, picture.sliding) = (found.hinges, found.sliding);
-    }
+    moving(d, &outcome.interfaces, picture);
 }
 
 /// Frames that are drawn: the first, the peak, the last and some between.
@@ -224,13 +219,6 @@ fn snapshot(d: &Discretised, joints: &[Interface], frame: &Frame) -> Snapshot {
             });
         }
     }
-    let loads: Vec<_> = d
-        .loading
-        .permanent
-        .iter()
-        .map(|f| (*f, 1.0))
-        .chain(d.loading.variable.iter().map(|f| (*f, frame.factor)))
-        .collect();
     let motion = |(id, pose): (_, &mechanics::plane::Pose)| {
         let block: &mechanics::blocks::Block = &d.model.blocks[id];
         let turned = pose.rotation;
@@ -240,7 +228,7 @@ fn snapshot(d: &Discretised, joints: &[Interface], frame: &Frame) -> Snapshot {
         load: d.load(frame.factor),
         motions: frame.poses.pairs().map(motion).collect(),
         velocities: vec![[0.0; 2]; d.model.blocks.len()],
-        stresses: picture::stresses(d, &contacts, &loads),
+        stresses: picture::stresses(d, &contacts, frame.factor),
         contacts,
         ..Snapshot::default()
     }

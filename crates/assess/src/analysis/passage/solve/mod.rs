@@ -342,5 +342,5 @@ fn end(solution: &mut Solution, outcome: &Outcome, place: &str) {
 /// An onlooker who is told that the self-weight is brought on.
 fn of_self_weight(watch: &mut dyn Watch) -> impl Watch {
     let told = |progress: &Progress| Progress { stage: format!("self-weight: {}", progress.stage), ..progress.clone() };
-    Retold { watch, number: None, told }
+    Retold { watch, kept: None, told }
 }

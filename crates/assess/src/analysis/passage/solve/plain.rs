@@ -85,7 +85,7 @@ impl Way {
             let stage = format!("position {} of {count}", k + 1);
             Progress { stage, fraction: Some(k as f64 / count as f64), steps: k as u64 }
         };
-        let mut placed = Retold { watch, number: None, told };
+        let mut placed = Retold { watch, kept: None, told };
         let forces = with_train(rest, position);
         let outcome: Outcome = match motion {
             None => {
