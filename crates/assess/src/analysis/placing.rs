@@ -108,8 +108,8 @@ impl Placing {
     /// Places at which a load acts on the arches [m]: of the first axle, or of the reference point of the first load.
     pub fn range(&self) -> [f64; 2] {
         let state = &self.states[0];
-        if let Some((_, driving)) = &state.vehicle {
-            return driving.range;
+        if let Some((_, standing)) = &state.vehicle {
+            return standing.range;
         }
         let all = state.bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
         let ahead: Vec<f64> = all.map(|strip| strip.middle - self.first).collect();

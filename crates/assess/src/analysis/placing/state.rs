@@ -2,7 +2,7 @@
 
 use super::super::AnalysisError;
 use super::super::engine::rigid;
-use super::super::vehicles::{Asked, Driven, Driving};
+use super::super::vehicles::{Asked, Driven, Standing};
 use super::Carried;
 use bridge::Bridge;
 use mechanics::blocks::PointForce;
@@ -20,7 +20,7 @@ pub(super) struct State {
     grounds: Vec<Ground>,
     learnt: Vec<Experience>,
     /// The vehicle that is put on it, and what it may do there; none where loads are those of the file.
-    pub vehicle: Option<(Driven, Driving)>,
+    pub vehicle: Option<(Driven, Standing)>,
 }
 
 /// What stands at a place.
@@ -50,8 +50,8 @@ impl State {
     pub(super) fn of_vehicle(bridge: &Bridge, driven: &Driven) -> Result<State, AnalysisError> {
         let driven = driven.on(bridge)?;
         let mut state = State::on(&driven.bridges(bridge))?;
-        let driving = Driving::new(&driven, &state.bridge, &state.built[0]);
-        state.vehicle = Some((driven, driving));
+        let standing = Standing::of_one(&driven, &state.bridge, &state.built[0]);
+        state.vehicle = Some((driven, standing));
         Ok(state)
     }
 
@@ -99,11 +99,11 @@ impl State {
         if !self.stands() {
             return put;
         }
-        let Some((driven, driving)) = &self.vehicle else { return put };
+        let Some((driven, standing)) = &self.vehicle else { return put };
         let begun = self.grounds.iter().zip(&mut self.learnt);
         let mut sweepers: Vec<Sweeper<'_>> =
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
-        let governing = driving.governing(&self.built[0], (&self.grounds, &mut sweepers), position, asked);
+        let governing = standing.governing((&self.grounds, &mut sweepers), position, asked);
         self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
         put.carried = Some(Carried {
             status: rigid::status(governing.status),

@@ -83,7 +83,7 @@ fn runs(loads: &Loads<'_>, rows: &[Place]) -> (Vec<Run>, Vec<Asked>) {
 fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
     let rigid_factor = weight.load_factor;
     let upper = runs.iter().filter_map(|(_, answer)| answer.upper()).min_by(f64::total_cmp);
-    let of = |status: Status| runs.iter().find(move |(_, answer)| answer.status() == status);
+    let of = |status: Status| runs.iter().find(move |(_, answer)| answer.found.status == status);
     let blank = SweepPoint {
         load_factor: None,
         load_factor_at_most: None,
@@ -95,11 +95,11 @@ fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
     let unanswered =
         [Status::UnstableUnderSelfWeight, Status::NotConverged, Status::Cancelled].into_iter().find_map(of);
     if let Some((run, answer)) = unanswered {
-        let status = answer.status();
+        let status = answer.found.status;
         let at_most = upper.filter(|_| status != Status::UnstableUnderSelfWeight);
         return SweepPoint { status, axles: run.axles, load_factor_at_most: at_most, upper_factor: None, ..blank };
     }
-    let carried = runs.iter().filter_map(|(run, answer)| Some((run, answer.lower()?)));
+    let carried = runs.iter().filter_map(|(run, answer)| Some((run, answer.found.lower?)));
     match carried.min_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((run, lower)) => SweepPoint {
             status: Status::Collapsed,

@@ -7,6 +7,7 @@
 
 use super::across::room;
 use super::search;
+use super::traffic::Traffic;
 use crate::analysis::AnalysisError;
 use crate::analysis::parallel::portion;
 use crate::vehicles::{BesideLane, Chosen, named_beside};
@@ -54,7 +55,7 @@ pub(super) fn loaded(
         let mut all = vec![chosen.clone()];
         all.extend(traffic);
         let part = &mut portion(watch, [k as f64 / count, (k + 1) as f64 / count]);
-        let by_itself = search::all(&own, (rule, plan), (&all, weights), (step, true), part)?;
+        let by_itself = search::all(&Traffic::new(&own, (rule, plan), (&all, weights))?, (step, true), part)?;
         let [first, others @ ..] = &by_itself[..] else { continue };
         let worst = others
             .iter()
