@@ -6,8 +6,7 @@ use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::sweep::{Sweep, ranking};
 use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Basis, Evaluator, Found, Halt, Linearised, Problem, Serial, Start, linearised, surrogate};
-use outcome::update::Search;
-use outcome::update::{LinearReport, PaperSearch, PosteriorReport, SearchLine};
+use outcome::update::{LinearReport, PaperSearch, PosteriorReport, Search, SearchLine, Update, UpdateStatus};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -16,17 +15,12 @@ const STEP: f64 = 5e-3;
 /// Points that a surrogate is fitted to, and points that it is judged by.
 const SURROGATE: [usize; 2] = [150, 30];
 
-/// All that the searches gave.
-#[derive(Debug, Default)]
-pub(super) struct Searches {
-    pub lines: Vec<SearchLine>,
-    pub paper: Vec<PaperSearch>,
-    pub modern: Option<modern::Outcome>,
-    pub referee: Option<referee::Outcome>,
-    pub gradient: Option<gradient::Outcome>,
-    /// Whether somebody asked to stop.
-    pub stopped: bool,
-    pub failed: Option<String>,
+/// The searches of a plan, and the update that they are told in, which is completed until one of them says otherwise.
+pub(super) struct Searches<'a> {
+    pub plan: &'a Plan,
+    pub basis: &'a Basis,
+    pub clock: &'a dyn Fn() -> f64,
+    pub found: &'a mut Update,
 }
 
 /// How a search ended.
@@ -36,13 +30,13 @@ enum End {
     Failed(String),
 }
 
-impl Searches {
-    /// Makes them, until one is stopped.
-    pub(super) fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
-        let mut all = Searches::default();
+impl Searches<'_> {
+    /// Makes them, until one is stopped. The answer is the one that ended with the least norm of a full passage.
+    pub(super) fn make(&mut self, evaluator: &mut Evaluator) {
+        let (plan, basis) = (self.plan, self.basis);
         let wants = |search| [search, update::Search::All].contains(&plan.search);
         if wants(update::Search::Hierarchical) {
-            all.papers(plan, evaluator, basis, clock);
+            self.papers(evaluator);
         }
         if wants(update::Search::Modern) {
             let settings = modern::Settings {
@@ -51,41 +45,45 @@ impl Searches {
                 step: STEP,
                 ..modern::Settings::default()
             };
-            all.one(Search::Modern, "", evaluator, clock, |all, evaluator| {
+            self.one(Search::Modern, "", evaluator, |update, evaluator| {
                 let outcome = modern::search(evaluator, basis, &settings);
                 let end = of_status(&outcome.status);
                 let found = outcome.found.clone();
-                all.modern = Some(outcome);
+                update.modern = Some(outcome);
                 (end, found)
             });
         }
         if wants(update::Search::Referee) {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
-            all.one(Search::Referee, "", evaluator, clock, |all, evaluator| {
+            self.one(Search::Referee, "", evaluator, |update, evaluator| {
                 let outcome = referee::search(evaluator, basis, &settings);
                 let (end, found) = (of_status(&outcome.status), outcome.found.clone());
-                all.referee = Some(outcome);
+                update.referee = Some(outcome);
                 (end, found)
             });
         }
         if wants(update::Search::Gradient) {
             for (from, start) in gradient_starts(plan.start) {
-                all.one(Search::Gradient, from, evaluator, clock, |all, evaluator| {
+                self.one(Search::Gradient, from, evaluator, |update, evaluator| {
                     let outcome = gradient::search(evaluator, basis, start, 100);
                     let (end, found) = (of_status(&outcome.status), outcome.found.clone());
                     let norm = |one: &gradient::Outcome| one.found.as_ref().map_or(f64::INFINITY, |found| found.norm);
-                    if all.gradient.as_ref().is_none_or(|best| norm(&outcome) < norm(best)) {
-                        all.gradient = Some(outcome);
+                    if update.gradient.as_ref().is_none_or(|best| norm(&outcome) < norm(best)) {
+                        update.gradient = Some(outcome);
                     }
                     (end, found)
                 });
             }
         }
-        all
+        let lines = &self.found.searches;
+        let norm = |k: &usize| lines[*k].found.as_ref().map(|found| found.norm).filter(|norm| norm.is_finite());
+        let ended = (0..lines.len()).filter_map(|k| norm(&k).map(|norm| (k, norm)));
+        self.found.answer = ended.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(k, _)| k);
     }
 
     /// The paper's search by every reading and from every start that is asked for.
-    fn papers(&mut self, plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) {
+    fn papers(&mut self, evaluator: &mut Evaluator) {
+        let (plan, basis) = (self.plan, self.basis);
         let starts: &[Start] = match plan.start {
             update::Start::Stated => &[Start::Stated],
             update::Start::Bounds => &[Start::LowerBounds, Start::UpperBounds],
@@ -108,7 +106,7 @@ impl Searches {
                     ..hierarchical::Settings::default()
                 };
                 let words = format!("{}, from {}", variant.word(), start.word());
-                self.one(Search::Hierarchical, &words, evaluator, clock, |all, evaluator| {
+                self.one(Search::Hierarchical, &words, evaluator, |update, evaluator| {
                     let outcome = hierarchical::search(evaluator, basis, &settings);
                     let name = |k: &usize| evaluator.problem.parameters()[*k].name.clone();
                     let end = match &outcome.status {
@@ -124,7 +122,7 @@ impl Searches {
                         hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
                     };
                     let found = outcome.found.clone();
-                    all.paper.push(PaperSearch { variant, start: start.clone(), outcome });
+                    update.paper.push(PaperSearch { variant, start: start.clone(), outcome });
                     (end, found)
                 });
             }
@@ -137,40 +135,33 @@ impl Searches {
         search: Search,
         variant: &str,
         evaluator: &mut Evaluator,
-        clock: &dyn Fn() -> f64,
-        run: impl FnOnce(&mut Searches, &mut Evaluator) -> (End, Option<Found>),
+        run: impl FnOnce(&mut Update, &mut Evaluator) -> (End, Option<Found>),
     ) {
-        if self.stopped {
+        if self.found.status == UpdateStatus::Cancelled {
             return;
         }
-        let (begun, before) = (clock(), evaluator.computed());
-        let (end, found) = run(self, evaluator);
+        let (begun, before) = ((self.clock)(), evaluator.computed());
+        let (end, found) = run(self.found, evaluator);
         let status = match end {
             End::Well(words) => words,
             End::Stopped => {
-                self.stopped = true;
+                self.found.status = UpdateStatus::Cancelled;
                 "stopped".to_owned()
             }
             End::Failed(message) => {
-                self.failed = self.failed.take().or(Some(format!("{} search: {message}", search.word())));
+                self.found.status = UpdateStatus::NotConverged;
+                self.found.reason.get_or_insert_with(|| format!("{} search: {message}", search.word()));
                 format!("failed: {message}")
             }
         };
-        self.lines.push(SearchLine {
+        self.found.searches.push(SearchLine {
             search,
             variant: variant.to_owned(),
             status,
             found,
             computed: evaluator.computed() - before,
-            seconds: clock() - begun,
+            seconds: (self.clock)() - begun,
         });
-    }
-
-    /// The search that ended with the least norm of a full passage.
-    pub(super) fn best(&self) -> Option<usize> {
-        let norm = |k: &usize| self.lines[*k].found.as_ref().map(|found| found.norm).filter(|norm| norm.is_finite());
-        let ended = (0..self.lines.len()).filter_map(|k| norm(&k).map(|norm| (k, norm)));
-        ended.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(k, _)| k)
     }
 }
 

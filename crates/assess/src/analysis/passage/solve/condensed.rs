@@ -251,7 +251,7 @@ fn end_of_weight(solution: &mut Solution) {
     }
 }
 
-fn of_visited(visited: &Visited) -> StepLog {
+pub(super) fn of_visited(visited: &Visited) -> StepLog {
     StepLog {
         iterations: visited.position.iterations as usize,
         unbalanced: visited.position.residual,

@@ -7,7 +7,7 @@ use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
 use mechanics::fem::{
-    Damping, Integration, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient,
+    Damping, Integration, Motion, Outcome, Settings, State, Status, Step, Target, Workspace, advance, transient,
 };
 use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Part, PassageStatus, StepLog};
@@ -48,7 +48,8 @@ impl Way {
         };
         let target = Target { forces: rest.weight.clone(), imposed: Vec::new() };
         let outcome = advance(model, &mut state, &mut work, &target, &of_weight, &mut of_self_weight(watch));
-        solution.log.extend(outcome.steps.iter().map(super::of_weight));
+        let log = |step: &Step| StepLog { stage: Part::SelfWeight, time: step.reached, ..of_step(step) };
+        solution.log.extend(outcome.steps.iter().map(log));
         if let Some(last) = solution.log.last_mut() {
             last.open_joints = open_interfaces(model, state.bonds.iter());
         }
