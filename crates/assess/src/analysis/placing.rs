@@ -7,6 +7,7 @@
 mod state;
 
 use super::engine::rigid;
+use super::sweep::crossing;
 use super::vehicles::{Asked, Driven};
 use super::{AnalysisError, geometry, notes, policy};
 use bridge::Bridge;
@@ -18,7 +19,6 @@ use outcome::picture::{LoadArrow, Picture, Point};
 use outcome::vehicles::Case;
 use state::{Put, State};
 use structure::discretise::continuum;
-use structure::discretise::dispersal;
 
 /// A bridge that waits for its loads.
 pub struct Placing {
@@ -111,11 +111,7 @@ impl Placing {
         if let Some((_, standing)) = &state.vehicle {
             return standing.range;
         }
-        let all = state.bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
-        let ahead: Vec<f64> = all.map(|strip| strip.middle - self.first).collect();
-        let most = ahead.iter().copied().fold(0.0, f64::max);
-        let least = ahead.iter().copied().fold(0.0, f64::min);
-        [-most, structure::discretise::bridge_length(&state.bridge) - least]
+        crossing(&state.bridge, self.first)
     }
 
     /// What is dragged.

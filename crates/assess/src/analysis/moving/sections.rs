@@ -1,10 +1,10 @@
 //! What critical joints carry while a vehicle passes: extremes, each with the values that go with it.
 
+use super::Key;
 use bridge::Bridge;
 use mechanics::limit::{Effect, Ground, Section};
 use outcome::note;
-use outcome::vehicles::Case;
-use outcome::vehicles::{Extreme, Of, SectionEnvelope};
+use outcome::vehicles::{Case, Extreme, Of, SectionEnvelope};
 use structure::discretise::{Discretised, Origin};
 
 /// A joint that is watched.
@@ -94,30 +94,30 @@ fn replaces((size, section): (f64, &Section), (before, known): (f64, &Section)) 
 
 /// Extremes of every watched joint so far: size, section and which case.
 #[derive(Debug, Clone)]
-pub(crate) struct Extremes<K> {
-    rows: Vec<[Option<(f64, Section, K)>; 5]>,
+pub(crate) struct Extremes {
+    rows: Vec<[Option<(f64, Section, Key)>; 5]>,
 }
 
-impl<K: Clone> Extremes<K> {
+impl Extremes {
     /// Nothing seen yet.
-    pub(crate) fn new(watched: &[Watched]) -> Extremes<K> {
+    pub(crate) fn new(watched: &[Watched]) -> Extremes {
         Extremes { rows: watched.iter().map(|_| [const { None }; 5]).collect() }
     }
 
     /// Looks at a case; `key` says which.
-    pub(crate) fn look(&mut self, ground: &Ground, watched: &[Watched], effect: &Effect, key: impl Fn() -> K) {
+    pub(crate) fn look(&mut self, ground: &Ground, watched: &[Watched], effect: &Effect, key: Key) {
         for (row, w) in self.rows.iter_mut().zip(watched) {
             let Some(section) = ground.section(effect, 1.0, w.joint) else { continue };
             for (kept, size) in row.iter_mut().zip(sizes(&section)) {
                 if kept.as_ref().is_none_or(|(before, known, _)| replaces((size, &section), (*before, known))) {
-                    *kept = Some((size, section, key()));
+                    *kept = Some((size, section, key));
                 }
             }
         }
     }
 
     /// Takes over the extremes of cases that come later.
-    pub(crate) fn merge(&mut self, later: Extremes<K>) {
+    pub(crate) fn merge(&mut self, later: Extremes) {
         for (row, other) in self.rows.iter_mut().zip(later.rows) {
             for (kept, new) in row.iter_mut().zip(other) {
                 if let Some(new) = new
@@ -129,7 +129,7 @@ impl<K: Clone> Extremes<K> {
         }
     }
 
-    pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&K) -> Case) -> Vec<SectionEnvelope> {
+    pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&Key) -> Case) -> Vec<SectionEnvelope> {
         let each = watched.iter().zip(self.rows).map(|(w, row)| {
             let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {
                 let (_, s, key) = kept?;

@@ -10,6 +10,7 @@ use mechanics::limit::{self, Experience, Friction, Ground, Outcome, Sweeper};
 use outcome::collapse::Status;
 use outcome::vehicles::Case;
 use structure::discretise::Discretised;
+use structure::discretise::continuum::loads;
 use structure::discretise::dispersal::{self, Strip};
 
 /// The blocks under their weight, what carries them and what was learnt of it, under each combination of a rule's factors on weights; one
@@ -113,7 +114,7 @@ impl State {
         });
         if let Some(case) = governing.case {
             let loaded = driven.loaded(&self.bridge, &case);
-            put.strips = loaded.loads.iter().flat_map(|load| dispersal::strips(load, 0.0)).collect();
+            put.strips = loads(&loaded);
             put.forces = self.forces(governing.weights, &loaded, &put.strips);
             put.weights = governing.weights;
             put.friction = if governing.level { Friction::Automatic } else { Friction::Associated };

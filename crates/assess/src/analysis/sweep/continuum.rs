@@ -13,7 +13,6 @@ use outcome::collapse::Status;
 use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning;
-use structure::discretise::dispersal::{self, Strip};
 
 /// A run of neighbouring axles at a position.
 #[derive(Debug, Clone)]
@@ -33,7 +32,7 @@ pub(super) fn instead(
 ) -> Result<bool, AnalysisError> {
     let body = [Moving::new(loads.bridge, loads.d)?];
     let (runs, asked) = runs(loads, rows);
-    let (answers, whole) = moved::all(&body, &asked, body[0].ratio(), &mut portion(watch, [0.1, 1.0]))?;
+    let (answers, whole) = moved::all(&body, &asked, body[0].earth.plan.bound_ratio, &mut portion(watch, [0.1, 1.0]))?;
     let mut places: Vec<Option<Vec<(&Run, Answer)>>> = rows.iter().map(|_| Some(Vec::new())).collect();
     for (run, answer) in runs.iter().zip(answers) {
         // A position is answered where all of its runs are.
@@ -62,7 +61,7 @@ fn runs(loads: &Loads<'_>, rows: &[Place]) -> (Vec<Run>, Vec<Asked>) {
     let (mut runs, mut asked): (Vec<Run>, Vec<Asked>) = (Vec::new(), Vec::new());
     let mut kinds: Vec<[usize; 2]> = Vec::new();
     for (place, row) in rows.iter().enumerate() {
-        let strips = strips(loads, row.at.position);
+        let strips = loads.strips(row.at.position);
         let all = [0, strips.len().saturating_sub(1)];
         let governing = row.least.and_then(|least| least.key.axles);
         for axles in [all].into_iter().chain(governing.filter(|axles| *axles != all)) {
@@ -110,12 +109,6 @@ fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
         },
         None => SweepPoint { status: Status::Locks, ..blank },
     }
-}
-
-/// The loads of the file at a position.
-fn strips(loads: &Loads<'_>, position: f64) -> Vec<Strip> {
-    let offset = position - loads.first;
-    loads.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect()
 }
 
 #[cfg(test)]

@@ -89,7 +89,7 @@ impl One<'_> {
         let governing = self.traffic.governing(p);
         let axles = pattern.axles.len().checked_sub(1).map(|last| [0, last]);
         // As far as the fill reaches.
-        let uniform = self.bodies.first().map(Body::ends).filter(|_| !pattern.stretches.is_empty());
+        let uniform = self.bodies.first().map(|body| body.earth.ends).filter(|_| !pattern.stretches.is_empty());
         let whole = Case { axles, uniform, ..governing.clone() };
         let stands = |case: &Case| case.axles.is_some() || case.uniform.is_some();
         let both = if governing == whole { vec![whole] } else { vec![whole, governing] };
@@ -121,7 +121,7 @@ impl One<'_> {
             asked.push(Asked { body, row, position: one.case.position, strips });
             all.push(one);
         }
-        let ratio = self.bodies.first().map_or(RATIO, Body::ratio).max(RATIO);
+        let ratio = self.bodies.first().map_or(RATIO, |body| body.earth.plan.bound_ratio).max(RATIO);
         let (answers, done) = moved::all(self.bodies, &asked, ratio, watch)?;
         if !done {
             return Ok(None);

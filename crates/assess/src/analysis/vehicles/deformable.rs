@@ -18,6 +18,7 @@ use mechanics::path::Ground;
 use mechanics::watch::Watch;
 use outcome::vehicles::{Case, Deformable, Direction, EnvelopePoint, PermissibleFactor, Swept};
 use rules::Pattern;
+use structure::discretise::continuum::loads;
 use structure::discretise::dispersal::{self, Strip};
 
 /// Puts the factors of deformable joints beside those of rigid blocks, and the smaller one in front. Tells whether all of it
@@ -158,7 +159,7 @@ impl Vehicle<'_> {
     fn strips(&self, weights: usize, case: &Case) -> (Bridge, Vec<Strip>) {
         let Traffic { bridges, plan, rule, .. } = self.traffic;
         let loaded = factored::with_case(&bridges[weights], plan, rule, self.chosen(), case);
-        let strips = loaded.loads.iter().flat_map(|load| dispersal::strips(load, 0.0)).collect();
+        let strips = loads(&loaded);
         (loaded, strips)
     }
 

@@ -82,7 +82,10 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
             break;
         }
     }
-    Ok(braking::worst(share, across::sideways(bridge), &runs))
+    let (_, mut found) = worst_of(&runs);
+    found.warnings.retain(|warning| warning.code() != warning::NO_LONGITUDINAL);
+    found.assumptions.push(note::Moving::Braking { share, sideways: across::sideways(bridge) }.into());
+    Ok(found)
 }
 
 /// Moves vehicles with one share of their loads along the bridge.

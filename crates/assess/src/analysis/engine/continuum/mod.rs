@@ -67,7 +67,8 @@ pub fn bounds_alone(bridge: &Bridge, token: &CancelToken) -> Result<(Bounds, f64
 /// A bridge whose loads move: its blocks and its soil, which stay.
 pub struct Moving<'a> {
     d: &'a Discretised,
-    earth: Earth,
+    /// The soil.
+    pub earth: Earth,
     settings: Settings,
 }
 
@@ -81,16 +82,6 @@ impl<'a> Moving<'a> {
         Ok(Moving { d, earth, settings: associated(bridge) })
     }
 
-    /// The ratio of the bounds that the file wants.
-    pub fn ratio(&self) -> f64 {
-        self.earth.plan.bound_ratio
-    }
-
-    /// Where the soil ends on the left and on the right [m].
-    pub fn ends(&self) -> [f64; 2] {
-        self.earth.ends
-    }
-
     /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
     /// them stands on the fill, nothing can fail.
     ///
@@ -98,7 +89,7 @@ impl<'a> Moving<'a> {
     /// A strip without length, or regions and blocks of which no bounds can be asked for.
     pub fn bracket(&self, strips: &[Strip], ratio: f64, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
-        let wanted = Wanted { ratio, ..self.wanted() };
+        let wanted = Wanted { ratio, ..wanted(&self.earth.plan) };
         Ok(Bracket::of(collapse_bounds(&setting(&loaded, &self.settings)?, &wanted, token)?))
     }
 
@@ -114,7 +105,7 @@ impl<'a> Moving<'a> {
     ) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let setting = setting(&loaded, &self.settings)?;
-        Ok(Bracket::of(lower_like(&setting, &like(others), &self.wanted(), token)?))
+        Ok(Bracket::of(lower_like(&setting, &like(others), &wanted(&self.earth.plan), token)?))
     }
 
     /// An upper bound alone, on a mesh a third as fine.
@@ -128,7 +119,7 @@ impl<'a> Moving<'a> {
         token: &CancelToken,
     ) -> Result<Option<f64>, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(None) };
-        Ok(upper_like(&setting(&loaded, &self.settings)?, &like(others), &self.wanted(), token)?)
+        Ok(upper_like(&setting(&loaded, &self.settings)?, &like(others), &wanted(&self.earth.plan), token)?)
     }
 
     /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
@@ -137,7 +128,7 @@ impl<'a> Moving<'a> {
     /// Those of [`bracket`](Self::bracket).
     pub fn closer(&self, strips: &[Strip], bracket: &Bracket, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
-        let wanted = Wanted { rounds: 1, ..self.wanted() };
+        let wanted = Wanted { rounds: 1, ..wanted(&self.earth.plan) };
         Ok(Bracket::of(closer_bounds(&setting(&loaded, &self.settings)?, &wanted, bounds, token)?))
     }
 
@@ -154,10 +145,6 @@ impl<'a> Moving<'a> {
     fn loaded(&self, strips: &[Strip]) -> Result<Option<LoadedEarth>, AnalysisError> {
         let loaded = self.earth.loaded(self.d, Strength::of(&self.earth.plan), strips)?;
         Ok((!strips.is_empty() && loaded.left_out <= 1.0 - 1e-9).then_some(loaded))
-    }
-
-    fn wanted(&self) -> Wanted {
-        wanted(&self.earth.plan)
     }
 }
 
