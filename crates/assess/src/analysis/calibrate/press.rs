@@ -14,7 +14,7 @@ use outcome::calibration::AtRest;
 
 /// Everything about the tests that is the same for all samples.
 pub(super) struct Rig {
-    plan: Calibration,
+    pub plan: Calibration,
     pub settings: dem::Settings,
     pub laws: Laws,
 }
@@ -37,10 +37,6 @@ impl Rig {
     /// For samples of a fill with these laws.
     pub(super) fn new(bridge: &Bridge, laws: &Laws) -> Rig {
         Rig { plan: bridge.calibration.clone(), settings: settings(bridge), laws: laws.clone() }
-    }
-
-    pub(super) fn plan(&self) -> &Calibration {
-        &self.plan
     }
 
     /// Presses a sample whose contacts among particles are `multiple` times as stiff as those of the file; everything else
