@@ -82,7 +82,7 @@ impl Placing {
         if bridge.loads.iter().any(|load| load.block.is_some()) {
             return Err(AnalysisError::MovedBlock);
         }
-        Placing::on(bridge, first, 1.0, State::of_loads)
+        Placing::on(bridge, first, 1.0, |state| State::on(std::slice::from_ref(state)))
     }
 
     /// The bridge with a vehicle under the factors of a rule.

@@ -42,11 +42,6 @@ pub(super) struct Put {
 }
 
 impl State {
-    /// The bridge with its own loads.
-    pub(super) fn of_loads(bridge: &Bridge) -> Result<State, AnalysisError> {
-        State::on(std::slice::from_ref(bridge))
-    }
-
     /// The bridge with a vehicle under the factors of a rule.
     pub(super) fn of_vehicle(bridge: &Bridge, driven: &Driven) -> Result<State, AnalysisError> {
         let driven = driven.on(bridge)?;
@@ -56,7 +51,8 @@ impl State {
         Ok(state)
     }
 
-    fn on(bridges: &[Bridge]) -> Result<State, AnalysisError> {
+    /// The bridge with its own loads, or under each combination of factors on weights.
+    pub(super) fn on(bridges: &[Bridge]) -> Result<State, AnalysisError> {
         let (mut built, mut grounds) = (Vec::new(), Vec::new());
         for bridge in bridges {
             let mut d = rigid::prepared(bridge)?;

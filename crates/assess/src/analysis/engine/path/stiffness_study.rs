@@ -1,7 +1,7 @@
 //! What a ring would carry on joints of other stiffness: nobody knows that of an old bridge well.
 
 use crate::analysis::AnalysisError;
-use mechanics::blocks::Stiffness;
+use crate::analysis::engine::joints::stiffer;
 use mechanics::path::{Ground, Program, Settings, Status};
 use mechanics::watch::{CancelToken, Watch};
 use outcome::picture::OverStiffness;
@@ -53,12 +53,7 @@ fn scaled(
 ) -> Result<Option<f64>, AnalysisError> {
     let mut model = d.model.clone();
     for law in model.laws.iter_mut() {
-        for stiffness in [&mut law.normal, &mut law.shear] {
-            *stiffness = match *stiffness {
-                Stiffness::Given(k) => Stiffness::Given(times * k),
-                Stiffness::Series { joint, body } => Stiffness::Series { joint: times * joint, body: times * body },
-            };
-        }
+        *law = stiffer(law, times);
     }
     let ground = Ground::new(&model, &d.loading, settings, watch)?;
     let program = Program { increment: FIRST_STEP * rigid, ..program.clone() };
