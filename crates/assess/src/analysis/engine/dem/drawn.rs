@@ -42,7 +42,7 @@ pub(super) fn found(
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     c.contacts = at_rest.map_or(0, |frame| frame.contacts.len() + frame.particle_contacts.len());
-    loads(&outcome, &|factor| d.load(factor), &mut c);
+    loads(&outcome, d, &mut c);
     c.load_step = Some(step);
     c.limit_load = rigid.as_ref().and_then(|rigid| rigid.factor).map(|f| d.load(f));
     c.tolerance = scene.plan.tolerance;

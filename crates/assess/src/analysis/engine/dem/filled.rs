@@ -65,9 +65,8 @@ pub fn collapse_filled(
     let kept = |state: &[u8]| kept::join(&(&grains, Some((&lifts, iterations))), state);
     let mut part = Retold { watch, kept: Some(&kept), told: Progress::clone };
     let outcome = dem::collapse_from(&model, &state, &program, &settings, resume, &mut part)?;
-    let factor = |factor: f64| d.load(factor);
-    let mut c = report(bridge, &d, &outcome, "discrete elements", &factor);
-    loads(&outcome, &factor, &mut c);
+    let mut c = report(bridge, &d, &outcome, "discrete elements", &|factor| d.load(factor));
+    loads(&outcome, &d, &mut c);
     c.load_step = Some(load_step);
     c.packing = outcome.frames.first().map(|frame| packing_report(bridge, &d, &region, &grains, frame));
     if let By::Dem(Some(dem)) = &mut c.by {

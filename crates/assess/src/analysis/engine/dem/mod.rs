@@ -135,7 +135,7 @@ fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Re
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
     let load = |factor: f64| d.load(factor);
     let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
-    loads(&outcome, &load, &mut c);
+    loads(&outcome, &d, &mut c);
     c.load_step = Some(load_step);
     c.limit_load = limit_load.map(load);
     c.warnings.extend(chosen.into_iter().map(Warning::from));
@@ -150,9 +150,9 @@ fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Re
 }
 
 /// The last load at rest, and the first that collapsed: a step that did neither is no collapse load.
-pub fn loads(outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, c: &mut Collapse) {
-    c.last_stable_load = outcome.last_stable_factor.map(load);
-    let next = outcome.collapse_factor.map(load);
+pub fn loads(outcome: &dem::Outcome, d: &Discretised, c: &mut Collapse) {
+    c.last_stable_load = outcome.last_stable_factor.map(|factor| d.load(factor));
+    let next = outcome.collapse_factor.map(|factor| d.load(factor));
     match outcome.status {
         dem::Status::Stalled => c.stalled_load = next,
         _ => c.collapse_load = next,

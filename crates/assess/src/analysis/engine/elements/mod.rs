@@ -84,8 +84,7 @@ fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Analysis
     }
     let mut chosen = Vec::new();
     let (program, load_step) = program(&bridge.plan, &d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;
-    let parts = model::parts(bridge, &d);
-    let model = model::model(&ring, &parts)?;
+    let (model, deform) = model::model(bridge, &d, &ring)?;
     let settings = settings(program.resolution.map(|resolution| program.increment / resolution));
     let mut run = Run::new(&d, &ring, &model)?;
     let status = run.load(&program, rigid.status != limit::Status::NoEquilibrium, &settings, watch);
@@ -94,7 +93,7 @@ fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Analysis
     c.load_step = Some(load_step);
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     c.warnings.extend(chosen.into_iter().map(Warning::from));
-    notes::finite(bridge, &d, parts.deform.clone(), sliding, &mut c);
+    notes::finite(bridge, &d, deform, sliding, &mut c);
     Ok(c)
 }
 

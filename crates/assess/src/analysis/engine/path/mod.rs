@@ -123,10 +123,11 @@ fn report(
     outcome: &path::Outcome,
 ) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| d.load(f));
+    let (status, ended) = ended(outcome);
     let permissible = service::met(&outcome.onsets);
     let weight = d.model.free_weight().max(f64::MIN_POSITIVE);
     let report = PathReport {
-        ended: ended(outcome),
+        ended,
         contact: Some(contact),
         permissible: permissible.map(|(criterion, factor)| Permissible { criterion, load: d.load(factor) }).collect(),
         snaps: outcome.snaps,
@@ -139,7 +140,7 @@ fn report(
     draw(d, outcome, &mut picture);
     let at_peak = outcome.peak.and_then(|k| outcome.frames.get(k));
     let mut c = template::of_bridge(bridge, d, By::Path(report), picture);
-    c.status = status(outcome.status);
+    c.status = status;
     c.collapse_load = load(outcome.collapse_factor);
     c.last_stable_load = load(outcome.last_stable_factor);
     c.max_compressive_stress = at_peak.map(|frame| outcome.path[frame.step].stress);
@@ -149,26 +150,17 @@ fn report(
     c
 }
 
-fn status(status: path::Status) -> Status {
-    match status {
-        path::Status::LimitPoint | path::Status::Bifurcation => Status::Collapsed,
-        path::Status::StableToLastLoad => Status::StableToLastLoad,
-        path::Status::UnstableUnderSelfWeight => Status::UnstableUnderSelfWeight,
-        path::Status::NotConverged => Status::NotConverged,
-        path::Status::Cancelled => Status::Cancelled,
-    }
-}
-
-fn ended(outcome: &path::Outcome) -> Ended {
+/// How a path ended, for an engineer and by what.
+fn ended(outcome: &path::Outcome) -> (Status, Ended) {
     match (outcome.status, outcome.cause) {
-        (path::Status::LimitPoint, Some(Cause::Sliding)) => Ended::Sliding,
-        (path::Status::LimitPoint, Some(Cause::Crushing)) => Ended::Crushing,
-        (path::Status::LimitPoint, _) => Ended::LimitPoint,
-        (path::Status::Bifurcation, _) => Ended::Bifurcation,
-        (path::Status::StableToLastLoad, _) => Ended::LoadLimit,
-        (path::Status::UnstableUnderSelfWeight, _) => Ended::SelfWeight,
-        (path::Status::NotConverged, _) => Ended::NotConverged,
-        (path::Status::Cancelled, _) => Ended::Cancelled,
+        (path::Status::LimitPoint, Some(Cause::Sliding)) => (Status::Collapsed, Ended::Sliding),
+        (path::Status::LimitPoint, Some(Cause::Crushing)) => (Status::Collapsed, Ended::Crushing),
+        (path::Status::LimitPoint, _) => (Status::Collapsed, Ended::LimitPoint),
+        (path::Status::Bifurcation, _) => (Status::Collapsed, Ended::Bifurcation),
+        (path::Status::StableToLastLoad, _) => (Status::StableToLastLoad, Ended::LoadLimit),
+        (path::Status::UnstableUnderSelfWeight, _) => (Status::UnstableUnderSelfWeight, Ended::SelfWeight),
+        (path::Status::NotConverged, _) => (Status::NotConverged, Ended::NotConverged),
+        (path::Status::Cancelled, _) => (Status::Cancelled, Ended::Cancelled),
     }
 }
 
