@@ -120,6 +120,7 @@ fn made_up(bridge: &Bridge) -> Passage {
         reason: None,
         self_weight: sizes.iter().map(|size| 3.0 * size).collect(),
         values,
+        derivatives: Vec::new(),
         degrees_of_freedom: 2 * setup.meshed.mesh.nodes.len(),
         condensed_degrees_of_freedom: Some(3000),
         taking_part: Vec::new(),

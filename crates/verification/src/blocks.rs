@@ -286,7 +286,7 @@ impl Blocks {
         };
         let mut watch = mechanics::watch::Unwatched;
         let o = dem::collapse(model, loading, &program, &settings, None, &mut watch).map_err(|e| e.to_string())?;
-        let (status, _) = assess::analysis::dem_status(&o);
+        let (status, _) = assess::analysis::engine::dem::ended(o.status);
         Ok(serde_json::json!({
             "status": status.word(),
             "last_stable_factor": o.last_stable_factor,

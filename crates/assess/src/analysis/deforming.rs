@@ -46,11 +46,6 @@ impl Bound {
     }
 }
 
-/// A bridge under its own weight, on deformable joints.
-pub(super) struct Deforming {
-    ground: Ground,
-}
-
 /// What came of one load.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Followed {
@@ -58,14 +53,6 @@ pub(super) struct Followed {
     pub factor: f64,
     /// Whether the path broke off: it may carry more, but that is not shown.
     pub broken_off: bool,
-}
-
-/// What is asked of a load.
-pub(super) struct Asked<'a> {
-    /// How far it is followed for the load that it carries.
-    pub bound: Bound,
-    /// What it comes to in service, where that counts.
-    pub service: Option<InService<'a>>,
 }
 
 /// The states that a load brings about in service.
@@ -78,66 +65,47 @@ pub(super) struct InService<'a> {
     pub by_themselves: bool,
 }
 
-impl Deforming {
-    /// The state under self-weight. Fill acts by its weight alone.
-    pub(super) fn new(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<Deforming, AnalysisError> {
-        let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
-        let onsets = service::sought(path::strength(d));
-        let settings = Settings { onsets, ..Settings::new(contact_length(&bridge.plan, contact)) };
-        Ok(Deforming { ground: Ground::new(&d.model, &d.loading, &settings, watch)? })
-    }
+/// A bridge under its own weight, on deformable joints. Fill acts by its weight alone.
+pub(super) fn at_rest(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<Ground, AnalysisError> {
+    let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
+    let onsets = service::sought(path::strength(d));
+    let settings = Settings { onsets, ..Settings::new(contact_length(&bridge.plan, contact)) };
+    Ok(Ground::new(&d.model, &d.loading, &settings, watch)?)
+}
 
-    /// Whether the state under self-weight was found.
-    pub(super) fn stands(&self) -> bool {
-        self.ground.stands()
+/// Follows a load up to its peak, to a bound for the load that it carries, and for what it comes to in service where that counts. None where the
+/// peak is not below the bound (what rigid blocks carry is told), where the bridge does not stand, where nothing is loaded and where the work does
+/// not go on. A load that carries the bound is followed as far as it may bring a state about at less than is known.
+pub(super) fn follow(
+    sweeper: &mut Sweeper<'_>,
+    forces: &[PointForce],
+    (bound, service): (Bound, Option<InService<'_>>),
+    token: &CancelToken,
+) -> Option<Followed> {
+    let below = service.as_ref().map_or([0.0; SOUGHT], |service| service.known.factors);
+    let size = |f: &PointForce| f.force.norm();
+    let heaviest = forces.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let watched: (_, Vec2) = (heaviest.block, heaviest.at);
+    let to = |limit: f64| Program { increment: FIRST_STEP * limit, limit, watched };
+    let governs = bound.rigid || !sweeper.carries(forces, bound.factor);
+    let limit = if governs {
+        bound.factor
+    } else if service.as_ref().is_some_and(|service| service.by_themselves) {
+        let may = sweeper.may_meet(forces, &to(bound.factor), &below);
+        let least = below.iter().zip(may).filter(|(_, may)| *may).map(|(factor, _)| *factor);
+        least.reduce(f64::max)?.min(bound.factor)
+    } else {
+        return None;
+    };
+    let found = sweeper.carried(forces, (&to(limit), &below), &mut token.clone());
+    if found.status == Status::Cancelled {
+        return None;
     }
-
-    /// Whether it was seen to fall.
-    pub(super) fn falls(&self) -> bool {
-        self.ground.falls()
+    if let Some(InService { known, position, .. }) = service {
+        known.take(&found.onsets, position);
     }
-
-    /// What follows loads, one after the other.
-    pub(super) fn sweeper(&self) -> Sweeper<'_> {
-        self.ground.sweeper()
+    if !governs || found.status == Status::StableToLastLoad && !bound.rigid {
+        return None;
     }
-
-    /// Follows a load up to its peak. None where that is not below the bound (what rigid blocks carry is told), where the
-    /// bridge does not stand, where nothing is loaded and where the work does not go on. A load that carries the bound is followed as far as
-    /// it may bring a state about at less than is known.
-    pub(super) fn follow(
-        &self,
-        sweeper: &mut Sweeper<'_>,
-        forces: &[PointForce],
-        asked: Asked<'_>,
-        token: &CancelToken,
-    ) -> Option<Followed> {
-        let Asked { bound, service } = asked;
-        let below = service.as_ref().map_or([0.0; SOUGHT], |service| *service.known.factors());
-        let size = |f: &PointForce| f.force.norm();
-        let heaviest = forces.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        let watched: (_, Vec2) = (heaviest.block, heaviest.at);
-        let to = |limit: f64| Program { increment: FIRST_STEP * limit, limit, watched };
-        let governs = bound.rigid || !sweeper.carries(forces, bound.factor);
-        let limit = if governs {
-            bound.factor
-        } else if service.as_ref().is_some_and(|service| service.by_themselves) {
-            let may = sweeper.may_meet(forces, &to(bound.factor), &below);
-            let least = below.iter().zip(may).filter(|(_, may)| *may).map(|(factor, _)| *factor);
-            least.reduce(f64::max)?.min(bound.factor)
-        } else {
-            return None;
-        };
-        let found = sweeper.carried(forces, (&to(limit), &below), &mut token.clone());
-        if found.status == Status::Cancelled {
-            return None;
-        }
-        if let Some(InService { known, position, .. }) = service {
-            known.take(&found.onsets, position);
-        }
-        if !governs || found.status == Status::StableToLastLoad && !bound.rigid {
-            return None;
-        }
-        Some(Followed { factor: found.factor?, broken_off: found.status == Status::NotConverged })
-    }
+    Some(Followed { factor: found.factor?, broken_off: found.status == Status::NotConverged })
 }

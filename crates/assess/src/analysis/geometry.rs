@@ -1,9 +1,9 @@
 //! Joints of a discretised bridge: where they stand in it, how their sides move, which are hinges.
 
-use mechanics::blocks::Interface;
+use mechanics::blocks::{Interface, interfaces};
 use mechanics::ids::{BlockId, Id};
 use mechanics::plane::{Vec2, vec2};
-use outcome::picture::{Hinge, HingeAt, Motion, Point};
+use outcome::picture::{ContactForce, Hinge, HingeAt, Motion, Picture, Point, ThrustPoint};
 use structure::discretise::{Discretised, Origin};
 
 /// A vector as results show it.
@@ -70,15 +70,6 @@ pub(super) fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> Hing
     if distance(faces.bed) <= distance(faces.back) { HingeAt::Intrados } else { HingeAt::Extrados }
 }
 
-/// A mechanism read from the motions of the blocks.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Moving {
-    /// Hinges, sorted as the interfaces.
-    pub hinges: Vec<Hinge>,
-    /// Middles of the joints that slide.
-    pub sliding: Vec<Point>,
-}
-
 /// A joint turns when its relative rotation is at least this share of the largest one. Elastic joints beside a hinge
 /// share some of its rotation; in the mechanisms of arches the hinges themselves differ by less than a factor of five.
 const TURNING: f64 = 0.2;
@@ -86,12 +77,13 @@ const TURNING: f64 = 0.2;
 /// of any block.
 const SLIDING: f64 = 0.05;
 
-/// Hinges and sliding joints of motions scaled to a largest translation of 1 m.
-pub(super) fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Moving {
+/// Puts the hinges of a picture's mechanism, sorted as the joints, and the middles of the joints that slide beside it. Its motions are scaled to a
+/// largest translation of 1 m.
+pub(super) fn moving(d: &Discretised, joints: &[Interface], picture: &mut Picture) {
+    let Some(motions) = &picture.mechanism else { return };
     let motion = |b: BlockId| motions[b.index()];
     let turn = |j: &Interface| motion(j.second).rotation - motion(j.first).rotation;
     let largest = joints.iter().map(|j| turn(j).abs()).fold(0.0, f64::max);
-    let mut found = Moving::default();
     for j in joints {
         let rotation = turn(j);
         // A second side that turns counter-clockwise closes the far end along the tangent.
@@ -110,14 +102,26 @@ pub(super) fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) 
             && !between_rings(d, j.first, j.second)
         {
             let between = [j.first, j.second].map(BlockId::index);
-            found.hinges.push(Hinge { point: point(at), edge: edge_at(d, j.first, j.second, at), between, rotation });
+            let edge = edge_at(d, j.first, j.second, at);
+            picture.hinges.push(Hinge { point: point(at), edge, between, rotation });
         }
         if apart.dot(j.normal.left()).abs() >= SLIDING && !opened {
             let middle = j.points.iter().fold(Vec2::ZERO, |sum, &p| sum + p) * (1.0 / j.points.len() as f64);
-            found.sliding.push(point(middle));
+            picture.sliding.push(point(middle));
         }
     }
-    found
+}
+
+/// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
+const TOUCHING: f64 = 1e-6;
+
+/// The same of the joints of the blocks as built.
+pub(super) fn moving_as_built(d: &Discretised, picture: &mut Picture) {
+    if picture.mechanism.is_some()
+        && let Ok(joints) = interfaces(&d.model, TOUCHING)
+    {
+        moving(d, &joints, picture);
+    }
 }
 
 /// Motions scaled so that the largest translation is 1 m; nothing where nothing moves.
@@ -143,4 +147,23 @@ pub(super) fn lines<T: Copy>(d: &Discretised, points: impl Iterator<Item = (Bloc
     placed.sort_by_key(|(place, _)| *place);
     let line = |rest: &[(_, T)]| rest.iter().map(|(_, value)| *value).collect();
     placed.chunk_by(|a, b| a.0.0 == b.0.0).map(line).collect()
+}
+
+/// Lines of thrust through the resultants of contacts, which are sorted by blocks, in the order of their joints.
+pub(super) fn thrust_lines(d: &Discretised, contacts: &[ContactForce]) -> Vec<Vec<ThrustPoint>> {
+    let points = contacts.chunk_by(|a, b| a.blocks == b.blocks).filter_map(|joint| {
+        let total: f64 = joint.iter().map(|c| c.compression).sum();
+        if total <= 0.0 {
+            return None;
+        }
+        let (mut at, mut force) = (Vec2::ZERO, Vec2::ZERO);
+        for c in joint {
+            let normal = vec2(c.normal[0], c.normal[1]);
+            at += vec2(c.point[0], c.point[1]) * (c.compression / total);
+            force += normal * c.compression + normal.left() * c.shear;
+        }
+        let [first, second] = joint[0].blocks.map(BlockId::new);
+        Some((first, second, ThrustPoint { point: point(at), thrust: force.norm() }))
+    });
+    lines(d, points)
 }

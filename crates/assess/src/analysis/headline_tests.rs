@@ -95,7 +95,7 @@ fn a_stalled_run_has_no_collapse_load() {
     {
         outcome.status = status;
         let mut c = engine::dem::report(&short(), &d, &outcome, "test", &|factor| d.load(factor));
-        engine::dem::loads(&outcome, &|factor| d.load(factor), &mut c);
+        engine::dem::loads(&outcome, &d, &mut c);
         assert_eq!((c.collapse_load, c.stalled_load), (collapse, stalled));
         notes::dem(&short(), &d, &mut c);
         assert_eq!(codes(&c.warnings).contains(&warning::STALLED), stalled.is_some());

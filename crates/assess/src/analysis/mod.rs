@@ -32,7 +32,6 @@ pub mod vehicles;
 mod wall_and_fill;
 
 pub use default_stiffness::stiffened;
-pub use engine::dem::status as dem_status;
 pub use error::AnalysisError;
 pub(crate) use error::LEAST_SAMPLE;
 pub use ground::ground_plan;

@@ -1,6 +1,5 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
-use super::engine::elements::Sliding;
 use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Plan, Strip};
 use mechanics::limit;
 use outcome::collapse::By;
@@ -170,7 +169,7 @@ pub(super) fn finite(
     bridge: &Bridge,
     d: &Discretised,
     stones: FiniteStones,
-    sliding: Option<Sliding>,
+    sliding: Option<warning::Joints>,
     c: &mut Collapse,
 ) {
     common(bridge, d, c);
@@ -181,7 +180,7 @@ pub(super) fn finite(
     if bridge.joint.tensile_strength > 0.0 {
         c.assumptions.push(note::Blocks::TensionLeftOut.into());
     }
-    c.warnings.extend(sliding.map(joints::would_slide));
+    c.warnings.extend(sliding.map(Warning::from));
     if let (Some(stable), Some(limit)) = (c.last_stable_load, c.limit_load)
         && stable > limit
     {

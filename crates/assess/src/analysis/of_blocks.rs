@@ -1,6 +1,6 @@
 //! Collapse of a block model that a file lists or a drawing holds.
 
-use super::engine::{self, scene};
+use super::engine::{self, rigid, scene};
 use super::{AnalysisError, policy};
 use mechanics::watch::Watch;
 use outcome::collapse::{By, Collapse};
@@ -30,10 +30,7 @@ pub fn collapse_of_blocks(
 
 /// The same with all that the file says of the blocks.
 fn as_described(scene: &Scene, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let d = scene.discretised();
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
+    let d = rigid::loaded(scene.discretised())?;
     let mut found = engine::by(scene.plan.method).drawn(scene, &d, resume, watch)?;
     found.block_names = scene.bodies.iter().map(|body| body.name.clone()).collect();
     found.picture.collapse_load = found.collapse_load;

@@ -1,6 +1,5 @@
 //! Pieces of work on all cores under one onlooker: progress out, a wish to stop in, and what is done is kept.
 
-use mechanics::kept;
 pub(crate) use mechanics::watch::CancelToken;
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::mpsc::{RecvTimeoutError, Sender, TryRecvError, channel};
@@ -135,8 +134,8 @@ pub(crate) fn told<J: Sync, M: Send>(
 pub(crate) struct Retold<'w, F> {
     /// Who looks on.
     pub watch: &'w mut dyn Watch,
-    /// Which of several pieces it is: kept states begin with its number. None where no state is kept.
-    pub number: Option<usize>,
+    /// A kept state behind what stands in front of it; none where no state is kept.
+    pub kept: Option<&'w dyn Fn(&[u8]) -> Vec<u8>>,
     /// How far the whole is, by what is told of the work.
     pub told: F,
 }
@@ -146,31 +145,19 @@ impl<F: Fn(&Progress) -> Progress> Watch for Retold<'_, F> {
         self.watch.look(&(self.told)(progress))
     }
     fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
-        if let Some(number) = self.number {
-            self.watch.keep(&|| kept::join(&number, &state()));
+        if let Some(kept) = self.kept {
+            self.watch.keep(&|| kept(&state()));
         }
     }
 }
 
-/// An onlooker of one part of the work, whose share of the whole begins and ends where it is told.
-pub(crate) struct Portion<'w> {
-    watch: &'w mut dyn Watch,
-    shares: [f64; 2],
-}
-
-impl<'w> Portion<'w> {
-    /// The part between two shares of the whole.
-    pub(crate) fn new(watch: &'w mut dyn Watch, shares: [f64; 2]) -> Portion<'w> {
-        Portion { watch, shares }
-    }
-}
-
-impl Watch for Portion<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let [from, to] = self.shares;
+/// An onlooker of one part of the work, between two shares of the whole.
+pub(crate) fn portion(watch: &mut dyn Watch, [from, to]: [f64; 2]) -> impl Watch {
+    let told = move |progress: &Progress| {
         let fraction = progress.fraction.map(|share| from + share * (to - from));
-        self.watch.look(&Progress { fraction, ..progress.clone() })
-    }
+        Progress { fraction, ..progress.clone() }
+    };
+    Retold { watch, kept: None, told }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::defects;
 use super::dimensions::dimensions;
 use super::geometry::point;
 use bridge::Bridge;
-use mechanics::blocks::{Particle, PointForce};
+use mechanics::blocks::Particle;
 use mechanics::ids::BlockId;
 use mechanics::plane::Vec2;
 use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Shape};
@@ -56,8 +56,8 @@ fn particles(d: &Discretised) -> Vec<Disc> {
 }
 
 /// Average stress of each block [Pa], tension positive (xx, yy, xy), from the forces on its surface: the divergence
-/// theorem. Its own weight acts in the centroid and does not count.
-pub(super) fn stresses(d: &Discretised, contacts: &[ContactForce], loads: &[(PointForce, f64)]) -> Vec<[f64; 3]> {
+/// theorem. Its own weight acts in the centroid and does not count; variable loads count so many times.
+pub(super) fn stresses(d: &Discretised, contacts: &[ContactForce], factor: f64) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; d.model.blocks.len()];
     let mut add = |block: usize, at: Vec2, force: Vec2| {
         let arm = at - d.model.blocks.as_slice()[block].outline.centroid();
@@ -72,9 +72,10 @@ pub(super) fn stresses(d: &Discretised, contacts: &[ContactForce], loads: &[(Poi
         add(c.blocks[1], at, on_second);
         add(c.blocks[0], at, -on_second);
     }
-    for (load, factor) in loads {
+    let permanent = d.loading.permanent.iter().map(|load| (load, 1.0));
+    for (load, factor) in permanent.chain(d.loading.variable.iter().map(|load| (load, factor))) {
         let BlockId(block) = load.block;
-        add(block as usize, load.at, load.force * *factor);
+        add(block as usize, load.at, load.force * factor);
     }
     sums.iter().zip(d.model.blocks.iter()).map(|(s, b)| s.map(|v| v / b.outline.area())).collect()
 }

@@ -7,6 +7,7 @@
 mod state;
 
 use super::engine::rigid;
+use super::sweep::crossing;
 use super::vehicles::{Asked, Driven};
 use super::{AnalysisError, geometry, notes, policy};
 use bridge::Bridge;
@@ -18,7 +19,6 @@ use outcome::picture::{LoadArrow, Picture, Point};
 use outcome::vehicles::Case;
 use state::{Put, State};
 use structure::discretise::continuum;
-use structure::discretise::dispersal;
 
 /// A bridge that waits for its loads.
 pub struct Placing {
@@ -82,7 +82,7 @@ impl Placing {
         if bridge.loads.iter().any(|load| load.block.is_some()) {
             return Err(AnalysisError::MovedBlock);
         }
-        Placing::on(bridge, first, 1.0, State::of_loads)
+        Placing::on(bridge, first, 1.0, |state| State::on(std::slice::from_ref(state)))
     }
 
     /// The bridge with a vehicle under the factors of a rule.
@@ -108,14 +108,10 @@ impl Placing {
     /// Places at which a load acts on the arches [m]: of the first axle, or of the reference point of the first load.
     pub fn range(&self) -> [f64; 2] {
         let state = &self.states[0];
-        if let Some((_, driving)) = &state.vehicle {
-            return driving.range;
+        if let Some((_, standing)) = &state.vehicle {
+            return standing.range;
         }
-        let all = state.bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
-        let ahead: Vec<f64> = all.map(|strip| strip.middle - self.first).collect();
-        let most = ahead.iter().copied().fold(0.0, f64::max);
-        let least = ahead.iter().copied().fold(0.0, f64::min);
-        [-most, structure::discretise::bridge_length(&state.bridge) - least]
+        crossing(&state.bridge, self.first)
     }
 
     /// What is dragged.

@@ -29,7 +29,8 @@ pub(super) fn met(onsets: &[Option<f64>]) -> impl Iterator<Item = (Criterion, f6
 /// The least load factors at which loads that move bring the states about, as far as they are known.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Service {
-    factors: [f64; SOUGHT],
+    /// Factors below which each state is still sought, in the order of [`sought`].
+    pub factors: [f64; SOUGHT],
     /// Positions of the loads there [m]; none while the factor is but the one below which a state counts.
     positions: [Option<f64>; SOUGHT],
 }
@@ -38,11 +39,6 @@ impl Service {
     /// Nothing is known, and only what is met below a load factor counts.
     pub(super) fn below(factor: f64) -> Service {
         Service { factors: [factor; SOUGHT], positions: [None; SOUGHT] }
-    }
-
-    /// Factors below which each state is still sought, in the order of [`sought`].
-    pub(super) fn factors(&self) -> &[f64; SOUGHT] {
-        &self.factors
     }
 
     /// Takes what a load at a position [m] came to.

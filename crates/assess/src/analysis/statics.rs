@@ -4,7 +4,7 @@ use super::AnalysisError;
 use super::engine::rigid;
 use super::state::{self, Change};
 use bridge::{Bridge, Method, Strip};
-use mechanics::ids::{BlockId, Table};
+use mechanics::ids::BlockId;
 use mechanics::limit::{Ground, Section};
 use outcome::note::{self, Note};
 use outcome::statics::{Reaction, Seat, Statics, Weight};
@@ -54,19 +54,15 @@ fn weights(bridge: &Bridge, d: &Discretised) -> Vec<Weight> {
         Some(one) => one.force += force,
         None => list.push(Weight { part, force }),
     };
-    let fixed = fixed(d);
-    for (id, block) in d.model.blocks.pairs().filter(|(id, _)| !fixed[*id]) {
+    let fixed = |id: BlockId| d.model.blocks[id].held.is_fixed();
+    for (id, block) in d.model.blocks.pairs().filter(|(id, _)| !fixed(*id)) {
         add(&mut masonry, format!("{}: masonry", part(bridge, d.origins[id])), -block.mass() * d.model.gravity.y);
     }
-    for force in d.loading.permanent.iter().filter(|force| !fixed[force.block]) {
+    for force in d.loading.permanent.iter().filter(|force| !fixed(force.block)) {
         add(&mut cover, format!("{}: cover above", part(bridge, d.origins[force.block])), -force.force.y);
     }
     masonry.extend(cover);
     masonry
-}
-
-fn fixed(d: &Discretised) -> Table<BlockId, bool> {
-    d.model.blocks.iter().map(|block| block.held.is_fixed()).collect()
 }
 
 /// Springings of every span, all rings together, and feet of piers.

@@ -18,7 +18,9 @@ use outcome::collapse::Status;
 use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning;
-use structure::discretise::{Discretised, bridge_length, dispersal};
+use structure::discretise::continuum::{loads, wanted};
+use structure::discretise::dispersal::{self, Strip};
+use structure::discretise::{Discretised, bridge_length};
 
 /// Where the first load's reference point stands [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,16 +42,20 @@ impl Places {
                 (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect()
             }
             Places::Every(step) => {
-                let all = bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
-                let ahead: Vec<f64> = all.map(|strip| strip.middle - first).collect();
-                let most = ahead.iter().copied().fold(0.0, f64::max);
-                let least = ahead.iter().copied().fold(0.0, f64::min);
-                let ends = [-most, bridge_length(bridge) - least];
+                let ends = crossing(bridge, first);
                 let count = ((ends[1] - ends[0]) / step - 1e-9).ceil().clamp(1.0, MOST_POSITIONS) as usize;
                 Places::Between(ends, count + 1).list(bridge, first)
             }
         }
     }
+}
+
+/// Places of the first load's reference point [m] between which a load stands on the bridge.
+pub(super) fn crossing(bridge: &Bridge, first: f64) -> [f64; 2] {
+    let ahead: Vec<f64> = loads(bridge).iter().map(|strip| strip.middle - first).collect();
+    let most = ahead.iter().copied().fold(0.0, f64::max);
+    let least = ahead.iter().copied().fold(0.0, f64::min);
+    [-most, bridge_length(bridge) - least]
 }
 
 /// More positions than this are no sweep but a slip of a unit.
@@ -84,7 +90,7 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     let without_dilation = WithoutDilation::Everywhere(settings.friction);
     let scene = Scene { stands: &loads, grounds: &grounds, watched: &[], screen: false, seeds: &[], without_dilation };
     let step = if list.len() > 1 { list[1] - list[0] } else { 0.0 };
-    let yields = structure::discretise::continuum::wanted(bridge).is_some() && bridge.plan.method == Method::Limit;
+    let yields = wanted(bridge).is_some() && bridge.plan.method == Method::Limit;
     let line = Line { vehicle: 0, positions: &list, alike: false };
     let finest = if yields { 0.0 } else { step };
     let Some(rigid) = search(&scene, (&[line], 1), finest, watch).pop() else { return Err(AnalysisError::NoLoad) };
@@ -159,16 +165,19 @@ struct Run {
 impl Loads<'_> {
     /// How many axles there are.
     fn axles(&self) -> usize {
-        self.bridge.loads.iter().map(|load| dispersal::strips(load, 0.0).len()).sum()
+        loads(self.bridge).len()
+    }
+
+    /// What stands on the road with the first load at a position [m].
+    fn strips(&self, position: f64) -> Vec<Strip> {
+        let offset = position - self.first;
+        self.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect()
     }
 
     /// Every run with the first load at a position [m] of which anything reaches the blocks.
     fn runs(&self, position: f64) -> Vec<Run> {
-        let offset = position - self.first;
-        let spreads: Vec<_> = (self.bridge.loads.iter())
-            .flat_map(|load| dispersal::strips(load, offset))
-            .map(|strip| self.d.spread(self.bridge, strip))
-            .collect();
+        let spread = |strip| self.d.spread(self.bridge, strip);
+        let spreads: Vec<_> = self.strips(position).into_iter().map(spread).collect();
         let run = |axles: [usize; 2]| {
             let chosen = &spreads[axles[0]..=axles[1]];
             let forces: Vec<_> = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();

@@ -58,7 +58,7 @@ pub(super) fn strip(
         fraction: progress.fraction.map(|share| 0.5 * (share + number as f64)),
         ..progress.clone()
     };
-    collapse(&alone, resume, &mut Retold { watch, number: Some(number), told })
+    collapse(&alone, resume, &mut Retold { watch, kept: Some(&|state| kept::join(&number, state)), told })
 }
 
 /// Both strips' loads times their widths [m].

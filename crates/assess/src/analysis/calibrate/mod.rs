@@ -234,7 +234,7 @@ fn measure(rig: &Rig, samples: &[Sample], multiples: &[f64], crowd: &mut Crowd<'
         crowd.each("pressing", 1.0, &jobs, |&(multiple, k), watch| rig.press(&samples[k], multiple, watch))?;
     let of = |(k, &multiple): (usize, &f64)| {
         let own = &pressed[k * samples.len()..(k + 1) * samples.len()];
-        report::measured(multiple, samples, own, rig.plan())
+        report::measured(multiple, samples, own, &rig.plan)
     };
     Ok(multiples.iter().enumerate().map(of).collect())
 }

@@ -4,8 +4,9 @@ use super::sample::{Part, Sample};
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
 use crate::analysis::engine::dem::settings;
+use crate::analysis::engine::joints::stiffer;
 use bridge::{Bridge, Calibration};
-use mechanics::blocks::{BlockModel, ContactLaw, Held, Loading, PointForce, Stiffness};
+use mechanics::blocks::{BlockModel, Held, Loading, PointForce};
 use mechanics::dem::{self, Frame, Model, begin, collapse_from};
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
@@ -14,7 +15,7 @@ use outcome::calibration::AtRest;
 
 /// Everything about the tests that is the same for all samples.
 pub(super) struct Rig {
-    plan: Calibration,
+    pub plan: Calibration,
     pub settings: dem::Settings,
     pub laws: Laws,
 }
@@ -37,10 +38,6 @@ impl Rig {
     /// For samples of a fill with these laws.
     pub(super) fn new(bridge: &Bridge, laws: &Laws) -> Rig {
         Rig { plan: bridge.calibration.clone(), settings: settings(bridge), laws: laws.clone() }
-    }
-
-    pub(super) fn plan(&self) -> &Calibration {
-        &self.plan
     }
 
     /// Presses a sample whose contacts among particles are `multiple` times as stiff as those of the file; everything else
@@ -112,12 +109,3 @@ impl Rig {
 
 /// Gap between the pressing block and the walls, as a share of the smallest radius.
 const GAP: f64 = 0.05;
-
-/// A law with its stiffness multiplied.
-fn stiffer(law: &ContactLaw, multiple: f64) -> ContactLaw {
-    let times = |stiffness: Stiffness| match stiffness {
-        Stiffness::Given(k) => Stiffness::Given(multiple * k),
-        Stiffness::Series { joint, body } => Stiffness::Series { joint: multiple * joint, body: multiple * body },
-    };
-    ContactLaw { normal: times(law.normal), shear: times(law.shear), ..*law }
-}

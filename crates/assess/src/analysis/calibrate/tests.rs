@@ -57,7 +57,7 @@ fn press(sample: &Sample, multiple: f64) -> Measured {
     let rig = Rig::new(&bridge, &sample.laws);
     let pressed = rig.press(sample, multiple, &mut Unwatched).unwrap();
     assert_eq!(pressed.status, dem::Status::StableToLastLoad);
-    report::measured(multiple, std::slice::from_ref(sample), &[pressed], rig.plan())
+    report::measured(multiple, std::slice::from_ref(sample), &[pressed], &rig.plan)
 }
 
 /// Columns of discs are springs in series: n - 1 contacts of stiffness k l among themselves and two of k' l at floor and

@@ -6,9 +6,9 @@
 use super::super::moving::REFINEMENTS;
 use super::super::parallel::{self, Stage};
 use super::super::service::Service;
-use super::{Asked, Bound, Deforming, Followed, InService};
+use super::{Bound, Followed, InService, follow};
 use mechanics::blocks::PointForce;
-use mechanics::path::Sweeper;
+use mechanics::path::{Ground, Sweeper};
 use mechanics::watch::{CancelToken, Watch};
 use std::ops::Range;
 
@@ -27,7 +27,7 @@ const SHARES: [f64; 2] = [0.7, 0.8];
 /// The places of what moves over the bridge, in order.
 pub(crate) struct Places<'a> {
     /// The bridge under its own weight, by every combination of factors on it.
-    pub deforming: &'a [Deforming],
+    pub grounds: &'a [Ground],
     /// How far loads are followed at each; none where nothing bounds them.
     pub bounds: Vec<Option<Bound>>,
     /// Distance between them [m]; none where there is one alone.
@@ -79,18 +79,14 @@ pub(crate) struct Found<C> {
 }
 
 impl<C> Found<C> {
-    /// The least of all.
-    pub(crate) fn worst(&self) -> Option<&Answer<C>> {
-        worst(&self.answers)
-    }
-
     /// At how many places the path broke off: the last state in balance counts there.
     pub(crate) fn broken_off(&self) -> usize {
         self.answers.iter().flatten().filter(|answer| answer.found.broken_off).count()
     }
 }
 
-fn worst<C>(answers: &[Option<Answer<C>>]) -> Option<&Answer<C>> {
+/// The least of all answers.
+pub(crate) fn worst<C>(answers: &[Option<Answer<C>>]) -> Option<&Answer<C>> {
     answers.iter().flatten().min_by(|a, b| a.found.factor.total_cmp(&b.found.factor))
 }
 
@@ -106,7 +102,7 @@ pub(crate) fn along<M: Moves>(all: &[M], watch: &mut dyn Watch) -> (Vec<Found<M:
 }
 
 fn sweepers<M: Moves>(one: &M) -> Vec<Sweeper<'_>> {
-    one.places().deforming.iter().map(Deforming::sweeper).collect()
+    one.places().grounds.iter().map(Ground::sweeper).collect()
 }
 
 /// What all places start from: nothing but the states in service that likely cases come to at the worst place on rigid blocks, so that loads that
@@ -220,11 +216,9 @@ fn least<M: Moves>(
     let mut least = None;
     for case in cases {
         let Some((forces, weights)) = one.forces(case) else { continue };
-        let Places { deforming, in_service, .. } = one.places();
-        let known = in_service.map(|_| &mut *service);
+        let known = one.places().in_service.map(|_| &mut *service);
         let service = known.map(|known| InService { known, position: M::position(case), by_themselves });
-        let asked = Asked { bound, service };
-        if let Some(found) = deforming[weights].follow(&mut sweepers[weights], &forces, asked, token) {
+        if let Some(found) = follow(&mut sweepers[weights], &forces, (bound, service), token) {
             bound = Bound::below(found.factor * (1.0 - SAME));
             least = Some(Answer { case: case.clone(), found });
         }
@@ -235,7 +229,7 @@ fn least<M: Moves>(
 /// Seeks the worst place between the places, then varies what stands there. What is found stands at the end of the answers. Tells whether the
 /// work was done.
 fn refined<M: Moves>(one: &M, known: &mut Found<M::Case>, [from, to]: [f64; 2], watch: &mut dyn Watch) -> bool {
-    let Some(mut best) = known.worst().cloned() else { return true };
+    let Some(mut best) = worst(&known.answers).cloned() else { return true };
     let step = one.places().step;
     let rounds = if step > 0.0 { REFINEMENTS } else { 0 };
     let count = rounds + ROUNDS;

@@ -56,51 +56,26 @@ pub enum Knows {
     No,
 }
 
-impl Feature {
-    /// Every one, in the order of the table.
-    pub const ALL: [Feature; 17] = [
-        Feature::Thickness,
-        Feature::SupportMovement,
-        Feature::LoadSweep,
-        Feature::Vehicles,
-        Feature::DrawnBlocks,
-        Feature::Walls,
-        Feature::Particles,
-        Feature::Continuum,
-        Feature::FillPressure,
-        Feature::Defects,
-        Feature::MovedBefore,
-        Feature::Along,
-        Feature::Rings,
-        Feature::Spans,
-        Feature::MovableAbutments,
-        Feature::LoadingBlocks,
-        Feature::OtherBodies,
-    ];
-
-    /// What it is called, and what to leave out of a file that has it.
-    fn words(self) -> (&'static str, Option<&'static str>) {
-        match self {
-            Feature::Thickness => ("the least thickness", None),
-            Feature::SupportMovement => ("support movements", None),
-            Feature::LoadSweep => ("loads that move", None),
-            Feature::Vehicles => ("vehicles under a rule", None),
-            Feature::DrawnBlocks => ("blocks of a drawing", None),
-            Feature::Walls => ("spandrel walls", Some("strip = \"wall\"")),
-            Feature::Particles => ("fill as particles", Some("as = \"particles\"")),
-            Feature::Continuum => ("fill or backing as a continuum", Some("as = \"continuum\"")),
-            Feature::FillPressure => ("fill that presses on the rings", Some("[fill_pressure]")),
-            Feature::Defects => ("defects", Some("[[defect]]")),
-            Feature::MovedBefore => ("supports that moved before the loads", Some("`before` of [support_movement]")),
-            Feature::Along => ("loads along the bridge", Some("`horizontal`")),
-            Feature::Rings => ("rings on one another", None),
-            Feature::Spans => ("several spans", None),
-            Feature::MovableAbutments => ("abutments that may move", Some("the body of [[abutment]]")),
-            Feature::LoadingBlocks => ("loading blocks", Some("through = \"block\" of [[load]]")),
-            Feature::OtherBodies => ("bodies beside the stones of one ring", None),
-        }
-    }
-}
+/// Every feature in the order of the table, which is that of their enumeration: what it is called, and what to leave out of a file that has it.
+const WORDS: [(Feature, &str, Option<&str>); 17] = [
+    (Feature::Thickness, "the least thickness", None),
+    (Feature::SupportMovement, "support movements", None),
+    (Feature::LoadSweep, "loads that move", None),
+    (Feature::Vehicles, "vehicles under a rule", None),
+    (Feature::DrawnBlocks, "blocks of a drawing", None),
+    (Feature::Walls, "spandrel walls", Some("strip = \"wall\"")),
+    (Feature::Particles, "fill as particles", Some("as = \"particles\"")),
+    (Feature::Continuum, "fill or backing as a continuum", Some("as = \"continuum\"")),
+    (Feature::FillPressure, "fill that presses on the rings", Some("[fill_pressure]")),
+    (Feature::Defects, "defects", Some("[[defect]]")),
+    (Feature::MovedBefore, "supports that moved before the loads", Some("`before` of [support_movement]")),
+    (Feature::Along, "loads along the bridge", Some("`horizontal`")),
+    (Feature::Rings, "rings on one another", None),
+    (Feature::Spans, "several spans", None),
+    (Feature::MovableAbutments, "abutments that may move", Some("the body of [[abutment]]")),
+    (Feature::LoadingBlocks, "loading blocks", Some("through = \"block\" of [[load]]")),
+    (Feature::OtherBodies, "bodies beside the stones of one ring", None),
+];
 
 /// What a method knows of something.
 #[must_use]
@@ -155,7 +130,7 @@ pub fn asked(bridge: &Bridge) -> Vec<Feature> {
         // Asked elsewhere, or seen when the bridge is cut into blocks.
         Feature::LoadSweep | Feature::Vehicles | Feature::DrawnBlocks | Feature::OtherBodies => false,
     };
-    Feature::ALL.into_iter().filter(has).collect()
+    WORDS.map(|(feature, ..)| feature).into_iter().filter(has).collect()
 }
 
 /// What a method or a question does not know of a bridge.
@@ -189,11 +164,11 @@ impl Cannot {
 impl fmt::Display for Cannot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let listed = |features: &[Feature], word: &str| {
-            let all: Vec<&str> = features.iter().map(|feature| feature.words().0).collect();
+            let all: Vec<&str> = features.iter().map(|feature| WORDS[*feature as usize].1).collect();
             all.join(&format!(" {word} "))
         };
         let left_out = |features: &[Feature]| {
-            let all: Option<Vec<&str>> = features.iter().map(|feature| feature.words().1).collect();
+            let all: Option<Vec<&str>> = features.iter().map(|feature| WORDS[*feature as usize].2).collect();
             all.filter(|all| !all.is_empty()).map(|all| format!("leave {} out", all.join(" and ")))
         };
         let mut sentences = Vec::new();
@@ -258,7 +233,7 @@ pub fn table() -> String {
     let heads: Vec<String> = Method::ALL.iter().map(|method| format!("`{}`", method.word())).collect();
     let mut text = format!("| | {} | `thickness` | `support-movement` |\n", heads.join(" | "));
     text += &format!("|---|{}---|---|\n", "---|".repeat(heads.len()));
-    for feature in Feature::ALL {
+    for (feature, name, _) in WORDS {
         let word = |known: Knows| match known {
             Knows::Yes => "yes",
             Knows::AsWeight => "as weight",
@@ -276,7 +251,7 @@ pub fn table() -> String {
         let by_question = |question: Analysis| if is_question { "" } else { word(answers(question, feature)) };
         let cells: Vec<&str> = Method::ALL.iter().map(|method| word(knows(*method, feature))).collect();
         let questions = [Analysis::Thickness, Analysis::SupportMovement].map(by_question);
-        text += &format!("| {} | {} | {} |\n", feature.words().0, cells.join(" | "), questions.join(" | "));
+        text += &format!("| {name} | {} | {} |\n", cells.join(" | "), questions.join(" | "));
     }
     text
 }
@@ -302,7 +277,7 @@ mod tests {
 
     #[test]
     fn every_feature_is_known_by_some_method() {
-        for feature in Feature::ALL {
+        for (feature, ..) in WORDS {
             assert!(Method::ALL.iter().any(|method| knows(*method, feature) == Knows::Yes), "{feature:?}");
         }
     }

@@ -19,7 +19,9 @@ pub trait Engine: Sync {
     ///
     /// # Errors
     /// Joints without stiffness.
-    fn joints(&self, bridge: &Bridge) -> Result<(), AnalysisError>;
+    fn joints(&self, _: &Bridge) -> Result<(), AnalysisError> {
+        Ok(())
+    }
 
     /// Refuses what [`load`](Self::load) would refuse before it computes.
     ///
@@ -27,10 +29,7 @@ pub trait Engine: Sync {
     /// Those of an analysis that cannot be set up.
     fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
         self.joints(bridge)?;
-        match rigid::prepared(bridge)?.loading.variable.is_empty() {
-            true => Err(AnalysisError::NoLoad),
-            false => Ok(()),
-        }
+        rigid::loaded(rigid::prepared(bridge)?).map(|_| ())
     }
 
     /// Raises the loads of the file until the bridge collapses. `resume` is a state that [`Watch::keep`] was offered.

@@ -2,6 +2,7 @@
 
 use crate::analysis::AnalysisError;
 use bridge::{Bridge, ContactLength, JointContact, Plan, Strip};
+use mechanics::blocks::{ContactLaw, Stiffness};
 use mechanics::contact;
 use structure::discretise::laws;
 
@@ -12,6 +13,15 @@ pub(crate) fn contact_length(plan: &Plan, own: JointContact) -> contact::Contact
         (JointContact::Points, ContactLength::Fixed) => contact::ContactLength::Fixed,
         (JointContact::Points, ContactLength::Updated) => contact::ContactLength::Updated,
     }
+}
+
+/// A law with its stiffness multiplied.
+pub(crate) fn stiffer(law: &ContactLaw, multiple: f64) -> ContactLaw {
+    let times = |stiffness: Stiffness| match stiffness {
+        Stiffness::Given(k) => Stiffness::Given(multiple * k),
+        Stiffness::Series { joint, body } => Stiffness::Series { joint: multiple * joint, body: multiple * body },
+    };
+    ContactLaw { normal: times(law.normal), shear: times(law.shear), ..*law }
 }
 
 /// Refuses joints without stiffness.

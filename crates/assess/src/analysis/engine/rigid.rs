@@ -61,6 +61,14 @@ pub fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     Ok(d)
 }
 
+/// The blocks, where a load reaches them.
+///
+/// # Errors
+/// No load.
+pub fn loaded(d: Discretised) -> Result<Discretised, AnalysisError> {
+    if d.loading.variable.is_empty() { Err(AnalysisError::NoLoad) } else { Ok(d) }
+}
+
 /// Result of an analysis that was cancelled before any load was found.
 pub fn cancelled(bridge: &Bridge, d: &Discretised, by: By) -> Collapse {
     Collapse { status: Status::Cancelled, ..template::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }
@@ -81,11 +89,8 @@ pub fn watched(
 /// What rigid blocks carry whose joints do not crush.
 ///
 /// # Errors
-/// No load, or blocks that cannot be analysed.
+/// Blocks that cannot be analysed.
 pub fn uncrushed(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<limit::Outcome, AnalysisError> {
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
     // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
     // limit analysis lets a joint crush under its edge.
     let uncrushed = limit::Settings { crushing: false, ..single(bridge, d) };
@@ -188,15 +193,13 @@ pub fn draw(d: &Discretised, outcome: &limit::Outcome, picture: &mut Picture) {
             });
         }
     }
-    let permanent = d.loading.permanent.iter().map(|f| (*f, 1.0));
-    let loads: Vec<_> = permanent.chain(d.loading.variable.iter().map(|f| (*f, factor))).collect();
     let n = d.model.blocks.len();
     picture.last_stable = Some(0);
     picture.snapshots = vec![Snapshot {
         load: d.load(factor),
         motions: vec![Motion::default(); n],
         velocities: vec![[0.0; 2]; n],
-        stresses: picture::stresses(d, &contacts, &loads),
+        stresses: picture::stresses(d, &contacts, factor),
         contacts,
         ..Snapshot::default()
     }];

@@ -82,10 +82,15 @@ impl<S: Stands> Scene<'_, S> {
         others.dedup_by(|a, b| a.key == b.key);
         let (mut turns, mut level) = (Turns::from(worst.factor), Vec::new());
         for answer in std::iter::once(worst).chain(others) {
-            if !turns.may_govern(answer.factor) {
+            if !turns.may_govern(answer.factor) || token.is_cancelled() {
                 break;
             }
-            let Some(found) = self.by_friction(sweepers, &answer.key, token) else { break };
+            let Some((_, found)) = self.one(sweepers, &answer.key, (answer.key.position, Friction::Automatic)) else {
+                break;
+            };
+            if token.is_cancelled() {
+                break;
+            }
             if let Some(own) = found.factor {
                 turns.met(answer.factor, own);
             }
@@ -115,13 +120,6 @@ impl<S: Stands> Scene<'_, S> {
             }
         }
         level
-    }
-
-    /// The least of what a case carries with and without dilation; none where the work does not go on.
-    fn by_friction(&self, sweepers: &mut [Sweeper<'_>], key: &Key, token: &CancelToken) -> Option<Least> {
-        let (key, effect) = self.again(sweepers, key, key.position).filter(|_| !token.is_cancelled())?;
-        let found = sweepers[key.weights].least(&effect, Friction::Automatic);
-        (!token.is_cancelled()).then_some(found)
     }
 }
 

@@ -12,9 +12,9 @@ mod sections;
 mod turns;
 
 pub(crate) use least::{Answer, least};
-pub(crate) use place::{FAR_ABOVE, Place, Tried};
-pub(crate) use search::{Found, Line, REFINEMENTS, search};
-pub(crate) use sections::{Extremes, Watched, outside, watched};
+pub(crate) use place::{FAR_ABOVE, Found, Place, Tried};
+pub(crate) use search::{Line, REFINEMENTS, search};
+pub(crate) use sections::{Watched, outside, watched};
 pub(crate) use turns::Turns;
 
 use mechanics::limit::{Effect, Friction, Ground, Sweeper};

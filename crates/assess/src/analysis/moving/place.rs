@@ -59,13 +59,22 @@ pub(crate) struct Place {
     pub settled: Option<f64>,
 }
 
-/// What came of some places of one drive.
-pub(crate) struct Part {
+/// What came of some places of one drive, or of one vehicle.
+pub(crate) struct Found {
+    /// Every place in order; of a vehicle then places without an answer beside the worst one, and the worst one.
     pub places: Vec<Place>,
-    pub extremes: Extremes<Key>,
+    /// How many of them lie between the positions.
+    pub between: usize,
+    pub extremes: Extremes,
     /// How many cases were asked, and of how many the interior-point method had to help.
     pub cases: usize,
     pub slow: usize,
+    /// Whether all of it was done.
+    pub whole: bool,
+    /// The least with dilation, or as the plan's friction says where that was asked everywhere.
+    pub worst: Option<Answer>,
+    /// Cases that were asked in turn, with what they carry without dilation.
+    pub level: Vec<(Key, Option<f64>)>,
 }
 
 /// A case that is still to be answered.
@@ -80,15 +89,16 @@ struct Waiting {
 
 impl<S: Stands> Scene<'_, S> {
     /// Nothing yet.
-    pub(super) fn part(&self) -> Part {
-        Part { places: Vec::new(), extremes: Extremes::new(self.watched), cases: 0, slow: 0 }
+    pub(super) fn nothing(&self) -> Found {
+        let (places, extremes, level) = (Vec::new(), Extremes::new(self.watched), Vec::new());
+        Found { places, between: 0, extremes, cases: 0, slow: 0, whole: true, worst: None, level }
     }
 
     /// Places of one drive, one after the other; `alike` where another vehicle's answers count for it.
-    pub(super) fn along(&self, (drive, alike): (usize, bool), positions: &[f64], token: &CancelToken) -> Part {
+    pub(super) fn along(&self, (drive, alike): (usize, bool), positions: &[f64], token: &CancelToken) -> Found {
         let mut sweepers = self.sweepers(token);
         sweepers.iter_mut().for_each(|sweeper| sweeper.take(self.seeds));
-        let mut part = self.part();
+        let mut part = self.nothing();
         let (mut looseness, mut slow) = (LOOSE, !self.grounds[0].is_fast());
         for &position in positions {
             let before = part.slow;
@@ -108,7 +118,7 @@ impl<S: Stands> Scene<'_, S> {
 
     /// One place by itself; none where the work does not go on.
     pub(super) fn alone(&self, sweepers: &mut [Sweeper<'_>], at: Key, token: &CancelToken) -> Option<Place> {
-        let mut part = self.part();
+        let mut part = self.nothing();
         let bounds = (self.screen && !self.grounds[0].is_fast()).then_some(LOOSE);
         let waiting = self.waiting(sweepers, &mut part, (at.drive, at.position), (bounds.is_some(), false));
         self.place(sweepers, &mut part, (Key::at(at.drive, at.position), waiting), bounds, token)?;
@@ -121,7 +131,7 @@ impl<S: Stands> Scene<'_, S> {
     fn place(
         &self,
         sweepers: &mut [Sweeper<'_>],
-        part: &mut Part,
+        part: &mut Found,
         (at, mut waiting): (Key, Vec<Waiting>),
         looseness: Option<f64>,
         token: &CancelToken,
@@ -180,7 +190,7 @@ impl<S: Stands> Scene<'_, S> {
     fn waiting(
         &self,
         sweepers: &mut [Sweeper<'_>],
-        part: &mut Part,
+        part: &mut Found,
         (drive, position): (usize, f64),
         (bounds, alike): (bool, bool),
     ) -> Vec<Waiting> {
@@ -189,7 +199,7 @@ impl<S: Stands> Scene<'_, S> {
             for (weights, sweeper) in sweepers.iter().enumerate() {
                 let key = Key { weights, ..key };
                 let effect = self.under(&effect, weights);
-                part.extremes.look(&self.grounds[weights], self.watched, &effect, || key);
+                part.extremes.look(&self.grounds[weights], self.watched, &effect, key);
                 if !alike {
                     let at_most = if bounds { sweeper.at_most(&effect) } else { f64::INFINITY };
                     waiting.push(Waiting { order: waiting.len(), key, effect, at_most });

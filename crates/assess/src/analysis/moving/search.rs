@@ -1,9 +1,9 @@
 //! Every place of everything that moves, and the worst place between them.
 
 use super::super::parallel::{self, CancelToken, Stage};
-use super::place::Part;
-use super::{Answer, DILATANCY, Extremes, Key, Place, Scene, Stands, WithoutDilation, least};
-use mechanics::limit::{Friction, Status, Sweeper};
+use super::place::Found;
+use super::{Answer, DILATANCY, Key, Place, Scene, Stands, WithoutDilation, least};
+use mechanics::limit::{Friction, Least, Status, Sweeper};
 use mechanics::watch::Watch;
 use rayon::prelude::*;
 
@@ -19,24 +19,6 @@ pub(crate) struct Line<'a> {
     pub vehicle: usize,
     pub positions: &'a [f64],
     pub alike: bool,
-}
-
-/// What came of one vehicle.
-pub(crate) struct Found {
-    /// Every place in order; then places without an answer beside the worst one, and the worst one.
-    pub places: Vec<Place>,
-    /// How many of them lie between the positions.
-    pub between: usize,
-    pub extremes: Extremes<Key>,
-    /// How many cases were asked, and of how many the interior-point method had to help.
-    pub cases: usize,
-    pub slow: usize,
-    /// Whether all of it was done.
-    pub whole: bool,
-    /// The least with dilation, or as the plan's friction says where that was asked everywhere.
-    pub worst: Option<Answer>,
-    /// Cases that were asked in turn, with what they carry without dilation.
-    pub level: Vec<(Key, Option<f64>)>,
 }
 
 /// Answers everything that may stand at every place of every drive, and seeks the worst place of each of so many vehicles between its places,
@@ -88,7 +70,7 @@ fn everywhere<S: Stands>(
     let (parts, _) = parallel::each(&jobs, &stage, watch, |&(drive, _, alike, positions), token| {
         scene.along((drive, alike), positions, token)
     });
-    let mut found: Vec<Found> = (0..vehicles).map(|_| Found::begun(scene.part())).collect();
+    let mut found: Vec<Found> = (0..vehicles).map(|_| scene.nothing()).collect();
     for (part, &(_, vehicle, _, positions)) in parts.into_iter().zip(&jobs) {
         let of = &mut found[vehicle];
         of.whole &= part.as_ref().is_some_and(|part| part.places.len() == positions.len());
@@ -99,66 +81,51 @@ fn everywhere<S: Stands>(
     found
 }
 
-/// What came of the search between the places of a vehicle.
-struct End {
-    part: Part,
-    worst: Option<Answer>,
-    level: Vec<(Key, Option<f64>)>,
-    /// Factors that are proven to be carried, by places.
-    settled: Vec<Option<f64>>,
-    whole: bool,
-}
-
 impl Found {
-    fn begun(nothing: Part) -> Found {
-        let Part { places, extremes, cases, slow } = nothing;
-        Found { places, between: 0, extremes, cases, slow, whole: true, worst: None, level: Vec::new() }
-    }
-
-    fn add(&mut self, part: Part) {
+    fn add(&mut self, part: Found) {
         self.places.extend(part.places);
         self.extremes.merge(part.extremes);
         self.cases += part.cases;
         self.slow += part.slow;
     }
 
-    fn end(&mut self, end: End) {
-        let End { part, worst, level, settled, whole } = end;
-        self.between = part.places.len();
-        self.places.extend(part.places);
+    /// Takes what came of the search between the places.
+    fn end(&mut self, (end, settled): (Found, Vec<Option<f64>>)) {
+        self.between = end.places.len();
+        self.places.extend(end.places);
         for (place, settled) in self.places.iter_mut().zip(settled) {
             place.settled = settled;
         }
-        self.whole &= whole;
-        (self.worst, self.level) = (worst, level);
+        self.whole &= end.whole;
+        (self.worst, self.level) = (end.worst, end.level);
     }
 }
 
 impl<S: Stands> Scene<'_, S> {
     /// Seeks the worst place between the places of a vehicle, proves what is carried where no answer was found, and asks cases without dilation
-    /// in turn.
-    fn worst(&self, found: &Found, step: f64, token: &CancelToken) -> End {
+    /// in turn. What came of it, and by places the factors that are proven to be carried.
+    fn worst(&self, found: &Found, step: f64, token: &CancelToken) -> (Found, Vec<Option<f64>>) {
         let governing: Vec<Answer> = found.places.iter().filter_map(|place| place.least).collect();
-        let (mut part, mut sweepers) = (self.part(), self.sweepers(token));
+        let (mut end, mut sweepers) = (self.nothing(), self.sweepers(token));
         // Where cases are answered without dilation everywhere, places do not keep what locks.
         let locking = self.locking(&mut sweepers, &found.places, token);
         let Some(mut worst) = least(&governing) else {
-            return End { part, worst: None, level: locking, settled: Vec::new(), whole: !token.is_cancelled() };
+            return (Found { level: locking, whole: !token.is_cancelled(), ..end }, Vec::new());
         };
         if step > 0.0 {
             let unanswered;
             (worst, unanswered) = self.refined(&mut sweepers, worst, step, token);
-            part.places.extend(unanswered);
+            end.places.extend(unanswered);
             let again = self.answered_again(&mut sweepers, worst.key, token);
             let mut place = again.unwrap_or_else(|| Place::nothing(worst.key));
             worst = least(&[Some(worst), place.least].into_iter().flatten().collect::<Vec<_>>()).unwrap_or(worst);
             (place.at, place.least) = (worst.key, Some(worst));
-            part.places.push(place);
+            end.places.push(place);
         }
         if token.is_cancelled() {
-            return End { part, worst: Some(worst), level: Vec::new(), settled: Vec::new(), whole: false };
+            return (Found { worst: Some(worst), whole: false, ..end }, Vec::new());
         }
-        let all = || found.places.iter().chain(&part.places);
+        let all = || found.places.iter().chain(&end.places);
         let settled = all().map(|place| self.settled(&mut sweepers, place, worst.factor)).collect();
         let sliding = all().filter_map(|place| place.slides).collect();
         let mut level = match self.without_dilation {
@@ -166,7 +133,7 @@ impl<S: Stands> Scene<'_, S> {
             WithoutDilation::Everywhere(_) => Vec::new(),
         };
         level.extend(locking);
-        End { part, worst: Some(worst), level, settled, whole: !token.is_cancelled() }
+        (Found { worst: Some(worst), level, whole: !token.is_cancelled(), ..end }, settled)
     }
 
     /// Everything at the place of a case; none where the work does not go on.
@@ -195,7 +162,7 @@ impl<S: Stands> Scene<'_, S> {
         let (mut width, mut unanswered) = (step, Vec::new());
         for _ in 0..REFINEMENTS {
             let beside = |k: i32| worst.key.position + 0.1 * width * f64::from(k);
-            let asked: Vec<(Key, Result<Answer, Status>)> = match self.without_dilation {
+            let asked: Vec<(Key, Least)> = match self.without_dilation {
                 // One case may take a second without dilation: each place is a piece of work of its own.
                 WithoutDilation::Everywhere(friction) => (-10..=10)
                     .into_par_iter()
@@ -210,11 +177,14 @@ impl<S: Stands> Scene<'_, S> {
             }
             let mut answers = vec![worst];
             for (at, found) in asked {
-                match found {
-                    Ok(answer) => answers.push(answer),
-                    Err(Status::Locks) => {}
-                    Err(status) => {
-                        let open = vec![(at, status == Status::NotConverged)];
+                match found.factor {
+                    Some(factor) => {
+                        let upper = found.dilatant.upper.unwrap_or(factor);
+                        answers.push(Answer { key: at, factor, upper });
+                    }
+                    None if found.status == Status::Locks => {}
+                    None => {
+                        let open = vec![(at, found.status == Status::NotConverged)];
                         unanswered.push(Place { open, ..Place::nothing(at) });
                     }
                 }
@@ -226,16 +196,14 @@ impl<S: Stands> Scene<'_, S> {
     }
 
     /// What one case carries at another position as a friction says; none where it cannot stand there.
-    fn one(
+    pub(super) fn one(
         &self,
         sweepers: &mut [Sweeper<'_>],
         key: &Key,
         (position, friction): (f64, Friction),
-    ) -> Option<(Key, Result<Answer, Status>)> {
+    ) -> Option<(Key, Least)> {
         let (key, effect) = self.again(sweepers, key, position)?;
-        let found = sweepers[key.weights].least(&effect, friction);
-        let answer = found.factor.map(|factor| Answer { key, factor, upper: found.dilatant.upper.unwrap_or(factor) });
-        Some((key, answer.ok_or(found.status)))
+        Some((key, sweepers[key.weights].least(&effect, friction)))
     }
 
     /// The factor at a place with cases without an answer that cannot govern: one above the least of all others is proven to be carried with

@@ -1,23 +1,14 @@
 //! What critical joints carry while a vehicle passes: extremes, each with the values that go with it.
 
+use super::Key;
 use bridge::Bridge;
 use mechanics::limit::{Effect, Ground, Section};
 use outcome::note;
-use outcome::vehicles::Case;
-use outcome::vehicles::{Extreme, Of, SectionEnvelope};
+use outcome::vehicles::{Case, Extreme, Of, SectionEnvelope};
 use structure::discretise::{Discretised, Origin};
 
-/// A joint that is watched.
-#[derive(Debug, Clone)]
-pub(crate) struct Watched {
-    /// Its place among the interfaces.
-    pub joint: usize,
-    pub name: String,
-    /// See [`SectionEnvelope`].
-    pub at: [f64; 2],
-    /// See [`SectionEnvelope`].
-    pub depth: f64,
-}
+/// A joint that is watched: its place among the interfaces, and its envelope without extremes.
+pub(crate) type Watched = (usize, SectionEnvelope);
 
 /// Springings, quarter points and crowns of every ring, and the feet of piers.
 pub(crate) fn watched(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Watched> {
@@ -51,7 +42,8 @@ pub(crate) fn watched(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<
             _ => continue,
         };
         let middle = (a + b) * 0.5;
-        found.push(Watched { joint, name, at: [middle.x, middle.y], depth: (b - a).norm() });
+        let (at, depth, extremes) = ([middle.x, middle.y], (b - a).norm(), Vec::new());
+        found.push((joint, SectionEnvelope { name, at, depth, extremes }));
     }
     found
 }
@@ -94,30 +86,30 @@ fn replaces((size, section): (f64, &Section), (before, known): (f64, &Section)) 
 
 /// Extremes of every watched joint so far: size, section and which case.
 #[derive(Debug, Clone)]
-pub(crate) struct Extremes<K> {
-    rows: Vec<[Option<(f64, Section, K)>; 5]>,
+pub(crate) struct Extremes {
+    rows: Vec<[Option<(f64, Section, Key)>; 5]>,
 }
 
-impl<K: Clone> Extremes<K> {
+impl Extremes {
     /// Nothing seen yet.
-    pub(crate) fn new(watched: &[Watched]) -> Extremes<K> {
+    pub(crate) fn new(watched: &[Watched]) -> Extremes {
         Extremes { rows: watched.iter().map(|_| [const { None }; 5]).collect() }
     }
 
     /// Looks at a case; `key` says which.
-    pub(crate) fn look(&mut self, ground: &Ground, watched: &[Watched], effect: &Effect, key: impl Fn() -> K) {
-        for (row, w) in self.rows.iter_mut().zip(watched) {
-            let Some(section) = ground.section(effect, 1.0, w.joint) else { continue };
+    pub(crate) fn look(&mut self, ground: &Ground, watched: &[Watched], effect: &Effect, key: Key) {
+        for (row, (joint, _)) in self.rows.iter_mut().zip(watched) {
+            let Some(section) = ground.section(effect, 1.0, *joint) else { continue };
             for (kept, size) in row.iter_mut().zip(sizes(&section)) {
                 if kept.as_ref().is_none_or(|(before, known, _)| replaces((size, &section), (*before, known))) {
-                    *kept = Some((size, section, key()));
+                    *kept = Some((size, section, key));
                 }
             }
         }
     }
 
     /// Takes over the extremes of cases that come later.
-    pub(crate) fn merge(&mut self, later: Extremes<K>) {
+    pub(crate) fn merge(&mut self, later: Extremes) {
         for (row, other) in self.rows.iter_mut().zip(later.rows) {
             for (kept, new) in row.iter_mut().zip(other) {
                 if let Some(new) = new
@@ -129,15 +121,15 @@ impl<K: Clone> Extremes<K> {
         }
     }
 
-    pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&K) -> Case) -> Vec<SectionEnvelope> {
-        let each = watched.iter().zip(self.rows).map(|(w, row)| {
+    pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&Key) -> Case) -> Vec<SectionEnvelope> {
+        let each = watched.iter().zip(self.rows).map(|((_, envelope), row)| {
             let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {
                 let (_, s, key) = kept?;
                 let (thrust, eccentricity, shear) = (s.compression, s.eccentricity, s.shear);
-                let outside = eccentricity.abs() > 0.5 * w.depth * (1.0 + ROUNDING);
+                let outside = eccentricity.abs() > 0.5 * envelope.depth * (1.0 + ROUNDING);
                 Some(Extreme { of, thrust, eccentricity, outside, shear, case: case(&key) })
             });
-            SectionEnvelope { name: w.name.clone(), at: w.at, depth: w.depth, extremes: told.collect() }
+            SectionEnvelope { extremes: told.collect(), ..envelope.clone() }
         });
         each.collect()
     }

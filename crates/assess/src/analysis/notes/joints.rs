@@ -1,17 +1,11 @@
 //! What is to be said of joints: cohesion and tension in limit analysis, joints between rings that were not described, and a ring
 //! that has none.
 
-use crate::analysis::engine::elements::Sliding;
 use bridge::{Bridge, Joint};
-use outcome::warning::{self, Warning};
+use outcome::warning;
 
 /// A ring in one piece that is thicker than this [m] is thicker than a brick is long.
 const BRICK: f64 = 0.25;
-
-/// Joints that are held against sliding by the method alone.
-pub(crate) fn would_slide(Sliding { from, at, joints, most, place }: Sliding) -> Warning {
-    warning::Joints::Held { from, at, joints, most, place }.into()
-}
 
 /// Cohesion and tension of joints in limit analysis [Pa], with the strength of the masonry, where there is any.
 pub(crate) fn bond(bridge: &Bridge) -> Option<(f64, f64, Option<f64>)> {

@@ -12,7 +12,7 @@ mod solve;
 pub use error::PassageError;
 pub use record::record;
 pub use setup::{Setup, setup};
-pub use solve::{Passing, Scope, Slices, Solution, WantedSlices, slices, solve};
+pub use solve::{Passing, Scope, Solution, WantedSlices, slices, solve};
 
 use super::AnalysisError;
 use bridge::Bridge;

@@ -2,7 +2,7 @@
 
 use super::super::AnalysisError;
 use super::super::engine::rigid;
-use super::super::vehicles::{Asked, Driven, Driving};
+use super::super::vehicles::{Asked, Driven, Standing};
 use super::Carried;
 use bridge::Bridge;
 use mechanics::blocks::PointForce;
@@ -10,6 +10,7 @@ use mechanics::limit::{self, Experience, Friction, Ground, Outcome, Sweeper};
 use outcome::collapse::Status;
 use outcome::vehicles::Case;
 use structure::discretise::Discretised;
+use structure::discretise::continuum::loads;
 use structure::discretise::dispersal::{self, Strip};
 
 /// The blocks under their weight, what carries them and what was learnt of it, under each combination of a rule's factors on weights; one
@@ -20,7 +21,7 @@ pub(super) struct State {
     grounds: Vec<Ground>,
     learnt: Vec<Experience>,
     /// The vehicle that is put on it, and what it may do there; none where loads are those of the file.
-    pub vehicle: Option<(Driven, Driving)>,
+    pub vehicle: Option<(Driven, Standing)>,
 }
 
 /// What stands at a place.
@@ -41,21 +42,17 @@ pub(super) struct Put {
 }
 
 impl State {
-    /// The bridge with its own loads.
-    pub(super) fn of_loads(bridge: &Bridge) -> Result<State, AnalysisError> {
-        State::on(std::slice::from_ref(bridge))
-    }
-
     /// The bridge with a vehicle under the factors of a rule.
     pub(super) fn of_vehicle(bridge: &Bridge, driven: &Driven) -> Result<State, AnalysisError> {
         let driven = driven.on(bridge)?;
         let mut state = State::on(&driven.bridges(bridge))?;
-        let driving = Driving::new(&driven, &state.bridge, &state.built[0]);
-        state.vehicle = Some((driven, driving));
+        let standing = Standing::of_one(&driven, &state.bridge, &state.built[0]);
+        state.vehicle = Some((driven, standing));
         Ok(state)
     }
 
-    fn on(bridges: &[Bridge]) -> Result<State, AnalysisError> {
+    /// The bridge with its own loads, or under each combination of factors on weights.
+    pub(super) fn on(bridges: &[Bridge]) -> Result<State, AnalysisError> {
         let (mut built, mut grounds) = (Vec::new(), Vec::new());
         for bridge in bridges {
             let mut d = rigid::prepared(bridge)?;
@@ -99,11 +96,11 @@ impl State {
         if !self.stands() {
             return put;
         }
-        let Some((driven, driving)) = &self.vehicle else { return put };
+        let Some((driven, standing)) = &self.vehicle else { return put };
         let begun = self.grounds.iter().zip(&mut self.learnt);
         let mut sweepers: Vec<Sweeper<'_>> =
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
-        let governing = driving.governing(&self.built[0], (&self.grounds, &mut sweepers), position, asked);
+        let governing = standing.governing((&self.grounds, &mut sweepers), position, asked);
         self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
         put.carried = Some(Carried {
             status: rigid::status(governing.status),
@@ -113,7 +110,7 @@ impl State {
         });
         if let Some(case) = governing.case {
             let loaded = driven.loaded(&self.bridge, &case);
-            put.strips = loaded.loads.iter().flat_map(|load| dispersal::strips(load, 0.0)).collect();
+            put.strips = loads(&loaded);
             put.forces = self.forces(governing.weights, &loaded, &put.strips);
             put.weights = governing.weights;
             put.friction = if governing.level { Friction::Automatic } else { Friction::Associated };

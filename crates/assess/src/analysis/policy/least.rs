@@ -67,7 +67,8 @@ fn each<T>(
             fraction: progress.fraction.map(|share| (share + number as f64) / count as f64),
             ..progress.clone()
         };
-        let found = method(&state.bridge, own, &mut Retold { watch, number: Some(number), told })?;
+        let found =
+            method(&state.bridge, own, &mut Retold { watch, kept: Some(&|state| kept::join(&number, state)), told })?;
         if found.status == Status::Cancelled {
             return Ok((found, Vec::new()));
         }

@@ -4,7 +4,7 @@
 //! adds: it is asked for at the governing position alone, and at every other state as well, so that what helps is told there.
 
 use super::super::AnalysisError;
-use super::super::parallel::Portion;
+use super::super::parallel::portion;
 use super::super::sweep::Places;
 use super::standing::{Standing, hurts, leading, not_counted, warned};
 use super::states::{State, states_of_moving};
@@ -37,7 +37,7 @@ pub(crate) fn swept(
     let parts = whole.len() as f64;
     let mut runs = Vec::with_capacity(whole.len());
     for (k, state) in whole.iter().enumerate() {
-        let part = &mut Portion::new(watch, [k as f64 / parts, (k + 1) as f64 / parts]);
+        let part = &mut portion(watch, [k as f64 / parts, (k + 1) as f64 / parts]);
         let run = method(&state.bridge, places, part)?;
         if !run.whole {
             return Ok(run);
@@ -60,10 +60,9 @@ pub(crate) fn swept(
         let own = run.and_then(|run| run.points.iter().find(|point| (point.position - place).abs() <= SAME_PLACE));
         let point = match own {
             Some(own) => Some(own.clone()),
-            None => method(&state.bridge, Places::At(place), &mut Portion::new(watch, [1.0, 1.0]))?
-                .points
-                .into_iter()
-                .next(),
+            None => {
+                method(&state.bridge, Places::At(place), &mut portion(watch, [1.0, 1.0]))?.points.into_iter().next()
+            }
         };
         let Some(point) = point else { continue };
         if run.is_some() {

@@ -3,7 +3,7 @@
 //! States that count no strength which may be lost are moved over whole; what strength adds is asked for in the governing case alone.
 
 use super::super::AnalysisError;
-use super::super::parallel::Portion;
+use super::super::parallel::portion;
 use super::super::vehicles::{case_by_itself, worst_of};
 use super::standing::{Standing, hurts, leading, not_counted, warned};
 use super::states::{State, states_of_moving};
@@ -29,7 +29,7 @@ pub(crate) fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) 
     let parts = whole.len() as f64;
     let mut runs: Vec<VehicleSweep> = Vec::with_capacity(whole.len());
     for (k, state) in whole.iter().enumerate() {
-        let part = &mut Portion::new(watch, [k as f64 / parts, (k + 1) as f64 / parts]);
+        let part = &mut portion(watch, [k as f64 / parts, (k + 1) as f64 / parts]);
         // The second method takes minutes: it is asked for in the state that leads, mostly the first.
         let run = if k == 0 { method(&state.bridge, part) } else { method(&quickly(&state.bridge), part) }?;
         if run.status() == Ended::Cancelled {
@@ -39,7 +39,7 @@ pub(crate) fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) 
     }
     let (base, mut found) = worst_of(&runs);
     if base > 0 && bridge.sweep.as_ref().is_some_and(|plan| plan.discrete_elements) {
-        runs[base] = method(&whole[base].bridge, &mut Portion::new(watch, [1.0, 1.0]))?;
+        runs[base] = method(&whole[base].bridge, &mut portion(watch, [1.0, 1.0]))?;
         found = worst_of(&runs).1;
     }
     for (k, vehicle) in found.vehicles.iter_mut().enumerate() {
@@ -49,7 +49,7 @@ pub(crate) fn moved(bridge: &Bridge, watch: &mut dyn Watch, method: Method<'_>) 
         let lead = leading(&standings);
         let described = states.iter().find(|state| state.counts_strength()).filter(|_| found.governing == Some(k));
         if let (Some(state), Some(case)) = (described, &vehicle.case) {
-            let factor = case_by_itself(&state.bridge, &vehicle.code, case, &mut Portion::new(watch, [1.0, 1.0]))?;
+            let factor = case_by_itself(&state.bridge, &vehicle.code, case, &mut portion(watch, [1.0, 1.0]))?;
             let numbers =
                 WithHelp { helps: state.helps.clone(), status: Status::Collapsed, factor, ..WithHelp::default() };
             standings.extend(factor.map(|size| Standing { size, numbers }));

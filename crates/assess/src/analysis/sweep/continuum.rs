@@ -7,13 +7,12 @@ use super::{Loads, Place};
 use crate::analysis::AnalysisError;
 use crate::analysis::engine::continuum::Moving;
 use crate::analysis::engine::continuum::moved::{self, Answer, Asked};
-use crate::analysis::parallel::Portion;
+use crate::analysis::parallel::portion;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning;
-use structure::discretise::dispersal::{self, Strip};
 
 /// A run of neighbouring axles at a position.
 #[derive(Debug, Clone)]
@@ -33,7 +32,7 @@ pub(super) fn instead(
 ) -> Result<bool, AnalysisError> {
     let body = [Moving::new(loads.bridge, loads.d)?];
     let (runs, asked) = runs(loads, rows);
-    let (answers, whole) = moved::all(&body, &asked, body[0].ratio(), &mut Portion::new(watch, [0.1, 1.0]))?;
+    let (answers, whole) = moved::all(&body, &asked, body[0].earth.plan.bound_ratio, &mut portion(watch, [0.1, 1.0]))?;
     let mut places: Vec<Option<Vec<(&Run, Answer)>>> = rows.iter().map(|_| Some(Vec::new())).collect();
     for (run, answer) in runs.iter().zip(answers) {
         // A position is answered where all of its runs are.
@@ -62,7 +61,7 @@ fn runs(loads: &Loads<'_>, rows: &[Place]) -> (Vec<Run>, Vec<Asked>) {
     let (mut runs, mut asked): (Vec<Run>, Vec<Asked>) = (Vec::new(), Vec::new());
     let mut kinds: Vec<[usize; 2]> = Vec::new();
     for (place, row) in rows.iter().enumerate() {
-        let strips = strips(loads, row.at.position);
+        let strips = loads.strips(row.at.position);
         let all = [0, strips.len().saturating_sub(1)];
         let governing = row.least.and_then(|least| least.key.axles);
         for axles in [all].into_iter().chain(governing.filter(|axles| *axles != all)) {
@@ -83,7 +82,7 @@ fn runs(loads: &Loads<'_>, rows: &[Place]) -> (Vec<Run>, Vec<Asked>) {
 fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
     let rigid_factor = weight.load_factor;
     let upper = runs.iter().filter_map(|(_, answer)| answer.upper()).min_by(f64::total_cmp);
-    let of = |status: Status| runs.iter().find(move |(_, answer)| answer.status() == status);
+    let of = |status: Status| runs.iter().find(move |(_, answer)| answer.found.status == status);
     let blank = SweepPoint {
         load_factor: None,
         load_factor_at_most: None,
@@ -95,11 +94,11 @@ fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
     let unanswered =
         [Status::UnstableUnderSelfWeight, Status::NotConverged, Status::Cancelled].into_iter().find_map(of);
     if let Some((run, answer)) = unanswered {
-        let status = answer.status();
+        let status = answer.found.status;
         let at_most = upper.filter(|_| status != Status::UnstableUnderSelfWeight);
         return SweepPoint { status, axles: run.axles, load_factor_at_most: at_most, upper_factor: None, ..blank };
     }
-    let carried = runs.iter().filter_map(|(run, answer)| Some((run, answer.lower()?)));
+    let carried = runs.iter().filter_map(|(run, answer)| Some((run, answer.found.lower?)));
     match carried.min_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((run, lower)) => SweepPoint {
             status: Status::Collapsed,
@@ -110,12 +109,6 @@ fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
         },
         None => SweepPoint { status: Status::Locks, ..blank },
     }
-}
-
-/// The loads of the file at a position.
-fn strips(loads: &Loads<'_>, position: f64) -> Vec<Strip> {
-    let offset = position - loads.first;
-    loads.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect()
 }
 
 #[cfg(test)]

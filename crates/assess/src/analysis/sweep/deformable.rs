@@ -4,7 +4,7 @@
 
 use super::super::AnalysisError;
 use super::super::deforming::along::{Found, Moves, Places, along};
-use super::super::deforming::{Bound, Deforming};
+use super::super::deforming::{Bound, at_rest};
 use super::super::engine::joints::require_stiffness;
 use super::super::moving::{Place, Scene};
 use super::super::parallel::{self, Stage};
@@ -28,9 +28,9 @@ pub(super) fn beside(
 ) -> Result<bool, AnalysisError> {
     let loads = scene.stands;
     require_stiffness(loads.bridge)?;
-    let deforming = [Deforming::new(loads.bridge, loads.d, watch)?];
-    if !deforming[0].stands() {
-        let falls = deforming[0].falls();
+    let grounds = [at_rest(loads.bridge, loads.d, watch)?];
+    if !grounds[0].stands() {
+        let falls = grounds[0].falls();
         found.points.iter_mut().for_each(|point| unknown(point, falls));
         let told = if falls { warning::Loads::FallsOnDeformableJoints } else { warning::Loads::SelfWeightNotFound };
         found.warnings.push(told.into());
@@ -38,7 +38,7 @@ pub(super) fn beside(
     }
     let lowest = rows.iter().filter_map(rigid).min_by(f64::total_cmp);
     let bounds = rows.iter().map(|row| Bound::of(rigid(row), lowest).or_else(|| asked(loads, row))).collect();
-    let places = Places { deforming: &deforming, bounds, step, in_service: None };
+    let places = Places { grounds: &grounds, bounds, step, in_service: None };
     let (mut all, mut whole) = along(&[Moved { loads, rows, places }], watch);
     let Some(own) = all.pop() else { return Ok(false) };
     // The worst position, where it lies between the others.

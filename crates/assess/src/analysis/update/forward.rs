@@ -1,7 +1,7 @@
 //! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
 //! and what stands on it is made once, where no parameter moves it.
 
-use crate::analysis::passage::{PassageError, Scope, Setup, Slices, Solution, WantedSlices, setup, slices, solve};
+use crate::analysis::passage::{PassageError, Scope, Setup, Solution, WantedSlices, setup, slices, solve};
 use crate::analysis::{AnalysisError, parallel};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
@@ -22,9 +22,10 @@ pub struct Model<'a> {
     own: &'a Bridge,
     document: &'a Document,
     parameters: &'a [Parameter],
-    setup: Setup,
-    /// Whether a parameter moves the mesh, the loads or the sensors.
-    moves: bool,
+    /// Mesh, positions and sensors at the start.
+    pub setup: Setup,
+    /// Whether a parameter moves the mesh, the loads or the sensors, so that they are made anew for every evaluation.
+    pub moves: bool,
     /// What the answers of some models let expect of all others, by the positions that were asked for; `None` for all of them.
     usual: Mutex<BTreeMap<(Asked, Seen), Expected>>,
     /// Whether evaluations go on.
@@ -76,16 +77,6 @@ impl<'a> Model<'a> {
         Ok(model)
     }
 
-    /// Mesh, positions and sensors at the start.
-    pub fn setup(&self) -> &Setup {
-        &self.setup
-    }
-
-    /// Whether mesh and loads are made anew for every evaluation.
-    pub fn moves(&self) -> bool {
-        self.moves
-    }
-
     /// The file with these values, read again.
     fn bridge_at(&self, point: &[f64]) -> Result<Bridge, Failure> {
         let mut document = self.document.clone();
@@ -113,7 +104,7 @@ impl<'a> Model<'a> {
         setup: &Setup,
         asked: Asked,
         neighbours: &[(Bridge, f64)],
-    ) -> Result<Slices, Failure> {
+    ) -> Result<Solution, Failure> {
         if self.moves {
             return answers(bridge, setup, &asked, &[], &[], &self.token);
         }
@@ -201,10 +192,8 @@ fn has_stress(setup: &Setup) -> bool {
 }
 
 /// Answers at every position of the passage.
-fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Slices, Failure> {
-    let found = solve(bridge, setup, Scope::Sensors, expected, &mut token.clone()).map_err(not_set_up)?;
-    let Solution { status, reason, values, taking_part, .. } = found;
-    completed(Slices { status, reason, values, taking_part, ..Slices::default() })
+fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], token: &CancelToken) -> Result<Solution, Failure> {
+    completed(solve(bridge, setup, Scope::Sensors, expected, &mut token.clone()).map_err(not_set_up)?)
 }
 
 /// Answers at every position of the passage, or static ones at some alone, in ascending order. Stresses are no functionals of
@@ -216,7 +205,7 @@ fn answers(
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
     token: &CancelToken,
-) -> Result<Slices, Failure> {
+) -> Result<Solution, Failure> {
     let Some(places) = asked else { return whole(bridge, setup, expected, token) };
     let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
     if has_stress(setup) {
@@ -229,7 +218,7 @@ fn answers(
     completed(slices(bridge, setup, wanted, &mut token.clone()).map_err(not_set_up)?)
 }
 
-fn completed(answers: Slices) -> Result<Slices, Failure> {
+fn completed(answers: Solution) -> Result<Solution, Failure> {
     match answers.status {
         PassageStatus::Completed => Ok(answers),
         PassageStatus::Cancelled => Err(Failure::new(calibrate::STOPPED, String::new())),

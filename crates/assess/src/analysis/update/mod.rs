@@ -72,7 +72,7 @@ pub struct Means<'a> {
 /// A passage that cannot be set up, a start model without an answer, or records and parameters that make no problem.
 pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, UpdateError> {
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
-    let setup = model.setup();
+    let setup = &model.setup;
     measured::worth_a_passage(task.asked, setup, task.files).map_err(UpdateError::NoProblem)?;
     let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
@@ -97,16 +97,9 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
         Err(Halt::Failed(failure)) => return Err(UpdateError::StartModel(words(&failure))),
     };
 
-    let made = Searches::make(&task.asked.plan, &mut evaluator, &basis, means.clock);
     let mut found = Update { records: used, ..cancelled(task, setup, problem.clone()) };
-    found.answer = made.best();
-    found.status = match (made.stopped, &made.failed) {
-        (true, _) => UpdateStatus::Cancelled,
-        (_, Some(_)) => UpdateStatus::NotConverged,
-        _ => UpdateStatus::Completed,
-    };
-    found.reason.clone_from(&made.failed);
-    (found.searches, found.paper) = (made.lines, made.paper);
+    found.status = UpdateStatus::Completed;
+    Searches { plan: &task.asked.plan, basis: &basis, clock: means.clock, found: &mut found }.make(&mut evaluator);
     let mut updated = None;
     if found.status != UpdateStatus::Cancelled
         && let Some(point) = found.found().map(calibrate::Found::point)
@@ -132,7 +125,7 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
 /// A passage that cannot be set up, a start model without an answer, parameters that make no problem, or no record that can be used.
 pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
-    let setup = model.setup();
+    let setup = &model.setup;
     let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
     let blind = blind(parameters.clone(), setup)?;
@@ -300,7 +293,7 @@ fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Opti
 }
 
 fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<Note> {
-    let setup = model.setup();
+    let setup = &model.setup;
     let compared = match (problem.misfit().compare, problem.misfit().slices) {
         (Compare::Histories, _) => InUpdate::Histories,
         (Compare::Peaks, true) => InUpdate::PeaksBySlices,
@@ -311,7 +304,7 @@ fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec
         deviation => InUpdate::CommonGain { deviation },
     };
     let said = [compared, InUpdate::Weights, InUpdate::Width { width: setup.effective_width }, gain];
-    let anew = model.moves().then_some(InUpdate::MadeAnew);
+    let anew = model.moves.then_some(InUpdate::MadeAnew);
     said.into_iter().chain(anew).map(Note::from).chain(setup.assumptions.iter().cloned()).collect()
 }
 

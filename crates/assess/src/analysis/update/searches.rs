@@ -6,8 +6,7 @@ use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::sweep::{Sweep, ranking};
 use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Basis, Evaluator, Found, Halt, Linearised, Problem, Serial, Start, linearised, surrogate};
-use outcome::update::Search;
-use outcome::update::{LinearReport, PaperSearch, PosteriorReport, SearchLine};
+use outcome::update::{LinearReport, PaperSearch, PosteriorReport, Search, SearchLine, Update, UpdateStatus};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -16,14 +15,12 @@ const STEP: f64 = 5e-3;
 /// Points that a surrogate is fitted to, and points that it is judged by.
 const SURROGATE: [usize; 2] = [150, 30];
 
-/// All that the searches gave.
-#[derive(Debug, Default)]
-pub(super) struct Searches {
-    pub lines: Vec<SearchLine>,
-    pub paper: Vec<PaperSearch>,
-    /// Whether somebody asked to stop.
-    pub stopped: bool,
-    pub failed: Option<String>,
+/// The searches of a plan, and the update that they are told in, which is completed until one of them says otherwise.
+pub(super) struct Searches<'a> {
+    pub plan: &'a Plan,
+    pub basis: &'a Basis,
+    pub clock: &'a dyn Fn() -> f64,
+    pub found: &'a mut Update,
 }
 
 /// How a search ended.
@@ -33,41 +30,45 @@ enum End {
     Failed(String),
 }
 
-impl Searches {
-    /// Makes them, until one is stopped.
-    pub(super) fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
-        let mut all = Searches::default();
+impl Searches<'_> {
+    /// Makes them, until one is stopped. The answer is the one that ended with the least norm of a full passage.
+    pub(super) fn make(&mut self, evaluator: &mut Evaluator) {
+        let (plan, basis) = (self.plan, self.basis);
         let wants = |search| [search, update::Search::All].contains(&plan.search);
         if wants(update::Search::Hierarchical) {
-            all.papers(plan, evaluator, basis, clock);
+            self.papers(evaluator);
         }
         if wants(update::Search::Modern) {
             let settings = modern::Settings { starts: plan.starts as usize, seed: plan.seed, step: STEP };
-            all.one(Search::Modern, "", evaluator, clock, |_, evaluator| {
+            self.one(Search::Modern, "", evaluator, |_, evaluator| {
                 let outcome = modern::search(evaluator, basis, &settings);
                 (of_status(&outcome.status), outcome.found)
             });
         }
         if wants(update::Search::Referee) {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
-            all.one(Search::Referee, "", evaluator, clock, |_, evaluator| {
+            self.one(Search::Referee, "", evaluator, |_, evaluator| {
                 let outcome = referee::search(evaluator, basis, &settings);
                 (of_status(&outcome.status), outcome.found)
             });
         }
         if wants(update::Search::Gradient) {
             for &(from, start) in gradient_starts(plan.start) {
-                all.one(Search::Gradient, from, evaluator, clock, |_, evaluator| {
+                self.one(Search::Gradient, from, evaluator, |_, evaluator| {
                     let outcome = gradient::search(evaluator, basis, start, 100);
                     (of_status(&outcome.status), outcome.found)
                 });
             }
         }
-        all
+        let lines = &self.found.searches;
+        let norm = |k: &usize| lines[*k].found.as_ref().map(|found| found.norm).filter(|norm| norm.is_finite());
+        let ended = (0..lines.len()).filter_map(|k| norm(&k).map(|norm| (k, norm)));
+        self.found.answer = ended.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(k, _)| k);
     }
 
     /// The paper's search by every reading and from every start that is asked for.
-    fn papers(&mut self, plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) {
+    fn papers(&mut self, evaluator: &mut Evaluator) {
+        let (plan, basis) = (self.plan, self.basis);
         let starts: &[Start] = match plan.start {
             update::Start::Stated => &[Start::Stated],
             update::Start::Bounds => &[Start::LowerBounds, Start::UpperBounds],
@@ -89,7 +90,7 @@ impl Searches {
                     ..hierarchical::Settings::default()
                 };
                 let words = format!("{}, from {}", variant.word(), start.word());
-                self.one(Search::Hierarchical, &words, evaluator, clock, |all, evaluator| {
+                self.one(Search::Hierarchical, &words, evaluator, |update, evaluator| {
                     let outcome = hierarchical::search(evaluator, basis, &settings);
                     let name = |k: &usize| evaluator.problem.parameters()[*k].name.clone();
                     let end = match &outcome.status {
@@ -105,7 +106,7 @@ impl Searches {
                         hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
                     };
                     let found = outcome.found.clone();
-                    all.paper.push(PaperSearch { variant, start, outcome });
+                    update.paper.push(PaperSearch { variant, start: start.clone(), outcome });
                     (end, found)
                 });
             }
@@ -118,40 +119,33 @@ impl Searches {
         search: Search,
         variant: &str,
         evaluator: &mut Evaluator,
-        clock: &dyn Fn() -> f64,
-        run: impl FnOnce(&mut Searches, &mut Evaluator) -> (End, Option<Found>),
+        run: impl FnOnce(&mut Update, &mut Evaluator) -> (End, Option<Found>),
     ) {
-        if self.stopped {
+        if self.found.status == UpdateStatus::Cancelled {
             return;
         }
-        let (begun, before) = (clock(), evaluator.computed());
-        let (end, found) = run(self, evaluator);
+        let (begun, before) = ((self.clock)(), evaluator.computed());
+        let (end, found) = run(self.found, evaluator);
         let status = match end {
             End::Well(words) => words,
             End::Stopped => {
-                self.stopped = true;
+                self.found.status = UpdateStatus::Cancelled;
                 "stopped".to_owned()
             }
             End::Failed(message) => {
-                self.failed = self.failed.take().or(Some(format!("{} search: {message}", search.word())));
+                self.found.status = UpdateStatus::NotConverged;
+                self.found.reason.get_or_insert_with(|| format!("{} search: {message}", search.word()));
                 format!("failed: {message}")
             }
         };
-        self.lines.push(SearchLine {
+        self.found.searches.push(SearchLine {
             search,
             variant: variant.to_owned(),
             status,
             found,
             computed: evaluator.computed() - before,
-            seconds: clock() - begun,
+            seconds: (self.clock)() - begun,
         });
-    }
-
-    /// The search that ended with the least norm of a full passage.
-    pub(super) fn best(&self) -> Option<usize> {
-        let norm = |k: &usize| self.lines[*k].found.as_ref().map(|found| found.norm).filter(|norm| norm.is_finite());
-        let ended = (0..self.lines.len()).filter_map(|k| norm(&k).map(|norm| (k, norm)));
-        ended.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(k, _)| k)
     }
 }
 

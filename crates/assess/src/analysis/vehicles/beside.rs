@@ -7,8 +7,9 @@
 
 use super::across::room;
 use super::search;
+use super::traffic::Traffic;
 use crate::analysis::AnalysisError;
-use crate::analysis::parallel::Portion;
+use crate::analysis::parallel::portion;
 use crate::vehicles::{BesideLane, Chosen, named_beside};
 use bridge::{Bridge, SweepPlan};
 use mechanics::watch::Watch;
@@ -53,8 +54,8 @@ pub(super) fn loaded(
         };
         let mut all = vec![chosen.clone()];
         all.extend(traffic);
-        let part = &mut Portion::new(watch, [k as f64 / count, (k + 1) as f64 / count]);
-        let by_itself = search::all(&own, (rule, plan), (&all, weights), (step, true), part)?;
+        let part = &mut portion(watch, [k as f64 / count, (k + 1) as f64 / count]);
+        let by_itself = search::all(&Traffic::new(&own, (rule, plan), (&all, weights))?, (step, true), part)?;
         let [first, others @ ..] = &by_itself[..] else { continue };
         let worst = others
             .iter()

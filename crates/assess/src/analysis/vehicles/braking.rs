@@ -1,9 +1,7 @@
 //! The worst of several runs of the same vehicles: with and without braking and traction, with and without what helps the bridge.
 
-use outcome::note::{self, Sideways};
 use outcome::sweep::Ended;
 use outcome::vehicles::VehicleSweep;
-use outcome::warning;
 
 /// The run that governs, by its number, with each vehicle from the run that is worst for it; a run that was stopped stands by itself.
 pub(crate) fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
@@ -23,12 +21,4 @@ pub(crate) fn worst_of(runs: &[VehicleSweep]) -> (usize, VehicleSweep) {
         }
     }
     (base, found)
-}
-
-/// Of runs with and without braking and traction, the worst for each vehicle.
-pub(super) fn worst(share: f64, sideways: Sideways, runs: &[VehicleSweep]) -> VehicleSweep {
-    let (_, mut found) = worst_of(runs);
-    found.warnings.retain(|warning| warning.code() != warning::NO_LONGITUDINAL);
-    found.assumptions.push(note::Moving::Braking { share, sideways }.into());
-    found
 }

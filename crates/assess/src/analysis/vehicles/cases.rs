@@ -1,5 +1,6 @@
 //! What may stand where: positions of a vehicle, and borders of half spans with uniform loads.
 
+use super::factored::Footprint;
 use bridge::{Bridge, Directions, SweepPlan};
 use outcome::vehicles::Direction;
 use rules::{Pattern, Vehicle};
@@ -18,13 +19,14 @@ pub(super) struct Drive {
     pub positions: Vec<f64>,
 }
 
-/// What the arches and their cover reach over [m]: where a load acts on them.
-pub(super) fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
+/// What the arches and their cover reach over [m]: where an axle acts on them.
+pub(super) fn reach(d: &Discretised, foot: &Footprint) -> [f64; 2] {
     let free = || d.extrados.stretches.iter().filter(|s| !s.ground);
     let from = free().map(|s| s.left.x).fold(f64::INFINITY, f64::min);
     let to = free().map(|s| s.right.x).fold(f64::NEG_INFINITY, f64::max);
     let lowest = free().map(|s| s.left.y.min(s.right.y)).fold(f64::INFINITY, f64::min);
-    let margin = 0.5 * footprint + (d.surface.highest() - lowest).max(0.0) / slope.max(0.1);
+    let below = (d.surface.highest() - lowest).max(0.0);
+    let margin = 0.5 * foot.length + below / foot.dispersal.slope.max(0.1);
     [from - margin, to + margin]
 }
 
@@ -72,6 +74,12 @@ impl Drive {
             Direction::Left => position + behind,
         }
     }
+}
+
+/// What all of several reach over [m].
+pub(super) fn range(d: &Discretised, feet: &[Footprint]) -> [f64; 2] {
+    let wider = |all: [f64; 2], own: [f64; 2]| [all[0].min(own[0]), all[1].max(own[1])];
+    feet.iter().map(|foot| reach(d, foot)).fold([f64::INFINITY, f64::NEG_INFINITY], wider)
 }
 
 /// Borders of half spans, and of what lies beside the spans [m].

@@ -5,17 +5,15 @@
 
 use super::super::engine::continuum::Moving as Body;
 use super::super::engine::continuum::moved::{self, Asked};
-use super::super::engine::rigid;
-use super::super::parallel::Portion;
-use super::twins::twins;
+use super::super::parallel::portion;
+use super::traffic::Traffic;
 use super::{AnalysisError, factored};
 use crate::vehicles::Chosen;
-use bridge::{Bridge, SweepPlan};
+use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::vehicles::{Case, EnvelopePoint, Swept, Weights};
-use rules::Rule;
-use structure::discretise::{Discretised, continuum};
+use structure::discretise::continuum;
 
 /// Upper over lower bound of the least factor, where the file wants no more.
 const RATIO: f64 = 1.1;
@@ -29,44 +27,26 @@ pub(super) fn is_wanted(bridge: &Bridge) -> bool {
 }
 
 /// Puts lower bounds on the continuum in front where they are the smaller factors. Tells whether all of it was done.
-pub(super) fn beside(
-    bridge: &Bridge,
-    (rule, plan): (&Rule, &SweepPlan),
-    (vehicles, weights): (&[Chosen], &[Weights]),
-    swept: &mut [Swept],
-    watch: &mut dyn Watch,
-) -> Result<bool, AnalysisError> {
-    let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
-    let built: Vec<Discretised> = bridges.iter().map(rigid::prepared).collect::<Result<_, _>>()?;
-    let bodies: Vec<Body<'_>> =
-        bridges.iter().zip(&built).map(|(own, d)| Body::new(own, d)).collect::<Result<_, _>>()?;
-    let feet: Vec<_> = vehicles.iter().map(|v| factored::footprint(bridge, plan, rule, v)).collect();
-    let twins = twins(vehicles, &feet);
-    let own: Vec<usize> = (0..vehicles.len()).filter(|&k| twins[k].is_none()).collect();
+pub(super) fn beside(traffic: &Traffic<'_>, swept: &mut [Swept], watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
+    let built = traffic.bridges.iter().zip(&traffic.built);
+    let bodies: Vec<Body<'_>> = built.map(|(own, d)| Body::new(own, d)).collect::<Result<_, _>>()?;
+    let own = traffic.own();
     let count = own.len() as f64;
     for (n, &k) in own.iter().enumerate() {
-        let one = One { bridges: &bridges, bodies: &bodies, weights, rule, plan, chosen: &vehicles[k] };
-        let part = &mut Portion::new(watch, [n as f64 / count, (n + 1) as f64 / count]);
+        let one = One { traffic, bodies: &bodies, chosen: &traffic.vehicles[k] };
+        let part = &mut portion(watch, [n as f64 / count, (n + 1) as f64 / count]);
         if !one.judged(&mut swept[k], part)? {
             return Ok(false);
         }
     }
-    for (k, twin) in twins.iter().enumerate() {
-        if let Some(twin) = twin {
-            let of = swept[twin.of].clone();
-            swept[k].yields_like(&of, twin.times);
-        }
-    }
+    traffic.told_alike(swept, Swept::yields_like);
     Ok(true)
 }
 
 /// One vehicle.
 struct One<'a> {
-    bridges: &'a [Bridge],
+    traffic: &'a Traffic<'a>,
     bodies: &'a [Body<'a>],
-    weights: &'a [Weights],
-    rule: &'a Rule,
-    plan: &'a SweepPlan,
     chosen: &'a Chosen,
 }
 
@@ -83,7 +63,7 @@ impl One<'_> {
         let stride = |drive: &[usize]| drive.len().div_ceil(POSITIONS).max(1);
         let first: Vec<Stands> =
             drives.iter().flat_map(|d| d.iter().step_by(stride(d))).flat_map(|&k| self.at(swept, k)).collect();
-        let Some(worst) = self.asked(swept, first, &mut Portion::new(watch, [0.0, 0.8]))? else { return Ok(false) };
+        let Some(worst) = self.asked(swept, first, &mut portion(watch, [0.0, 0.8]))? else { return Ok(false) };
         if let Some((_, at)) = worst {
             let drive = drives.iter().find(|drive| drive.contains(&at.point)).map_or(&[][..], Vec::as_slice);
             let step = stride(drive);
@@ -93,9 +73,9 @@ impl One<'_> {
                 let position = swept.envelope[point].case.position;
                 Stands { point, case: Case { position, weights, ..at.case.clone() } }
             };
-            let others = self.weights.iter().filter(|w| **w != at.case.weights).map(|w| like(at.point, *w));
+            let others = self.traffic.weights.iter().filter(|w| **w != at.case.weights).map(|w| like(at.point, *w));
             let second: Vec<Stands> = beside.map(|(_, &k)| like(k, at.case.weights)).chain(others).collect();
-            if self.asked(swept, second, &mut Portion::new(watch, [0.8, 1.0]))?.is_none() {
+            if self.asked(swept, second, &mut portion(watch, [0.8, 1.0]))?.is_none() {
                 return Ok(false);
             }
         }
@@ -105,13 +85,11 @@ impl One<'_> {
     /// What governs at a point where fill is weight, and the whole vehicle.
     fn at(&self, swept: &Swept, point: usize) -> Vec<Stands> {
         let p = &swept.envelope[point];
-        let pattern = self.chosen.vehicle.patterns().into_iter().find(|pattern| pattern.label == p.case.arrangement);
-        let Some(pattern) = pattern else { return Vec::new() };
-        let weights = p.weights.unwrap_or(self.weights[0]);
-        let governing = Case { weights, horizontal: 0.0, load: 0.0, ..p.case.clone() };
+        let Some(pattern) = factored::pattern(self.chosen, &p.case.arrangement) else { return Vec::new() };
+        let governing = self.traffic.governing(p);
         let axles = pattern.axles.len().checked_sub(1).map(|last| [0, last]);
         // As far as the fill reaches.
-        let uniform = self.bodies.first().map(Body::ends).filter(|_| !pattern.stretches.is_empty());
+        let uniform = self.bodies.first().map(|body| body.earth.ends).filter(|_| !pattern.stretches.is_empty());
         let whole = Case { axles, uniform, ..governing.clone() };
         let stands = |case: &Case| case.axles.is_some() || case.uniform.is_some();
         let both = if governing == whole { vec![whole] } else { vec![whole, governing] };
@@ -129,8 +107,9 @@ impl One<'_> {
         let mut asked = Vec::with_capacity(stands.len());
         let mut all = Vec::with_capacity(stands.len());
         for mut one in stands {
-            let body = self.weights.iter().position(|w| *w == one.case.weights).unwrap_or(0);
-            let bridge = factored::with_case(&self.bridges[body], self.plan, self.rule, self.chosen, &one.case);
+            let body = self.traffic.weights.iter().position(|w| *w == one.case.weights).unwrap_or(0);
+            let Traffic { bridges, plan, rule, .. } = self.traffic;
+            let bridge = factored::with_case(&bridges[body], plan, rule, self.chosen, &one.case);
             let strips = continuum::loads(&bridge);
             one.case.load = strips.iter().map(|strip| strip.force).sum();
             // Uniform loads do not move with the vehicle; axles do.
@@ -142,16 +121,16 @@ impl One<'_> {
             asked.push(Asked { body, row, position: one.case.position, strips });
             all.push(one);
         }
-        let ratio = self.bodies.first().map_or(RATIO, Body::ratio).max(RATIO);
+        let ratio = self.bodies.first().map_or(RATIO, |body| body.earth.plan.bound_ratio).max(RATIO);
         let (answers, done) = moved::all(self.bodies, &asked, ratio, watch)?;
         if !done {
             return Ok(None);
         }
         let mut worst: Worst = None;
         for (one, answer) in all.into_iter().zip(answers.into_iter().flatten()) {
-            let factor = answer.lower().map(|lower| lower * self.rule.capacity_factor());
-            swept.yields(one.point, &one.case, (answer.status(), factor));
-            if let Some(factor) = factor.filter(|_| answer.status() == Status::Collapsed)
+            let factor = answer.found.lower.map(|lower| lower * self.traffic.rule.capacity_factor());
+            swept.yields(one.point, &one.case, (answer.found.status, factor));
+            if let Some(factor) = factor.filter(|_| answer.found.status == Status::Collapsed)
                 && worst.as_ref().is_none_or(|(before, _)| factor < *before)
             {
                 worst = Some((factor, one));

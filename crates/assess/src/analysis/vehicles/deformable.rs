@@ -3,63 +3,48 @@
 //! Likely at a position are what governs for rigid blocks there, and all that may stand there. At the worst one are varied: runs of axles, runs of
 //! half spans with uniform loads, factors on weights, the critical axle.
 
-use super::super::deforming::along::{Found, Moves, Places, along};
-use super::super::deforming::{Bound, Deforming};
+use super::super::deforming::along::{Found, Moves, Places, along, worst};
+use super::super::deforming::{Bound, at_rest};
 use super::super::engine::joints::require_stiffness;
-use super::super::engine::rigid;
 use super::super::moving::runs;
 use super::AnalysisError;
-use super::cases::{borders, reach};
-use super::factored::{self, Footprint, footprint};
-use super::twins::twins;
+use super::cases::{borders, range};
+use super::factored::{self, pattern};
+use super::traffic::Traffic;
 use crate::vehicles::Chosen;
-use bridge::{Bridge, SweepPlan};
+use bridge::Bridge;
 use mechanics::blocks::PointForce;
+use mechanics::path::Ground;
 use mechanics::watch::Watch;
-use outcome::vehicles::{Case, Deformable, Direction, EnvelopePoint, PermissibleFactor, Swept, Weights};
-use rules::{Pattern, Rule};
-use structure::discretise::Discretised;
+use outcome::vehicles::{Case, Deformable, Direction, EnvelopePoint, PermissibleFactor, Swept};
+use rules::Pattern;
+use structure::discretise::continuum::loads;
 use structure::discretise::dispersal::{self, Strip};
 
 /// Puts the factors of deformable joints beside those of rigid blocks, and the smaller one in front. Tells whether all of it
 /// was done.
 pub(super) fn beside(
     bridge: &Bridge,
-    (rule, plan): (&Rule, &SweepPlan),
-    (vehicles, weights): (&[Chosen], &[Weights]),
+    traffic: &Traffic<'_>,
     (swept, step): (&mut [Swept], f64),
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
     require_stiffness(bridge)?;
-    let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
-    let built: Vec<Discretised> = bridges.iter().map(rigid::prepared).collect::<Result<_, _>>()?;
-    let mut deforming = Vec::with_capacity(built.len());
-    for (own, d) in bridges.iter().zip(&built) {
-        deforming.push(Deforming::new(own, d, watch)?);
+    let mut grounds = Vec::with_capacity(traffic.built.len());
+    for (own, d) in traffic.bridges.iter().zip(&traffic.built) {
+        grounds.push(at_rest(own, d, watch)?);
     }
-    if !deforming.iter().all(Deforming::stands) {
-        let falls = deforming.iter().any(Deforming::falls);
+    if !grounds.iter().all(Ground::stands) {
+        let falls = grounds.iter().any(Ground::falls);
         swept.iter_mut().for_each(|one| one.judged_with(Deformable { falls, ..Deformable::default() }));
         return Ok(true);
     }
-    let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, v)).collect();
-    let twins = twins(vehicles, &feet);
     // As for rigid blocks, so that cases are the same.
-    let range = feet.iter().map(|foot| reach(&built[0], foot.length, foot.dispersal.slope));
-    let range = range.fold([f64::INFINITY, f64::NEG_INFINITY], |all, own| [all[0].min(own[0]), all[1].max(own[1])]);
-    let shared = Shared {
-        bridges: &bridges,
-        built: &built,
-        weights,
-        plan,
-        rule,
-        capacity: rule.capacity_factor(),
-        borders: &borders(bridge, range),
-    };
-    let own: Vec<usize> = (0..vehicles.len()).filter(|&k| twins[k].is_none()).collect();
-    let vehicle = |&k: &usize| {
-        let places = places(&deforming, &swept[k], shared.capacity, step);
-        Vehicle { shared: &shared, chosen: &vehicles[k], foot: &feet[k], swept: &swept[k], places }
+    let borders = &borders(bridge, range(&traffic.built[0], &traffic.feet))[..];
+    let own = traffic.own();
+    let vehicle = |&number: &usize| {
+        let (swept, capacity) = (&swept[number], traffic.rule.capacity_factor());
+        Vehicle { traffic, number, capacity, borders, swept, places: places(&grounds, swept, capacity, step) }
     };
     let all: Vec<Vehicle<'_>> = own.iter().map(vehicle).collect();
     let (found, whole) = along(&all, watch);
@@ -69,45 +54,30 @@ pub(super) fn beside(
         swept[k].envelope = envelope;
         swept[k].judged_with(deformable);
     }
-    for (k, twin) in twins.iter().enumerate() {
-        if let Some(twin) = twin {
-            let of = swept[twin.of].clone();
-            swept[k].deforms_like(&of, twin.times);
-        }
-    }
+    traffic.told_alike(swept, Swept::deforms_like);
     Ok(whole)
-}
-
-/// What all vehicles share.
-struct Shared<'a> {
-    /// One for each combination of factors on weights.
-    bridges: &'a [Bridge],
-    built: &'a [Discretised],
-    weights: &'a [Weights],
-    plan: &'a SweepPlan,
-    rule: &'a Rule,
-    capacity: f64,
-    /// Borders of half spans [m].
-    borders: &'a [f64],
 }
 
 /// One of them, with what rigid blocks carry of it. Its cases have no load: what stands at a place is its load.
 struct Vehicle<'a> {
-    shared: &'a Shared<'a>,
-    chosen: &'a Chosen,
-    foot: &'a Footprint,
+    traffic: &'a Traffic<'a>,
+    /// Its place among the vehicles.
+    number: usize,
+    capacity: f64,
+    /// Borders of half spans [m].
+    borders: &'a [f64],
     swept: &'a Swept,
     places: Places<'a>,
 }
 
 /// Where a vehicle stands in its envelope, and how far it is followed there.
-fn places<'a>(deforming: &'a [Deforming], swept: &Swept, capacity: f64, step: f64) -> Places<'a> {
+fn places<'a>(grounds: &'a [Ground], swept: &Swept, capacity: f64, step: f64) -> Places<'a> {
     let lowest = swept.factor().map(|adequacy| adequacy / capacity);
     let rigid: Vec<Option<f64>> = swept.envelope.iter().map(|p| p.adequacy.map(|own| own / capacity)).collect();
     let worst = rigid.iter().enumerate().filter_map(|(k, factor)| Some((k, (*factor)?)));
     let worst = worst.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k);
     let bounds = rigid.iter().map(|here| Bound::of(*here, lowest)).collect();
-    Places { deforming, bounds, step, in_service: Some((lowest.unwrap_or(f64::INFINITY), worst)) }
+    Places { grounds, bounds, step, in_service: Some((lowest.unwrap_or(f64::INFINITY), worst)) }
 }
 
 impl Moves for Vehicle<'_> {
@@ -119,11 +89,10 @@ impl Moves for Vehicle<'_> {
 
     fn likely(&self, place: usize) -> Vec<Case> {
         let point = &self.swept.envelope[place];
-        let weights = point.weights.unwrap_or(self.shared.weights[0]);
-        let governs = Case { weights, horizontal: self.shared.plan.braking, load: 0.0, ..point.case.clone() };
-        let Some(pattern) = self.pattern(&governs.arrangement) else { return vec![governs] };
+        let governs = self.traffic.governing(point);
+        let Some(pattern) = pattern(self.chosen(), &point.case.arrangement) else { return vec![governs] };
         let last = pattern.axles.len().checked_sub(1);
-        let borders = self.shared.borders;
+        let borders = self.borders;
         let uniform = (!pattern.stretches.is_empty()).then(|| [borders[0], borders[borders.len() - 1]]);
         let all = Case { axles: last.map(|last| [0, last]), uniform, ..governs.clone() };
         let all = self.trimmed(&pattern, all);
@@ -133,7 +102,7 @@ impl Moves for Vehicle<'_> {
     fn like(&self, case: &Case, place: usize) -> Option<Case> {
         let there = &self.swept.envelope[place].case;
         let alike = case.arrangement == there.arrangement && case.direction == there.direction;
-        let pattern = self.pattern(&there.arrangement).filter(|_| alike)?;
+        let pattern = pattern(self.chosen(), &there.arrangement).filter(|_| alike)?;
         Some(self.trimmed(&pattern, Case { position: there.position, ..case.clone() }))
     }
 
@@ -143,8 +112,8 @@ impl Moves for Vehicle<'_> {
 
     /// Its run of axles, its run of half spans with uniform loads, the factors on weights, the critical axle.
     fn varied(&self, case: &Case) -> Vec<Case> {
-        let Some(pattern) = self.pattern(&case.arrangement) else { return Vec::new() };
-        let subsets = self.shared.plan.subsets && self.chosen.vehicle.axles_may_be_dropped;
+        let Some(pattern) = pattern(self.chosen(), &case.arrangement) else { return Vec::new() };
+        let subsets = self.traffic.plan.subsets && self.chosen().vehicle.axles_may_be_dropped;
         let mut cases = Vec::new();
         for axles in runs(pattern.axles.len(), subsets) {
             let critical_axle = case.critical_axle.map(|k| k.clamp(axles[0], axles[1]));
@@ -153,9 +122,9 @@ impl Moves for Vehicle<'_> {
         if let (Some([first, last]), Some(_)) = (case.axles, case.critical_axle) {
             cases.extend((first..=last).map(|k| Case { critical_axle: Some(k), ..case.clone() }));
         }
-        cases.extend(self.shared.weights.iter().map(|weights| Case { weights: *weights, ..case.clone() }));
+        cases.extend(self.traffic.weights.iter().map(|weights| Case { weights: *weights, ..case.clone() }));
         if !pattern.stretches.is_empty() && pattern.stretches.iter().all(|s| s.may_be_dropped) {
-            let borders = self.shared.borders;
+            let borders = self.borders;
             let ranges = runs(borders.len() - 1, true).into_iter().map(|[a, b]| [borders[a], borders[b + 1]]);
             cases.extend(ranges.map(|range| Case { uniform: Some(range), ..case.clone() }));
             cases.extend(case.axles.map(|_| Case { uniform: None, ..case.clone() }));
@@ -170,9 +139,9 @@ impl Moves for Vehicle<'_> {
     }
 
     fn forces(&self, case: &Case) -> Option<(Vec<PointForce>, usize)> {
-        let weights = self.shared.weights.iter().position(|w| *w == case.weights)?;
+        let weights = self.traffic.weights.iter().position(|w| *w == case.weights)?;
         let (loaded, strips) = self.strips(weights, case);
-        let spread = |strip: Strip| self.shared.built[weights].spread(&loaded, strip).forces;
+        let spread = |strip: Strip| self.traffic.built[weights].spread(&loaded, strip).forces;
         Some((strips.into_iter().flat_map(spread).collect(), weights))
     }
 
@@ -182,21 +151,21 @@ impl Moves for Vehicle<'_> {
 }
 
 impl Vehicle<'_> {
-    fn pattern(&self, arrangement: &str) -> Option<Pattern> {
-        self.chosen.vehicle.patterns().into_iter().find(|pattern| pattern.label == arrangement)
+    fn chosen(&self) -> &Chosen {
+        &self.traffic.vehicles[self.number]
     }
 
     /// The bridge with a case as its loads, and these where they stand.
     fn strips(&self, weights: usize, case: &Case) -> (Bridge, Vec<Strip>) {
-        let Shared { bridges, plan, rule, .. } = self.shared;
-        let loaded = factored::with_case(&bridges[weights], plan, rule, self.chosen, case);
-        let strips = loaded.loads.iter().flat_map(|load| dispersal::strips(load, 0.0)).collect();
+        let Traffic { bridges, plan, rule, .. } = self.traffic;
+        let loaded = factored::with_case(&bridges[weights], plan, rule, self.chosen(), case);
+        let strips = loads(&loaded);
         (loaded, strips)
     }
 
     /// A case without the axles that do not reach the arches, so that cases that are alike are the same.
     fn trimmed(&self, pattern: &Pattern, case: Case) -> Case {
-        let (foot, built) = (self.foot, &self.shared.built[0]);
+        let (foot, built) = (&self.traffic.feet[self.number], &self.traffic.built[0]);
         let sign = if case.direction == Direction::Right { 1.0 } else { -1.0 };
         let reaches = |k: &usize| {
             let middle = case.position - sign * pattern.axles[*k].offset;
@@ -213,7 +182,7 @@ impl Vehicle<'_> {
 
     /// Both factors at every position, and the smaller one in front.
     fn told(&self, found: &Found<Case>) -> (Deformable, Vec<EnvelopePoint>) {
-        let capacity = self.shared.capacity;
+        let capacity = self.capacity;
         let mut envelope = self.swept.envelope.clone();
         let positions = envelope.len();
         for (point, answer) in envelope.iter_mut().zip(&found.answers) {
@@ -232,9 +201,9 @@ impl Vehicle<'_> {
             adequacy: factor * capacity,
             position,
         });
-        let least = found.worst();
+        let least = worst(&found.answers);
         let with_load = |case: &Case| {
-            let weights = self.shared.weights.iter().position(|w| *w == case.weights).unwrap_or(0);
+            let weights = self.traffic.weights.iter().position(|w| *w == case.weights).unwrap_or(0);
             let load = self.strips(weights, case).1.iter().map(|strip| strip.force).sum();
             Case { load, ..case.clone() }
         };

@@ -1,7 +1,7 @@
 //! One vehicle wherever somebody puts it: at each place every case that a sweep tries there, and the least of them.
 
 use super::beside;
-use super::cases::{Drive, borders, drives, places_apart, reach};
+use super::cases::{drives, places_apart, reach};
 use super::factored::{self, Footprint, footprint, with_case};
 use super::standing::Standing;
 use super::weights;
@@ -109,17 +109,6 @@ impl Driven {
     }
 }
 
-/// What a vehicle may do on a bridge: how it stands by every share of braking, and every arrangement of it.
-pub(in crate::analysis) struct Driving {
-    feet: Vec<Footprint>,
-    drives: Vec<Drive>,
-    /// Borders of half spans [m].
-    borders: Vec<f64>,
-    weights: Vec<Weights>,
-    /// Places of the first axle at which something stands over the arches [m].
-    pub range: [f64; 2],
-}
-
 /// What governs at a place.
 pub(in crate::analysis) struct Governing {
     /// The case; none where every load is carried or nothing is known.
@@ -149,44 +138,40 @@ pub(in crate::analysis) enum Asked {
     Quickly,
 }
 
-impl Driving {
-    /// A vehicle on a bridge with a rule's factors, and its blocks.
-    pub(crate) fn new(driven: &Driven, bridge: &Bridge, d: &Discretised) -> Driving {
+impl Standing {
+    /// What a vehicle may do on a bridge with a rule's factors, and its blocks: how it stands by every share of braking, and every arrangement of it.
+    pub(in crate::analysis) fn of_one(driven: &Driven, bridge: &Bridge, d: &Discretised) -> Standing {
         let (mut feet, mut all) = (Vec::new(), Vec::new());
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        let directions = match driven.direction {
+            Direction::Right => Directions::Right,
+            Direction::Left => Directions::Left,
+        };
         for (k, (plan, vehicle)) in driven.runs.iter().enumerate() {
-            let directions = match driven.direction {
-                Direction::Right => Directions::Right,
-                Direction::Left => Directions::Left,
-            };
             let plan = &SweepPlan { directions, ..plan.clone() };
             let foot = footprint(bridge, plan, &driven.rule, vehicle);
-            let own = reach(d, foot.length, foot.dispersal.slope);
-            range = [range[0].min(own[0]), range[1].max(own[1])];
+            let own = reach(d, &foot);
             // Places are the caller's, and those of the drives are not asked.
             all.extend(drives(k, &vehicle.vehicle, plan, own, own[1] - own[0]));
             feet.push(foot);
         }
         let longest = all.iter().map(|drive| drive.pattern.length()).fold(0.0, f64::max);
-        let borders = borders(bridge, range);
+        let mut standing = Standing::new((bridge, d), &driven.weights, feet, all);
         match driven.direction {
-            Direction::Right => range[1] += longest,
-            Direction::Left => range[0] -= longest,
+            Direction::Right => standing.range[1] += longest,
+            Direction::Left => standing.range[0] -= longest,
         }
-        Driving { feet, drives: all, borders, weights: driven.weights.clone(), range }
+        standing
     }
 
     /// The least factor with the first axle at a place [m], over everything that a sweep tries there. One ground and one sweeper for each
     /// combination of weights.
-    pub(crate) fn governing(
+    pub(in crate::analysis) fn governing(
         &self,
-        d: &Discretised,
         (grounds, sweepers): (&[Ground], &mut [Sweeper<'_>]),
         position: f64,
         asked: Asked,
     ) -> Governing {
-        let standing = self.standing(d);
-        let (cases, skipped) = self.cases((&standing, grounds), sweepers, position, asked);
+        let (cases, skipped) = self.tried((grounds, sweepers), position, asked);
         let (mut answered, mut open, mut locks) = (Vec::new(), Vec::new(), Vec::new());
         for (key, effect) in cases {
             let found = sweepers[key.weights].factor(&effect);
@@ -205,7 +190,7 @@ impl Driving {
         let locking = locks.map(|(key, effect)| (key, sweepers[key.weights].gives_way(&effect)));
         let falls = locking.and_then(|(key, factor)| Some((key, factor?))).filter(|(_, factor)| factor.is_finite());
         let level = |(key, factor): (Key, f64)| Governing {
-            case: Some(standing.told(&key)),
+            case: Some(self.told(&key)),
             weights: key.weights,
             factor: Some(factor),
             slides: true,
@@ -233,7 +218,7 @@ impl Driving {
         answered[..=first].rotate_right(1);
         let may_slide = |case: &Answered| case.dilatant.slides && case.answer.factor <= DILATANCY * worst.factor;
         let mut governing = Governing {
-            case: Some(standing.told(&worst.key)),
+            case: Some(self.told(&worst.key)),
             weights: worst.key.weights,
             status: Status::Solved,
             factor: Some(worst.factor),
@@ -266,16 +251,15 @@ impl Driving {
 
     /// Every case at a place under every combination of weights. Asked quickly, cases are left out whose upper bound by the mechanisms met
     /// before lies far above the least such bound; whether any was.
-    fn cases(
+    fn tried(
         &self,
-        (standing, grounds): (&Standing<'_>, &[Ground]),
-        sweepers: &mut [Sweeper<'_>],
+        (grounds, sweepers): (&[Ground], &mut [Sweeper<'_>]),
         position: f64,
         asked: Asked,
     ) -> (Vec<(Key, Effect)>, bool) {
         let mut all = Vec::new();
         for drive in 0..self.drives.len() {
-            for (key, effect) in standing.cases(&mut sweepers[0], drive, position) {
+            for (key, effect) in self.cases(&mut sweepers[0], drive, position) {
                 for (weights, ground) in grounds.iter().enumerate() {
                     all.push((Key { weights, ..key }, ground.taken(&effect, &grounds[0])));
                 }
@@ -291,10 +275,6 @@ impl Driving {
             all.into_iter().zip(bounds).filter(|(_, bound)| *bound <= most).map(|(case, _)| case).collect();
         let skipped = near.len() < count;
         (near, skipped)
-    }
-
-    fn standing<'a>(&'a self, d: &'a Discretised) -> Standing<'a> {
-        Standing { d, weights: &self.weights, feet: &self.feet, drives: &self.drives, borders: &self.borders }
     }
 }
 

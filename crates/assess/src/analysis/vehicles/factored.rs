@@ -142,13 +142,18 @@ pub(super) fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: 
     }
 }
 
+/// An arrangement of a vehicle by its name.
+pub(super) fn pattern(chosen: &Chosen, arrangement: &str) -> Option<Pattern> {
+    chosen.vehicle.patterns().into_iter().find(|pattern| pattern.label == arrangement)
+}
+
 /// The bridge with one case as its loads: each axle and each stretch of uniform load by itself, with its factors.
 pub(super) fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen, case: &Case) -> Bridge {
     let foot = footprint(bridge, plan, rule, chosen);
     let vehicle = &chosen.vehicle;
     let mut b = bridge.clone();
     b.dispersal = foot.dispersal;
-    let Some(pattern) = vehicle.patterns().into_iter().find(|p| p.label == case.arrangement) else { return b };
+    let Some(pattern) = pattern(chosen, &case.arrangement) else { return b };
     let sign = if case.direction == Direction::Right { 1.0 } else { -1.0 };
     if let Some([first, last]) = case.axles {
         for (k, axle) in pattern.axles.iter().enumerate().take(last + 1).skip(first) {

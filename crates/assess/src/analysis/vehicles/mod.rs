@@ -2,7 +2,7 @@
 //! factors of a rule.
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
-//! strengths their factors, `cases` lists places, `standing` what stands there, `search` tells what `moving` finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
+//! strengths their factors, `traffic` puts vehicles under them, `cases` lists places, `standing` what stands there, `search` tells what `moving` finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
 //! discrete elements.
 
 mod across;
@@ -26,19 +26,17 @@ mod standing;
 #[cfg(test)]
 pub(crate) mod tests;
 mod told;
+mod traffic;
 mod twins;
 mod weights;
 
 pub use across::ROAD_LANE;
 pub(super) use braking::worst_of;
+pub(super) use driven::Asked;
 pub use driven::Driven;
-pub(super) use driven::{Asked, Driving};
-pub use outcome::vehicles::Across;
-pub use outcome::vehicles::ByDiscreteElements;
-pub use outcome::vehicles::Weights;
-pub use outcome::vehicles::{Extreme, SectionEnvelope};
+pub(super) use standing::Standing;
 
-use super::parallel::Portion;
+use super::parallel::portion;
 use super::state::{self, Change};
 use super::{AnalysisError, default_stiffness, engine, moving, policy};
 use crate::vehicles::{Chosen, chosen, left_out};
@@ -51,6 +49,7 @@ use outcome::vehicles::{Case, Swept, VehicleSweep};
 use outcome::warning::{self, OpenPositions, RecalledFactor, Warning};
 use rules::{Acting, Confidence, Rule, Source};
 use structure::discretise::DiscretiseError;
+use traffic::Traffic;
 
 /// Moves the vehicles of the bridge's plan over it: as they stand, and where the plan has braking also with that share of their loads
 /// along the bridge, to the right and to the left. The least factor of each vehicle counts. Where the onlooker wishes to stop, what is done
@@ -75,7 +74,7 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
     let mut runs = Vec::new();
     for (k, sign) in [0.0, 1.0, -1.0].into_iter().enumerate() {
         own.sweep.iter_mut().for_each(|plan| plan.braking = sign * share);
-        let part = &mut Portion::new(watch, [k as f64 / 3.0, (k + 1) as f64 / 3.0]);
+        let part = &mut portion(watch, [k as f64 / 3.0, (k + 1) as f64 / 3.0]);
         let run = moved(&own, part)?;
         let stopped = run.status() == Ended::Cancelled;
         runs.push(run);
@@ -83,7 +82,10 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
             break;
         }
     }
-    Ok(braking::worst(share, across::sideways(bridge), &runs))
+    let (_, mut found) = worst_of(&runs);
+    found.warnings.retain(|warning| warning.code() != warning::NO_LONGITUDINAL);
+    found.assumptions.push(note::Moving::Braking { share, sideways: across::sideways(bridge) }.into());
+    Ok(found)
 }
 
 /// Moves vehicles with one share of their loads along the bridge.
@@ -100,23 +102,21 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let gives = bridge.plan.method == Method::Path;
     let yields = !gives && continuum::is_wanted(bridge);
     let before = if vehicles.iter().any(|chosen| chosen.acting.beside.is_some()) { 0.3 } else { 0.0 };
-    let first_part = &mut Portion::new(watch, [0.0, before]);
-    let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), first_part)?;
-    let rigid_part = &mut Portion::new(watch, if gives || yields { [before, 0.5] } else { [before, 1.0] });
-    let mut swept = search::all(bridge, (&rule, plan), (&vehicles, &weights), (step, true), rigid_part)?;
+    let (first_part, rigid_part) = ([0.0, before], if gives || yields { [before, 0.5] } else { [before, 1.0] });
+    let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), &mut portion(watch, first_part))?;
+    let traffic = Traffic::new(bridge, (&rule, plan), (&vehicles, &weights))?;
+    let mut swept = search::all(&traffic, (step, true), &mut portion(watch, rigid_part))?;
     let answered = swept.iter().all(|one| !matches!(one.status, Status::Cancelled | Status::UnstableUnderSelfWeight));
-    if gives && answered {
-        let second_part = &mut Portion::new(watch, [0.5, 1.0]);
-        let moved = (&mut swept[..], step);
-        if !deformable::beside(bridge, (&rule, plan), (&vehicles, &weights), moved, second_part)? {
-            swept.iter_mut().for_each(Swept::cancel);
+    let done = {
+        let second_part = &mut portion(watch, [0.5, 1.0]);
+        match answered {
+            true if gives => deformable::beside(bridge, &traffic, (&mut swept, step), second_part)?,
+            true if yields => continuum::beside(&traffic, &mut swept, second_part)?,
+            _ => true,
         }
-    }
-    if yields && answered {
-        let second_part = &mut Portion::new(watch, [0.5, 1.0]);
-        if !continuum::beside(bridge, (&rule, plan), (&vehicles, &weights), &mut swept, second_part)? {
-            swept.iter_mut().for_each(Swept::cancel);
-        }
+    };
+    if !done {
+        swept.iter_mut().for_each(Swept::cancel);
     }
     let governing = swept
         .iter()

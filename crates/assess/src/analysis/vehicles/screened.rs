@@ -1,6 +1,7 @@
 //! The search that leaves out slow cases far above the least, against the search that answers all of them.
 
 use super::search;
+use super::traffic::Traffic;
 use super::weights;
 use crate::samples;
 use crate::vehicles::chosen;
@@ -72,7 +73,8 @@ fn agree_at(seed: u64, step: f64) {
     let (rule, vehicles) = chosen(&b, plan).unwrap();
     let weights = &weights::combinations(&b, &rule)[..1];
     let with = |screen| {
-        search::all(&b, (&rule, plan), (&vehicles, weights), (step, screen), &mut Unwatched).unwrap().remove(0)
+        let traffic = Traffic::new(&b, (&rule, plan), (&vehicles, weights)).unwrap();
+        search::all(&traffic, (step, screen), &mut Unwatched).unwrap().remove(0)
     };
     let [all, few] = [with(false), with(true)];
     assert!(few.cases < all.cases, "{seed}: {} of {} cases", few.cases, all.cases);

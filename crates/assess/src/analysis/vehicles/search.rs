@@ -4,67 +4,54 @@ use super::super::engine::rigid;
 use super::super::moving::{Found, Key, Line, Place, Scene, Watched, WithoutDilation, search, watched};
 use super::super::parallel;
 use super::AnalysisError;
-use super::cases::{borders, drives, reach};
-use super::factored::{self, Footprint, footprint};
+use super::cases::{drives, reach};
+use super::factored::Footprint;
 use super::seeds::seeds;
 use super::standing::Standing;
-use super::twins::twins;
+use super::traffic::Traffic;
 use crate::vehicles::Chosen;
-use bridge::{Bridge, SweepPlan};
 use mechanics::limit::{self, Ground};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::vehicles::Weights;
 use outcome::vehicles::{Case, EnvelopePoint, Swept};
-use rules::Rule;
-use structure::discretise::Discretised;
 
 /// Answers every case of every vehicle under every combination of factors on weights, with or without cases left out by a `screen`.
 /// Where the onlooker wishes to stop, vehicles that were not finished say so.
 pub(super) fn all(
-    bridge: &Bridge,
-    (rule, plan): (&Rule, &SweepPlan),
-    (vehicles, weights): (&[Chosen], &[Weights]),
+    traffic: &Traffic<'_>,
     (step, screen): (f64, bool),
     watch: &mut dyn Watch,
 ) -> Result<Vec<Swept>, AnalysisError> {
-    let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
-    let bridge = &bridges[0];
-    let built: Vec<Discretised> = bridges.iter().map(rigid::prepared).collect::<Result<_, _>>()?;
+    let Traffic { vehicles, weights, feet, twins, .. } = traffic;
+    let (bridge, d) = (&traffic.bridges[0], &traffic.built[0]);
     let settings = limit::Settings { friction: limit::Friction::Associated, ..rigid::settings(bridge) };
-    let mut grounds = Vec::with_capacity(built.len());
-    for d in &built {
+    let mut grounds = Vec::with_capacity(traffic.built.len());
+    for d in &traffic.built {
         grounds.push(Ground::new(&d.model, &d.loading, &settings)?);
     }
-    let d = &built[0];
-    let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, v)).collect();
     if let Some(falls) = grounds.iter().position(|ground| !ground.stands()) {
-        return Ok(vehicles.iter().zip(&feet).map(|(v, foot)| fallen(v, foot, weights[falls])).collect());
+        return Ok(vehicles.iter().zip(feet).map(|(v, foot)| fallen(v, foot, weights[falls])).collect());
     }
     let watched = watched(bridge, d, &grounds[0]);
-    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-    let mut all_drives = Vec::new();
-    for (k, (chosen, foot)) in vehicles.iter().zip(&feet).enumerate() {
-        let own = reach(d, foot.length, foot.dispersal.slope);
-        range = [range[0].min(own[0]), range[1].max(own[1])];
-        all_drives.extend(drives(k, &chosen.vehicle, plan, own, step));
-    }
-    let twins = twins(vehicles, &feet);
+    let own = |(k, foot): (usize, &Footprint)| drives(k, &vehicles[k].vehicle, traffic.plan, reach(d, foot), step);
+    let all_drives = feet.iter().enumerate().flat_map(own).collect();
     let seeds = match screen && !grounds[0].is_fast() {
         true => parallel::alone("mechanisms to begin with", false, watch, |token| {
             seeds(bridge, d, &grounds[0], &feet[0], token)
         }),
         false => Vec::new(),
     };
-    let borders = borders(bridge, range);
-    let standing = Standing { d, weights, feet: &feet, drives: &all_drives, borders: &borders };
+    let standing = Standing::new((bridge, d), weights, feet.clone(), all_drives);
     let (seeds, without_dilation) = (&seeds[..], WithoutDilation::InTurn);
     let scene = Scene { stands: &standing, grounds: &grounds, watched: &watched, screen, seeds, without_dilation };
-    let line = |drive: &super::cases::Drive| (drive.vehicle, twins[drive.vehicle].is_some());
-    let lines = all_drives.iter().map(|drive| (line(drive), &drive.positions[..]));
-    let lines: Vec<Line<'_>> = lines.map(|((vehicle, alike), positions)| Line { vehicle, positions, alike }).collect();
+    let lines = standing.drives.iter().map(|drive| {
+        let (vehicle, positions) = (drive.vehicle, &drive.positions[..]);
+        Line { vehicle, positions, alike: twins[vehicle].is_some() }
+    });
+    let lines: Vec<Line<'_>> = lines.collect();
     let found = search(&scene, (&lines, vehicles.len()), step, watch);
-    let telling = Telling { standing: &standing, watched: &watched, capacity: rule.capacity_factor() };
+    let telling = Telling { standing: &standing, watched: &watched, capacity: traffic.rule.capacity_factor() };
     let mut swept: Vec<Swept> = Vec::with_capacity(vehicles.len());
     for (k, found) in found.into_iter().enumerate() {
         let own = match twins[k] {
@@ -78,7 +65,7 @@ pub(super) fn all(
 
 /// What was found of vehicles, with the factor on what a bridge carries.
 struct Telling<'a> {
-    standing: &'a Standing<'a>,
+    standing: &'a Standing,
     watched: &'a [Watched],
     capacity: f64,
 }

@@ -1,29 +1,35 @@
 //! What may stand on the bridge with the first axle at a place: its effects, and each case in words.
 
 use super::super::moving::{Key, Stands, runs};
-use super::cases::Drive;
+use super::cases::{Drive, borders, range};
 use super::factored::{Footprint, clipped};
+use bridge::Bridge;
 use mechanics::limit::{Effect, Sweeper};
 use outcome::vehicles::Case;
 use outcome::vehicles::Weights;
 use structure::discretise::Discretised;
+use structure::discretise::cover::Surface;
 use structure::discretise::dispersal::{Strip, spread};
+use structure::discretise::extrados::Extrados;
 
 /// Vehicles on a bridge.
-pub(super) struct Standing<'a> {
-    /// The bridge; its shape is the same under all weights.
-    pub d: &'a Discretised,
+pub(in crate::analysis) struct Standing {
+    /// The road and the backs of the rings; they are the same under all weights.
+    surface: Surface,
+    extrados: Extrados,
     /// Combinations of factors on weights.
-    pub weights: &'a [Weights],
+    pub(super) weights: Vec<Weights>,
     /// How axles stand, for each vehicle.
-    pub feet: &'a [Footprint],
+    pub(super) feet: Vec<Footprint>,
     /// Every drive.
-    pub drives: &'a [Drive],
+    pub(super) drives: Vec<Drive>,
+    /// Places of the first axle at which something may stand over the arches [m].
+    pub range: [f64; 2],
     /// Borders of pieces with uniform loads [m].
-    pub borders: &'a [f64],
+    borders: Vec<f64>,
 }
 
-impl Stands for Standing<'_> {
+impl Stands for Standing {
     fn cases(&self, sweeper: &mut Sweeper<'_>, index: usize, position: f64) -> Vec<(Key, Effect)> {
         let drive = &self.drives[index];
         let foot = &self.feet[drive.vehicle];
@@ -91,7 +97,19 @@ impl Stands for Standing<'_> {
     }
 }
 
-impl Standing<'_> {
+impl Standing {
+    /// Drives of vehicles over a bridge and its blocks.
+    pub(super) fn new(
+        (bridge, d): (&Bridge, &Discretised),
+        weights: &[Weights],
+        feet: Vec<Footprint>,
+        drives: Vec<Drive>,
+    ) -> Standing {
+        let range = range(d, &feet);
+        let (surface, extrados, borders) = (d.surface.clone(), d.extrados.clone(), borders(bridge, range));
+        Standing { surface, extrados, weights: weights.to_vec(), feet, drives, range, borders }
+    }
+
     /// Uniform loads: none, and every run of half spans; all of them where they may not be left out.
     fn uniform(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Option<[usize; 2]>, Option<Effect>)> {
         let drive = &self.drives[index];
@@ -139,7 +157,7 @@ impl Standing<'_> {
     }
 
     fn effect(&self, sweeper: &mut Sweeper, foot: &Footprint, strip: Strip) -> Option<Effect> {
-        let spread = spread(strip, foot.dispersal, &self.d.surface, &self.d.extrados);
+        let spread = spread(strip, foot.dispersal, &self.surface, &self.extrados);
         (!spread.forces.is_empty()).then(|| sweeper.effect(&spread.forces))
     }
 

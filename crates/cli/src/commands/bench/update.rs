@@ -34,7 +34,7 @@ pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report,
         let clock = Clock::start();
         let found = slices(&other, &base, WantedSlices { expected: &usual, ..asked }, &mut Unwatched)?;
         seconds.push(clock.seconds());
-        iterations += found.iterations;
+        iterations += found.log.iter().map(|step| step.iterations).sum::<usize>();
         completed &= found.status == PassageStatus::Completed;
         if asked_to_stop() {
             break;

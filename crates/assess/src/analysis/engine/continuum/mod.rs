@@ -4,7 +4,7 @@ mod beside;
 pub mod moved;
 
 use crate::analysis::engine::Engine;
-use crate::analysis::engine::rigid::{cancelled, draw, settings};
+use crate::analysis::engine::rigid::{cancelled, draw, loaded, settings};
 use crate::analysis::geometry::point;
 use crate::analysis::{AnalysisError, notes, parallel, picture, template};
 use beside::Beside;
@@ -32,10 +32,6 @@ impl Engine for Continuum {
         Method::Limit
     }
 
-    fn joints(&self, _: &Bridge) -> Result<(), AnalysisError> {
-        Ok(())
-    }
-
     fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         found(bridge, true, watch)
     }
@@ -50,11 +46,8 @@ pub fn with_strength_of_the_file(bridge: &Bridge, watch: &mut dyn Watch) -> Resu
 }
 
 fn found(bridge: &Bridge, others: bool, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let mut d = discretise(bridge)?;
+    let mut d = loaded(discretise(bridge)?)?;
     d.loading.movements.clear();
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
     parallel::alone("bounds of the load", true, watch, |token| whole(bridge, &d, &earth, others, token))
 }
@@ -74,7 +67,8 @@ pub fn bounds_alone(bridge: &Bridge, token: &CancelToken) -> Result<(Bounds, f64
 /// A bridge whose loads move: its blocks and its soil, which stay.
 pub struct Moving<'a> {
     d: &'a Discretised,
-    earth: Earth,
+    /// The soil.
+    pub earth: Earth,
     settings: Settings,
 }
 
@@ -88,16 +82,6 @@ impl<'a> Moving<'a> {
         Ok(Moving { d, earth, settings: associated(bridge) })
     }
 
-    /// The ratio of the bounds that the file wants.
-    pub fn ratio(&self) -> f64 {
-        self.earth.plan.bound_ratio
-    }
-
-    /// Where the soil ends on the left and on the right [m].
-    pub fn ends(&self) -> [f64; 2] {
-        self.earth.ends
-    }
-
     /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
     /// them stands on the fill, nothing can fail.
     ///
@@ -105,7 +89,7 @@ impl<'a> Moving<'a> {
     /// A strip without length, or regions and blocks of which no bounds can be asked for.
     pub fn bracket(&self, strips: &[Strip], ratio: f64, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
-        let wanted = Wanted { ratio, ..self.wanted() };
+        let wanted = Wanted { ratio, ..wanted(&self.earth.plan) };
         Ok(Bracket::of(collapse_bounds(&setting(&loaded, &self.settings)?, &wanted, token)?))
     }
 
@@ -121,7 +105,7 @@ impl<'a> Moving<'a> {
     ) -> Result<Bracket, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
         let setting = setting(&loaded, &self.settings)?;
-        Ok(Bracket::of(lower_like(&setting, &like(others), &self.wanted(), token)?))
+        Ok(Bracket::of(lower_like(&setting, &like(others), &wanted(&self.earth.plan), token)?))
     }
 
     /// An upper bound alone, on a mesh a third as fine.
@@ -135,7 +119,7 @@ impl<'a> Moving<'a> {
         token: &CancelToken,
     ) -> Result<Option<f64>, AnalysisError> {
         let Some(loaded) = self.loaded(strips)? else { return Ok(None) };
-        Ok(upper_like(&setting(&loaded, &self.settings)?, &like(others), &self.wanted(), token)?)
+        Ok(upper_like(&setting(&loaded, &self.settings)?, &like(others), &wanted(&self.earth.plan), token)?)
     }
 
     /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
@@ -144,7 +128,7 @@ impl<'a> Moving<'a> {
     /// Those of [`bracket`](Self::bracket).
     pub fn closer(&self, strips: &[Strip], bracket: &Bracket, token: &CancelToken) -> Result<Bracket, AnalysisError> {
         let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
-        let wanted = Wanted { rounds: 1, ..self.wanted() };
+        let wanted = Wanted { rounds: 1, ..wanted(&self.earth.plan) };
         Ok(Bracket::of(closer_bounds(&setting(&loaded, &self.settings)?, &wanted, bounds, token)?))
     }
 
@@ -161,10 +145,6 @@ impl<'a> Moving<'a> {
     fn loaded(&self, strips: &[Strip]) -> Result<Option<LoadedEarth>, AnalysisError> {
         let loaded = self.earth.loaded(self.d, Strength::of(&self.earth.plan), strips)?;
         Ok((!strips.is_empty() && loaded.left_out <= 1.0 - 1e-9).then_some(loaded))
-    }
-
-    fn wanted(&self) -> Wanted {
-        wanted(&self.earth.plan)
     }
 }
 

@@ -8,9 +8,8 @@
 
 use super::{Bracket, Moving};
 use crate::analysis::AnalysisError;
-use crate::analysis::parallel::{self, Portion, Stage};
+use crate::analysis::parallel::{self, Stage, portion};
 use mechanics::watch::Watch;
-use outcome::collapse::Status;
 use structure::discretise::dispersal::Strip;
 
 /// Loads at a place.
@@ -29,7 +28,8 @@ pub(in crate::analysis) struct Asked {
 /// What was found of them.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::analysis) struct Answer {
-    found: Bracket,
+    /// Its bounds on a mesh of its own.
+    pub found: Bracket,
     /// An upper bound from the motion of loads at another place, or of a coarse mesh.
     elsewhere: Option<f64>,
     /// Whether a finer mesh gave nothing new.
@@ -39,14 +39,6 @@ pub(in crate::analysis) struct Answer {
 impl Answer {
     pub(crate) fn of(found: Bracket) -> Answer {
         Answer { found, elsewhere: None, is_spent: false }
-    }
-    /// How its bounds ended.
-    pub(crate) fn status(&self) -> Status {
-        self.found.status
-    }
-    /// What is carried.
-    pub(crate) fn lower(&self) -> Option<f64> {
-        self.found.lower
     }
     /// What is not.
     pub(crate) fn upper(&self) -> Option<f64> {
@@ -80,18 +72,18 @@ pub(in crate::analysis) fn all(
     let seeds = seeds(asked);
     let own =
         |_: &Work<'_>, k: usize, token: &_| bodies[asked[k].body].bracket(&asked[k].strips, ratio.max(COARSE), token);
-    let mut done = work.answered("bounds at every eighth place", &seeds, &mut Portion::new(watch, [0.0, 0.3]), own)?;
-    done = done && work.refined(ratio, &mut Portion::new(watch, [0.3, 0.4]))?;
+    let mut done = work.answered("bounds at every eighth place", &seeds, &mut portion(watch, [0.0, 0.3]), own)?;
+    done = done && work.refined(ratio, &mut portion(watch, [0.3, 0.4]))?;
     let others: Vec<usize> = (0..asked.len()).filter(|k| !seeds.contains(k)).collect();
     if done {
         let like = |work: &Work<'_>, k: usize, token: &_| {
             bodies[asked[k].body].beside(&asked[k].strips, &work.apart_from(k, &seeds), token)
         };
-        done = work.answered("lower bounds between them", &others, &mut Portion::new(watch, [0.4, 0.7]), like)?;
+        done = work.answered("lower bounds between them", &others, &mut portion(watch, [0.4, 0.7]), like)?;
     }
-    done = done && work.bounded_above(false, &mut Portion::new(watch, [0.7, 0.72]))?;
-    done = done && work.refined(ratio, &mut Portion::new(watch, [0.72, 0.9]))?;
-    done = done && work.bounded_above(true, &mut Portion::new(watch, [0.9, 1.0]))?;
+    done = done && work.bounded_above(false, &mut portion(watch, [0.7, 0.72]))?;
+    done = done && work.refined(ratio, &mut portion(watch, [0.72, 0.9]))?;
+    done = done && work.bounded_above(true, &mut portion(watch, [0.9, 1.0]))?;
     Ok((work.answers, done))
 }
 
@@ -173,7 +165,7 @@ impl Work<'_> {
     /// on a coarse mesh.
     fn bounded_above(&mut self, by_program: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
         let lacks =
-            |k: &usize| self.answers[*k].as_ref().is_some_and(|a| a.lower().is_some() && a.found.upper.is_none());
+            |k: &usize| self.answers[*k].as_ref().is_some_and(|a| a.found.lower.is_some() && a.found.upper.is_none());
         let which: Vec<usize> = (0..self.asked.len()).filter(lacks).collect();
         let moving: Vec<usize> =
             (0..self.asked.len()).filter(|&k| self.answers[k].as_ref().is_some_and(Answer::moves)).collect();
@@ -188,7 +180,7 @@ impl Work<'_> {
                 let upper = body.upper_from(&one.strips, other)?;
                 least = [least, upper].into_iter().flatten().min_by(f64::total_cmp);
             }
-            let lower = before.and_then(Answer::lower).unwrap_or(0.0);
+            let lower = before.and_then(|answer| answer.found.lower).unwrap_or(0.0);
             if by_program && least.is_none_or(|least| least > COARSE * lower) {
                 let upper = body.above(&one.strips, &others, token)?;
                 least = [least, upper].into_iter().flatten().min_by(f64::total_cmp);
@@ -229,7 +221,7 @@ impl Work<'_> {
 fn apart(answers: &[Option<Answer>], ratio: f64) -> Vec<usize> {
     let all = || answers.iter().enumerate().filter_map(|(k, answer)| Some((k, answer.as_ref()?)));
     let least = all().filter_map(|(_, answer)| answer.upper()).fold(f64::INFINITY, f64::min);
-    let open = |answer: &Answer| answer.lower().filter(|lower| !answer.is_spent && *lower < least / ratio);
+    let open = |answer: &Answer| answer.found.lower.filter(|lower| !answer.is_spent && *lower < least / ratio);
     let mut open: Vec<_> = all().filter_map(|(k, answer)| Some((open(answer)?, k))).collect();
     open.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     open.into_iter().map(|(_, k)| k).take(AT_ONCE).collect()
@@ -238,6 +230,7 @@ fn apart(answers: &[Option<Answer>], ratio: f64) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use outcome::collapse::Status;
 
     fn at(lower: f64, upper: f64) -> Option<Answer> {
         let found = Bracket { status: Status::Collapsed, lower: Some(lower), upper: Some(upper), bounds: None };

@@ -1,10 +1,10 @@
 //! Blocks of a file or a drawing by discrete elements.
 
-use super::{draw, loads, numbers, settings_of, status};
+use super::filled::planned;
+use super::{draw, ended, loads, numbers, settings_of};
 use crate::analysis::engine::steps::program;
 use crate::analysis::engine::{rigid, scene};
 use crate::analysis::{AnalysisError, notes};
-use bridge::Plan;
 use mechanics::dem;
 use mechanics::ids::GroupId;
 use mechanics::limit;
@@ -13,9 +13,6 @@ use outcome::collapse::{By, Collapse};
 use outcome::warning::Warning;
 use structure::blocks::Scene;
 use structure::discretise::{Discretised, laws};
-
-/// Load steps tried where the file gives no limit for a model with particles.
-const MOST_STEPS: f64 = 100.0;
 
 /// Raises the loads in steps until the blocks collapse.
 pub(super) fn found(
@@ -32,19 +29,20 @@ pub(super) fn found(
     };
     let bound = rigid.as_ref().and_then(|rigid| rigid.factor.or(rigid.associated_factor));
     let mut chosen = Vec::new();
-    let (program, step) = program(&planned(scene, filled)?, d, bound, &mut chosen)?;
+    let plan = if filled { planned(&scene.plan)? } else { scene.plan.clone() };
+    let (program, step) = program(&plan, d, bound, &mut chosen)?;
     let settings = dem::Settings { scaled_inertia: filled, ..settings_of(&scene.plan) };
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings, resume, watch)?;
     let mut picture = scene::built(scene, "discrete elements");
     draw(d, &outcome, &|factor| d.load(factor), &mut picture);
-    let (status, broken) = status(&outcome);
+    let (status, broken) = ended(outcome.status);
     let broken = broken.map(|(body, step)| (scene::named(scene, body), step));
     let report = numbers(&scene.plan, &outcome, broken);
     let mut c = scene::blank(scene, d, By::Dem(Some(report)), status, picture);
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     c.contacts = at_rest.map_or(0, |frame| frame.contacts.len() + frame.particle_contacts.len());
-    loads(&outcome, &|factor| d.load(factor), &mut c);
+    loads(&outcome, d, &mut c);
     c.load_step = Some(step);
     c.limit_load = rigid.as_ref().and_then(|rigid| rigid.factor).map(|f| d.load(f));
     c.tolerance = scene.plan.tolerance;
@@ -59,19 +57,6 @@ pub(super) fn found(
         }
     }
     Ok(c)
-}
-
-/// The plan; with particles, limit analysis cannot choose what it leaves open.
-fn planned(scene: &Scene, filled: bool) -> Result<Plan, AnalysisError> {
-    let plan = scene.plan.clone();
-    if !filled {
-        return Ok(plan);
-    }
-    let step = plan.load_step.ok_or(AnalysisError::Missing {
-        what: "load_step",
-        why: "limit analysis, from which it would be chosen, knows no particles",
-    })?;
-    Ok(Plan { load_limit: plan.load_limit.or(Some(MOST_STEPS * step)), ..plan })
 }
 
 /// Refuses pairs of materials in use whose joint has no stiffness.

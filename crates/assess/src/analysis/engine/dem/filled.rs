@@ -1,11 +1,13 @@
 //! Collapse of rings under fill that is particles: packed, let go, loaded.
 
-use super::{loads, report, settings};
+use super::{ended, loads, report, settings};
 use crate::analysis::engine::joints::require_stiffness;
 use crate::analysis::engine::rigid;
+use crate::analysis::engine::steps::program;
+use crate::analysis::parallel::Retold;
 use crate::analysis::state::{self, Change};
 use crate::analysis::{AnalysisError, notes, template};
-use bridge::{Bridge, Particles};
+use bridge::{Bridge, Particles, Plan};
 use mechanics::blocks::{Block, BlockModel, Loading, Particle};
 use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
 use mechanics::ids::{BlockId, Table};
@@ -29,15 +31,7 @@ pub fn collapse_filled(
     resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
-    require_stiffness(bridge)?;
-    let mut d = discretise(bridge)?;
-    let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoLoad) };
-    d.loading.movements.clear();
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
-    let load_step = bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
-    fits(&region, &particles.grains)?;
+    let (mut d, region, plan) = begun(bridge, particles)?;
     let kept = resume.map(kept::split::<Head>).transpose()?;
     let grains = match &kept {
         Some(((grains, _), _)) => grains.clone(),
@@ -48,22 +42,31 @@ pub fn collapse_filled(
         },
     };
     fill(&mut d, &region, &grains);
-    let before = match kept {
-        Some(((_, Some((lifts, iterations))), state)) => Before::Loaded { lifts, iterations, state },
-        kept => Before::Rested(Settled::rest(bridge, &d, &grains, kept.map(|(_, state)| state), watch)?),
-    };
-    let (lifts, settled, iterations) = match &before {
-        Before::Loaded { lifts, iterations, .. } => (lifts.clone(), None, *iterations),
-        Before::Rested(rested) if rested.outcome.status == dem::Status::StableToLastLoad => {
-            (lifts(&d, &rested.frame()), Some(rested), rested.outcome.iterations)
+    let (rested, lifts, iterations, resume) = match kept {
+        // The loads are on already; so many iterations had gone by when they came.
+        Some(((_, Some((lifts, iterations))), state)) => (None, lifts, iterations, Some(state)),
+        kept => {
+            let rested = Settled::rest(bridge, &d, &grains, kept.map(|(_, state)| state), watch)?;
+            if rested.outcome.status != dem::Status::StableToLastLoad {
+                return Ok(not_at_rest(bridge, &d, &region, &grains, &rested));
+            }
+            let (lifts, iterations) = (lifts(&d, &rested.frame()), rested.outcome.iterations);
+            (Some(rested), lifts, iterations, None)
         }
-        Before::Rested(rested) => return Ok(not_at_rest(bridge, &d, &region, rested)),
     };
     lift(&mut d, &lifts);
-    let outcome = load((bridge, &d), load_step, (&grains, &lifts), settled, &before, watch)?;
-    let factor = |factor: f64| d.load(factor);
-    let mut c = report(bridge, &d, &outcome, "discrete elements", &factor);
-    loads(&outcome, &factor, &mut c);
+    let (program, load_step) = program(&plan, &d, None, &mut Vec::new())?;
+    let model = Model::new(&d.model, &d.loading)?;
+    let settings = settings(bridge);
+    let state = || match &rested {
+        Some(rested) => take_over(&model, &settings, (&rested.model, &rested.outcome.state)),
+        None => begin(&model, &settings),
+    };
+    let kept = |state: &[u8]| kept::join(&(&grains, Some((&lifts, iterations))), state);
+    let mut part = Retold { watch, kept: Some(&kept), told: Progress::clone };
+    let outcome = dem::collapse_from(&model, &state, &program, &settings, resume, &mut part)?;
+    let mut c = report(bridge, &d, &outcome, "discrete elements", &|factor| d.load(factor));
+    loads(&outcome, &d, &mut c);
     c.load_step = Some(load_step);
     c.packing = outcome.frames.first().map(|frame| packing_report(bridge, &d, &region, &grains, frame));
     if let By::Dem(Some(dem)) = &mut c.by {
@@ -75,12 +78,21 @@ pub fn collapse_filled(
     Ok(c)
 }
 
+/// The blocks with their loads, the region of their fill and the plan of the load steps.
+fn begun(bridge: &Bridge, particles: &Particles) -> Result<(Discretised, FillRegion, Plan), AnalysisError> {
+    require_stiffness(bridge)?;
+    let mut d = rigid::loaded(discretise(bridge)?)?;
+    d.loading.movements.clear();
+    let region = d.fill.clone().ok_or(AnalysisError::NoLoad)?;
+    let plan = planned(&bridge.plan)?;
+    fits(&region, &particles.grains)?;
+    Ok((d, region, plan))
+}
+
 /// Refuses what [`collapse_filled`] would refuse before it computes.
-pub(super) fn ready(bridge: &Bridge, d: &Discretised, particles: &Particles) -> Result<(), AnalysisError> {
-    let Some(region) = &d.fill else { return Err(AnalysisError::NoLoad) };
-    bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
-    fits(region, &particles.grains)?;
-    match packing(bridge, d, region, particles, &mut Stopping) {
+pub(super) fn ready(bridge: &Bridge, particles: &Particles) -> Result<(), AnalysisError> {
+    let (d, region, _) = begun(bridge, particles)?;
+    match packing(bridge, &d, &region, particles, &mut Stopping) {
         Ok(_) | Err(PackingError::Stopped) => Ok(()),
         Err(error) => Err(error.into()),
     }
@@ -105,15 +117,7 @@ pub fn stepping(
     particles: &Particles,
     watch: &mut dyn Watch,
 ) -> Result<Option<(Discretised, dem::Stepping)>, AnalysisError> {
-    require_stiffness(bridge)?;
-    let mut d = discretise(bridge)?;
-    let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoLoad) };
-    d.loading.movements.clear();
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
-    let load_step = bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
-    fits(&region, &particles.grains)?;
+    let (mut d, region, plan) = begun(bridge, particles)?;
     let grains = match packing(bridge, &d, &region, particles, watch) {
         Ok(grains) => grains,
         Err(PackingError::Stopped) => return Ok(None),
@@ -131,15 +135,21 @@ pub fn stepping(
     let model = Model::new(&d.model, &d.loading)?;
     let settings = settings(bridge);
     let state = take_over(&model, &settings, (&rested.model, &rested.outcome.state));
-    let run = dem::Stepping::from(model, state, &program(bridge, &d, load_step), &settings)?;
+    let run = dem::Stepping::from(model, state, &program(&plan, &d, None, &mut Vec::new())?.0, &settings)?;
     Ok(Some((d, run)))
 }
 
-/// What a plan without a load step lacks.
-const NO_LOAD_STEP: AnalysisError = AnalysisError::Missing {
-    what: "load_step",
-    why: "limit analysis, from which it would be chosen, knows no particles",
-};
+/// Load steps tried where the file gives no limit for a model with particles.
+const MOST_STEPS: f64 = 100.0;
+
+/// The plan of a model with particles: limit analysis cannot choose what it leaves open.
+pub(super) fn planned(plan: &Plan) -> Result<Plan, AnalysisError> {
+    let step = plan.load_step.ok_or(AnalysisError::Missing {
+        what: "load_step",
+        why: "limit analysis, from which it would be chosen, knows no particles",
+    })?;
+    Ok(Plan { load_limit: plan.load_limit.or(Some(MOST_STEPS * step)), ..plan.clone() })
+}
 
 /// The share that crushing takes off the limit load of the same rings under the same fill as weight.
 fn crushing_takes(bridge: &Bridge) -> Option<f64> {
@@ -243,7 +253,10 @@ impl Settled {
         let loading = Loading { permanent: d.loading.permanent.clone(), ..Loading::default() };
         let model = Model::new(&without_loading_blocks(d), &loading)?;
         let settings = settings(bridge);
-        let mut part = Part { watch, stage: "fill and ring come to rest", grains, before: None };
+        let kept = |state: &[u8]| kept::join(&(grains, None::<(Vec<f64>, u64)>), state);
+        let stage = "fill and ring come to rest".to_string();
+        let told = |progress: &Progress| Progress { stage: stage.clone(), fraction: None, ..progress.clone() };
+        let mut part = Retold { watch, kept: Some(&kept), told };
         let outcome = dem::rest(&model, &|| begin(&model, &settings), &settings, resume, &mut part)?;
         Ok(Settled { model, outcome })
     }
@@ -251,15 +264,6 @@ impl Settled {
     fn frame(&self) -> Frame {
         dem::frame(&self.model, &self.outcome.state)
     }
-}
-
-/// What came before the loads. There is one of them a run.
-#[allow(clippy::large_enum_variant)]
-enum Before<'a> {
-    /// Ring and fill at rest.
-    Rested(Settled),
-    /// A kept state has the loads on already; so many iterations had gone by when they came.
-    Loaded { lifts: Vec<f64>, iterations: u64, state: &'a [u8] },
 }
 
 /// How far each loading block must rise or sink to stand on the particles below it [m].
@@ -291,68 +295,9 @@ fn lift(d: &mut Discretised, lifts: &[f64]) {
     }
 }
 
-/// The loads, in steps.
-fn load(
-    (bridge, d): (&Bridge, &Discretised),
-    load_step: f64,
-    (grains, lifts): (&[Grain], &[f64]),
-    settled: Option<&Settled>,
-    before: &Before<'_>,
-    watch: &mut dyn Watch,
-) -> Result<dem::Outcome, AnalysisError> {
-    let model = Model::new(&d.model, &d.loading)?;
-    let settings = settings(bridge);
-    let program = program(bridge, d, load_step);
-    let state = || match settled {
-        Some(s) => take_over(&model, &settings, (&s.model, &s.outcome.state)),
-        None => begin(&model, &settings),
-    };
-    let (resume, iterations) = match before {
-        Before::Loaded { state, iterations, .. } => (Some(*state), *iterations),
-        Before::Rested(rested) => (None, rested.outcome.iterations),
-    };
-    let mut part = Part { watch, stage: "loading", grains, before: Some((lifts, iterations)) };
-    Ok(dem::collapse_from(&model, &state, &program, &settings, resume, &mut part)?)
-}
-
-/// The load steps of a plan.
-fn program(bridge: &Bridge, d: &Discretised, load_step: f64) -> dem::Program {
-    let limit = bridge.plan.load_limit.unwrap_or(MOST_STEPS * load_step);
-    dem::Program {
-        increment: load_step / d.reference_load,
-        limit: (limit - d.counted_weight).max(0.0) / d.reference_load,
-        resolution: bridge.plan.resolution.map(|r| r / d.reference_load),
-        watched: d.watched,
-    }
-}
-
-/// Load steps tried where the file gives no limit.
-const MOST_STEPS: f64 = 100.0;
-
 /// What stands in front of a kept state: the grains and, where the loads are on, how far their blocks were lifted [m] and the
 /// iterations until then.
 type Head = (Vec<Grain>, Option<(Vec<f64>, u64)>);
-
-/// An onlooker who is told which stage is at work, and keeps the packing with the state.
-struct Part<'a> {
-    watch: &'a mut dyn Watch,
-    stage: &'static str,
-    grains: &'a [Grain],
-    /// Where the loads are on: how far their blocks were lifted, and the iterations until then.
-    before: Option<(&'a [f64], u64)>,
-}
-
-impl Watch for Part<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let stage = if self.before.is_some() { progress.stage.clone() } else { self.stage.to_string() };
-        let fraction = progress.fraction.filter(|_| self.before.is_some());
-        self.watch.look(&Progress { stage, fraction, ..progress.clone() })
-    }
-    fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {
-        let head = (self.grains, self.before);
-        self.watch.keep(&|| kept::join(&head, &state()));
-    }
-}
 
 /// What the particles amount to at rest under their own weight.
 fn packing_report(
@@ -400,16 +345,9 @@ fn stopped(bridge: &Bridge, d: &Discretised) -> Collapse {
 }
 
 /// The result where ring and fill did not come to rest.
-fn not_at_rest(bridge: &Bridge, d: &Discretised, region: &FillRegion, rested: &Settled) -> Collapse {
+fn not_at_rest(bridge: &Bridge, d: &Discretised, region: &FillRegion, grains: &[Grain], rested: &Settled) -> Collapse {
     let mut c = stopped(bridge, d);
-    c.status = match rested.outcome.status {
-        dem::Status::Cancelled => Status::Cancelled,
-        dem::Status::Stalled => Status::Stalled,
-        dem::Status::StepLimit => Status::StepLimit,
-        dem::Status::Broken { .. } => Status::NotConverged,
-        _ => Status::UnstableUnderSelfWeight,
-    };
-    let grains: Vec<Grain> = d.model.particles.iter().map(|p| Grain { centre: p.centre, radius: p.radius }).collect();
-    c.packing = Some(packing_report(bridge, d, region, &grains, &rested.frame()));
+    c.status = ended(rested.outcome.status).0;
+    c.packing = Some(packing_report(bridge, d, region, grains, &rested.frame()));
     c
 }

@@ -9,18 +9,17 @@ use crate::analysis::engine::joints::{contact_length, require_stiffness};
 use crate::analysis::engine::rings::{MovedSupport, RingThickness};
 use crate::analysis::engine::steps::program;
 use crate::analysis::engine::{Engine, rigid};
-use crate::analysis::geometry::{lines, moving, point, scaled};
+use crate::analysis::geometry::{moving_as_built, point, scaled, thrust_lines};
 use crate::analysis::{AnalysisError, notes, picture, template};
 use bridge::{Bridge, Damping, JointContact, Method, Plan};
-use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
 use mechanics::limit;
-use mechanics::plane::{Vec2, vec2};
+use mechanics::plane::vec2;
 use mechanics::watch::{Unwatched, Watch};
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, DemReport, Status};
-use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
+use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step};
 use outcome::warning::Warning;
 use structure::blocks::Scene;
 use structure::discretise::{Discretised, discretise, fill};
@@ -39,11 +38,10 @@ impl Engine for Dem {
 
     fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
         self.joints(bridge)?;
-        let d = discretise(bridge)?;
-        if d.loading.variable.is_empty() {
-            return Err(AnalysisError::NoLoad);
+        match fill::wanted(bridge) {
+            Some(particles) => filled::ready(bridge, particles),
+            None => rigid::loaded(discretise(bridge)?).map(|_| ()),
         }
-        fill::wanted(bridge).map_or(Ok(()), |particles| filled::ready(bridge, &d, particles))
     }
 
     fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
@@ -118,7 +116,7 @@ pub(super) fn increased(
     watch: &mut dyn Watch,
 ) -> Result<(Discretised, limit::Outcome), AnalysisError> {
     require_stiffness(bridge)?;
-    let mut d = discretise(bridge)?;
+    let mut d = rigid::loaded(discretise(bridge)?)?;
     d.loading.movements.clear();
     let rigid = rigid::uncrushed(bridge, &d, watch)?;
     Ok((d, rigid))
@@ -137,7 +135,7 @@ fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Re
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
     let load = |factor: f64| d.load(factor);
     let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
-    loads(&outcome, &load, &mut c);
+    loads(&outcome, &d, &mut c);
     c.load_step = Some(load_step);
     c.limit_load = limit_load.map(load);
     c.warnings.extend(chosen.into_iter().map(Warning::from));
@@ -152,9 +150,9 @@ fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Re
 }
 
 /// The last load at rest, and the first that collapsed: a step that did neither is no collapse load.
-pub fn loads(outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, c: &mut Collapse) {
-    c.last_stable_load = outcome.last_stable_factor.map(load);
-    let next = outcome.collapse_factor.map(load);
+pub fn loads(outcome: &dem::Outcome, d: &Discretised, c: &mut Collapse) {
+    c.last_stable_load = outcome.last_stable_factor.map(|factor| d.load(factor));
+    let next = outcome.collapse_factor.map(|factor| d.load(factor));
     match outcome.status {
         dem::Status::Stalled => c.stalled_load = next,
         _ => c.collapse_load = next,
@@ -162,11 +160,6 @@ pub fn loads(outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, c: &mut Collapse
 }
 
 /// How a run ended, for an engineer, and where it broke off.
-pub fn status(outcome: &dem::Outcome) -> (Status, Option<(Body, u64)>) {
-    ended(outcome.status)
-}
-
-/// The same of the status alone.
 pub fn ended(status: dem::Status) -> (Status, Option<(Body, u64)>) {
     match status {
         dem::Status::Collapsed => (Status::Collapsed, None),
@@ -195,7 +188,7 @@ pub fn report(
     title: &str,
     load: &dyn Fn(f64) -> f64,
 ) -> Collapse {
-    let (status, broken) = status(outcome);
+    let (status, broken) = ended(outcome.status);
     let mut picture = picture::built(bridge, d, title);
     draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
@@ -259,8 +252,8 @@ pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -
     picture.last_stable = outcome.last_stable_frame;
     picture.snapshots = outcome.frames.iter().map(|f| snapshot(d, f, load)).collect();
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
-    if let Some(frame) = at_rest {
-        picture.thrust_lines = thrust_lines(d, frame);
+    if let Some(state) = outcome.last_stable_frame.and_then(|k| picture.snapshots.get(k)) {
+        picture.thrust_lines = thrust_lines(d, &state.contacts);
     }
     let falling = outcome.last_stable_frame.map_or(0, |k| k + 1);
     let moved = |m: &Motion| m.translation[0].hypot(m.translation[1]);
@@ -271,15 +264,8 @@ pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -
     if let (true, Some(clear)) = (collapsed, clear) {
         picture.mechanism = scaled(clear.clone());
     }
-    if let (Some(mechanism), Ok(joints)) = (&picture.mechanism, interfaces(&d.model, TOUCHING)) {
-        let found = moving(d, &joints, mechanism);
-        picture.hinges = found.hinges;
-        picture.sliding = found.sliding;
-    }
+    moving_as_built(d, picture);
 }
-
-/// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
-const TOUCHING: f64 = 1e-6;
 
 fn snapshot(d: &Discretised, frame: &dem::Frame, load: &dyn Fn(f64) -> f64) -> Snapshot {
     Snapshot {
@@ -323,22 +309,4 @@ fn particle_force(c: &dem::ParticleContact) -> ParticleForce {
         stress: c.compressive_stress(),
         sliding: c.sliding,
     }
-}
-
-/// Resultants of the contacts of each joint, which are sorted by blocks.
-fn thrust_lines(d: &Discretised, frame: &dem::Frame) -> Vec<Vec<ThrustPoint>> {
-    let joints = frame.contacts.chunk_by(|a, b| (a.first, a.second) == (b.first, b.second));
-    let points = joints.filter_map(|contacts| {
-        let total: f64 = contacts.iter().map(|c| c.compression).sum();
-        if total <= 0.0 {
-            return None;
-        }
-        let (mut at, mut force) = (Vec2::ZERO, Vec2::ZERO);
-        for c in contacts {
-            at += c.point * (c.compression / total);
-            force += c.normal * c.compression + c.normal.left() * c.shear;
-        }
-        Some((contacts[0].first, contacts[0].second, ThrustPoint { point: point(at), thrust: force.norm() }))
-    });
-    lines(d, points)
 }

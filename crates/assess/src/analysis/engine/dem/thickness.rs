@@ -1,8 +1,9 @@
 //! The least thickness of rings by discrete elements.
 
-use super::{report, settings, status};
+use super::{report, settings};
 use crate::analysis::engine::joints::require_stiffness;
 use crate::analysis::engine::rings::RingThickness;
+use crate::analysis::parallel::Retold;
 use crate::analysis::{AnalysisError, notes};
 use mechanics::dem;
 use mechanics::watch::{Progress, Watch, Wish};
@@ -11,19 +12,6 @@ use structure::discretise::Discretised;
 
 /// The thickness is bracketed to this share: half of what is worth a decision on site.
 const BRACKET: f64 = 5e-3;
-
-/// An onlooker who is told which thickness is tried.
-struct Trial<'a> {
-    watch: &'a mut dyn Watch,
-    factor: f64,
-}
-
-impl Watch for Trial<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let stage = format!("thickness {:.4} of the given one: {}", self.factor, progress.stage);
-        self.watch.look(&Progress { stage, fraction: None, steps: progress.steps })
-    }
-}
 
 /// Brackets the thickness at which the rings just stand. Rings whose forces go to and fro without end are not shown to stand, and the bracket
 /// is narrowed above them.
@@ -34,7 +22,12 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
     let run = |factor: f64, watch: &mut dyn Watch| -> Result<(Discretised, dem::Outcome), AnalysisError> {
         let d = rings.at(factor)?;
         let program = dem::Program { increment: 1.0, limit: 0.0, resolution: None, watched: d.watched };
-        let outcome = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Trial { watch, factor })?;
+        let told = |progress: &Progress| {
+            let stage = format!("thickness {factor:.4} of the given one: {}", progress.stage);
+            Progress { stage, fraction: None, steps: progress.steps }
+        };
+        let trial = &mut Retold { watch, kept: None, told };
+        let outcome = dem::collapse(&d.model, &d.loading, &program, &settings, None, trial)?;
         Ok((d, outcome))
     };
     let [least, most] = rings.range();
@@ -64,7 +57,7 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
                 last_fall = Some((d, outcome));
             }
             _ => {
-                (ended, _) = status(&outcome);
+                ended = super::ended(outcome.status).0;
                 break;
             }
         }

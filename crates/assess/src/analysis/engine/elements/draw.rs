@@ -1,42 +1,26 @@
 //! States of the ring as pictures show them: stones as blocks that move, springs as contacts, resultants of the joints.
 
-use crate::analysis::geometry::{lines, moving, point, scaled};
-use mechanics::blocks::interfaces;
+use crate::analysis::geometry::{moving_as_built, point, scaled, thrust_lines};
+use crate::analysis::picture::stresses;
 use mechanics::fem::joint::PairState;
 use mechanics::fem::{Model, State};
 use mechanics::ids::{BlockId, Id, NodeId};
 use mechanics::plane::{Vec2, vec2};
-use outcome::picture::{ContactForce, Motion, Picture, Snapshot, ThrustPoint};
+use outcome::picture::{ContactForce, Motion, Picture, Snapshot};
 use structure::discretise::Discretised;
 use structure::discretise::ring_mesh::RingMesh;
 
-/// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
-const TOUCHING: f64 = 1e-6;
-
-/// A state in balance.
-#[derive(Debug, Clone)]
-pub(super) struct Shown {
-    /// Motions and contacts.
-    pub snapshot: Snapshot,
-    /// Resultants of the joints.
-    pub thrust_line: Vec<Vec<ThrustPoint>>,
-}
-
-/// What is to be kept of a state.
-pub(super) fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, factor: f64) -> Shown {
+/// What is to be kept of a state in balance.
+pub(super) fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, factor: f64) -> Snapshot {
     let contacts = contacts(ring, model, state);
-    let loads: Vec<_> =
-        d.loading.permanent.iter().map(|f| (*f, 1.0)).chain(d.loading.variable.iter().map(|f| (*f, factor))).collect();
-    let snapshot = Snapshot {
+    Snapshot {
         load: d.load(factor),
         motions: motions(d, ring, model, &state.displacements),
         velocities: vec![[0.0; 2]; d.model.blocks.len()],
-        stresses: crate::analysis::picture::stresses(d, &contacts, &loads),
+        stresses: stresses(d, &contacts, factor),
         contacts,
         ..Snapshot::default()
-    };
-    let thrust_line = thrust_line(d, &snapshot.contacts);
-    Shown { snapshot, thrust_line }
+    }
 }
 
 /// Motion of each block: that of its corners in the mean, turned as they are as a whole.
@@ -102,31 +86,11 @@ fn blocks(ring: &RingMesh, joint: usize) -> [BlockId; 2] {
     [left, right]
 }
 
-/// Resultants of the joints.
-fn thrust_line(d: &Discretised, contacts: &[ContactForce]) -> Vec<Vec<ThrustPoint>> {
-    let points = contacts.chunk_by(|a, b| a.blocks == b.blocks).map(|joint| {
-        let total: f64 = joint.iter().map(|c| c.compression).sum();
-        let (mut at, mut force) = (Vec2::ZERO, Vec2::ZERO);
-        for c in joint {
-            let normal = vec2(c.normal[0], c.normal[1]);
-            at += vec2(c.point[0], c.point[1]) * (c.compression / total);
-            force += normal * c.compression + normal.left() * c.shear;
-        }
-        let [first, second] = joint[0].blocks.map(BlockId::new);
-        (first, second, ThrustPoint { point: point(at), thrust: force.norm() })
-    });
-    lines(d, points)
-}
-
 /// Puts states and mechanism into a picture.
-pub(super) fn draw(d: &Discretised, shown: &[Shown], onset: Option<&[Motion]>, picture: &mut Picture) {
+pub(super) fn draw(d: &Discretised, shown: &[Snapshot], onset: Option<&[Motion]>, picture: &mut Picture) {
     picture.last_stable = shown.len().checked_sub(1);
-    picture.thrust_lines = shown.last().map_or_else(Vec::new, |last| last.thrust_line.clone());
-    picture.snapshots = shown.iter().map(|shown| shown.snapshot.clone()).collect();
+    picture.thrust_lines = shown.last().map_or_else(Vec::new, |last| thrust_lines(d, &last.contacts));
+    picture.snapshots = shown.to_vec();
     picture.mechanism = onset.and_then(|motions| scaled(motions.to_vec()));
-    if let (Some(mechanism), Ok(joints)) = (&picture.mechanism, interfaces(&d.model, TOUCHING)) {
-        let found = moving(d, &joints, mechanism);
-        picture.hinges = found.hinges;
-        picture.sliding = found.sliding;
-    }
+    moving_as_built(d, picture);
 }

@@ -12,7 +12,6 @@ use crate::analysis::engine::steps::program;
 use crate::analysis::engine::{Engine, rigid};
 use crate::analysis::{AnalysisError, notes, picture, template};
 use bridge::{Bridge, JointContact, Method};
-use draw::Shown;
 use mechanics::blocks::PointForce;
 use mechanics::dem::Program;
 use mechanics::fem::{self, Model, Outcome, Settings, State, Target, Workspace, advance};
@@ -22,9 +21,8 @@ use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, FiniteReport, Status};
-use outcome::picture::{Motion, Step};
+use outcome::picture::{Motion, Snapshot, Step};
 use outcome::warning::Warning;
-pub(crate) use slides::Sliding;
 use structure::discretise::ring_mesh::{RingMesh, ring_mesh};
 use structure::discretise::{Discretised, discretise};
 
@@ -52,10 +50,7 @@ impl Engine for Elements {
 
     fn ready(&self, bridge: &Bridge) -> Result<(), AnalysisError> {
         self.joints(bridge)?;
-        let d = rigid::prepared(bridge)?;
-        if d.loading.variable.is_empty() {
-            return Err(AnalysisError::NoLoad);
-        }
+        let d = rigid::loaded(rigid::prepared(bridge)?)?;
         mesh(bridge, &d, false).map(|_| ())
     }
 
@@ -73,11 +68,8 @@ fn mesh(bridge: &Bridge, d: &Discretised, spread: bool) -> Result<RingMesh, Anal
 /// Raises the loads of the file in steps until the ring finds no balance.
 fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
-    let mut d = discretise(bridge)?;
+    let mut d = rigid::loaded(discretise(bridge)?)?;
     d.loading.movements.clear();
-    if d.loading.variable.is_empty() {
-        return Err(AnalysisError::NoLoad);
-    }
     let spread = bridge.plan.contact == Some(JointContact::Distributed);
     let ring = mesh(bridge, &d, spread)?;
     // The same joints, anywhere in the full ring: the outermost springs stand at its edges.
@@ -92,8 +84,7 @@ fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Analysis
     }
     let mut chosen = Vec::new();
     let (program, load_step) = program(&bridge.plan, &d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;
-    let parts = model::parts(bridge, &d);
-    let model = model::model(&ring, &parts)?;
+    let (model, deform) = model::model(bridge, &d, &ring)?;
     let settings = settings(program.resolution.map(|resolution| program.increment / resolution));
     let mut run = Run::new(&d, &ring, &model)?;
     let status = run.load(&program, rigid.status != limit::Status::NoEquilibrium, &settings, watch);
@@ -102,7 +93,7 @@ fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Analysis
     c.load_step = Some(load_step);
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     c.warnings.extend(chosen.into_iter().map(Warning::from));
-    notes::finite(bridge, &d, parts.deform.clone(), sliding, &mut c);
+    notes::finite(bridge, &d, deform, sliding, &mut c);
     Ok(c)
 }
 
@@ -123,7 +114,7 @@ struct Run<'a> {
     rest: Vec<f64>,
     drive: Vec<f64>,
     path: Vec<Step>,
-    shown: Vec<Shown>,
+    shown: Vec<Snapshot>,
     /// Load factor that is carried, and the smallest one that is not.
     carried: Option<f64>,
     failed: Option<f64>,
@@ -271,9 +262,8 @@ impl<'a> Run<'a> {
         c.collapse_load = self.failed.filter(|_| status == Status::Collapsed).map(load);
         c.tolerance = TOLERANCE;
         let last = self.shown.last();
-        c.contacts = last.map_or(0, |shown| shown.snapshot.contacts.len());
-        c.max_compressive_stress =
-            last.map(|shown| shown.snapshot.contacts.iter().map(|c| c.stress).fold(0.0, f64::max));
+        c.contacts = last.map_or(0, |shown| shown.contacts.len());
+        c.max_compressive_stress = last.map(|shown| shown.contacts.iter().map(|c| c.stress).fold(0.0, f64::max));
         c
     }
 }

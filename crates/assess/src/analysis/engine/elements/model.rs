@@ -15,18 +15,9 @@ use structure::discretise::ring_mesh::RingMesh;
 /// percent, is less than any joint's stiffness is known to.
 const RIGID: f64 = 100.0;
 
-/// Materials of a ring.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Parts {
-    stone: Elastic,
-    density: f64,
-    joint: Mortar,
-    /// What of them deforms.
-    pub deform: FiniteStones,
-}
-
-/// Joints and stones from the file's contact law. A stiffness of joint and blocks together leaves the joint what the stones do not take.
-pub(super) fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
+/// The model of a ring: plane stress, as contact stiffness over a modulus is; large displacements, as in discrete elements. Joints and stones are
+/// from the file's contact law; a stiffness of joint and blocks together leaves the joint what the stones do not take. And what of them deforms.
+pub(super) fn model(bridge: &Bridge, d: &Discretised, ring: &RingMesh) -> Result<(Model, FiniteStones), AnalysisError> {
     let law = laws::law(bridge, &bridge.joint);
     let length = spacing(d);
     let ratio = bridge.masonry.poisson_ratio.unwrap_or(0.0);
@@ -57,7 +48,12 @@ pub(super) fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
         // The comparison with rigid blocks asks for joints that cannot slide; the assumptions of the result say so.
         shear: Shear::Panel { strength: f64::MAX, when_open: true },
     };
-    Parts { stone, density: bridge.masonry.density, joint, deform }
+    let solid = Solid { material: Material::Elastic(stone), plane: Plane::Stress };
+    let section = Section { solid, element: Element::QM6, density: bridge.masonry.density };
+    let sections = (0..ring.mesh.zones.len()).map(|_| section).collect();
+    let model =
+        Model::new(ring.mesh.clone(), sections, vec![JointLaw::Mortar(joint)], &ring.supports, Kinematics::Large);
+    Ok((model.map_err(AnalysisError::Elements)?, deform))
 }
 
 /// Distance between neighbouring voussoirs' centres, in the mean [m].
@@ -69,13 +65,4 @@ fn spacing(d: &Discretised) -> f64 {
         0 | 1 => d.model.blocks.iter().map(|block| block.outline.area().sqrt()).fold(f64::INFINITY, f64::min),
         count => way / (count - 1) as f64,
     }
-}
-
-/// The model: plane stress, as contact stiffness over a modulus is; large displacements, as in discrete elements.
-pub(super) fn model(ring: &RingMesh, parts: &Parts) -> Result<Model, AnalysisError> {
-    let solid = Solid { material: Material::Elastic(parts.stone), plane: Plane::Stress };
-    let section = Section { solid, element: Element::QM6, density: parts.density };
-    let sections = (0..ring.mesh.zones.len()).map(|_| section).collect();
-    Model::new(ring.mesh.clone(), sections, vec![JointLaw::Mortar(parts.joint)], &ring.supports, Kinematics::Large)
-        .map_err(AnalysisError::Elements)
 }

@@ -1,40 +1,25 @@
 //! Whether joints that cannot slide in this method would: the shear of each, held against what friction and cohesion hold.
 
-use super::draw::Shown;
 use mechanics::blocks::BlockModel;
 use mechanics::ids::{BlockId, Id};
-use outcome::picture::ContactForce;
+use outcome::picture::{ContactForce, Snapshot};
+use outcome::warning;
 
 /// Shear over resistance up to which a joint holds, but for round-off.
 const HOLDS: f64 = 1.0 + 1e-6;
 
-/// Joints that carry more shear than friction and cohesion hold.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sliding {
-    /// The least load of a state in balance at which a joint does [N/m].
-    pub from: f64,
-    /// Load of the last state in balance [N/m].
-    pub at: f64,
-    /// Joints that do at the last state.
-    pub joints: usize,
-    /// Largest shear over resistance there.
-    pub most: f64,
-    /// Where, along the bridge [m].
-    pub place: f64,
-}
-
-/// What slides in states of growing load; none where every joint holds in all of them.
-pub(super) fn sliding(model: &BlockModel, shown: &[Shown]) -> Option<Sliding> {
+/// What slides in states of growing load, as joints that are held by the method alone; none where every joint holds in all of them.
+pub(super) fn sliding(model: &BlockModel, shown: &[Snapshot]) -> Option<warning::Joints> {
     let first = shown.iter().find(|state| used(model, state).any(|(share, _)| share > HOLDS))?;
     let last = shown.last()?;
     let joints = used(model, last).filter(|(share, _)| *share > HOLDS).count();
     let (most, place) = used(model, last).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(Sliding { from: first.snapshot.load, at: last.snapshot.load, joints, most, place })
+    Some(warning::Joints::Held { from: first.load, at: last.load, joints, most, place })
 }
 
 /// Of each joint the shear over the resistance, and where it is pressed [m].
-fn used<'a>(model: &'a BlockModel, state: &'a Shown) -> impl Iterator<Item = (f64, f64)> {
-    state.snapshot.contacts.chunk_by(|a, b| a.blocks == b.blocks).map(|joint| {
+fn used<'a>(model: &'a BlockModel, state: &'a Snapshot) -> impl Iterator<Item = (f64, f64)> {
+    state.contacts.chunk_by(|a, b| a.blocks == b.blocks).map(|joint| {
         let [first, second] = joint[0].blocks.map(|block| model.blocks[BlockId::new(block)].group);
         let law = model.laws.between(first, second);
         let sum = |of: fn(&ContactForce) -> f64| joint.iter().map(of).sum::<f64>();

@@ -23,15 +23,8 @@ impl Engine for Limit {
         Method::Limit
     }
 
-    fn joints(&self, _: &Bridge) -> Result<(), AnalysisError> {
-        Ok(())
-    }
-
     fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-        let d = rigid::prepared(bridge)?;
-        if d.loading.variable.is_empty() {
-            return Err(AnalysisError::NoLoad);
-        }
+        let d = rigid::loaded(rigid::prepared(bridge)?)?;
         parallel::alone("limit analysis", true, watch, |token| whole(bridge, &d, token))
     }
 
@@ -118,15 +111,12 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         lower_bound: load(outcome.lower_bound),
         upper_bound: load(outcome.upper_bound),
         associated_load: load(outcome.associated_factor),
-        non_associated_load: None,
-        without_fill_pressure_load: None,
-        full_fill_pressure_load: None,
         spread: outcome.spread.map(|s| s.map(|f| d.load(f))),
         unlimited_strength_load: load(unlimited),
         equilibrium_residual: Some(outcome.equilibrium_residual),
         yield_violation: Some(outcome.yield_violation),
         iterations: outcome.iterations,
         jammed: outcome.jammed,
-        continuum: None,
+        ..LimitReport::default()
     });
 }

@@ -51,7 +51,7 @@ fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Re
     let taken = default_stiffness::note(bridge);
     let bridge = &default_stiffness::stiffened(bridge);
     require_stiffness(bridge)?;
-    let d = rigid::prepared(bridge)?;
+    let d = rigid::loaded(rigid::prepared(bridge)?)?;
     let rigid = rigid::uncrushed(bridge, &d, watch)?;
     if rigid.status == limit::Status::Cancelled {
         return Ok(rigid::cancelled(bridge, &d, By::Path(PathReport::default())));
@@ -123,10 +123,11 @@ fn report(
     outcome: &path::Outcome,
 ) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| d.load(f));
+    let (status, ended) = ended(outcome);
     let permissible = service::met(&outcome.onsets);
     let weight = d.model.free_weight().max(f64::MIN_POSITIVE);
     let report = PathReport {
-        ended: ended(outcome),
+        ended,
         contact: Some(contact),
         permissible: permissible.map(|(criterion, factor)| Permissible { criterion, load: d.load(factor) }).collect(),
         snaps: outcome.snaps,
@@ -139,7 +140,7 @@ fn report(
     draw(d, outcome, &mut picture);
     let at_peak = outcome.peak.and_then(|k| outcome.frames.get(k));
     let mut c = template::of_bridge(bridge, d, By::Path(report), picture);
-    c.status = status(outcome.status);
+    c.status = status;
     c.collapse_load = load(outcome.collapse_factor);
     c.last_stable_load = load(outcome.last_stable_factor);
     c.max_compressive_stress = at_peak.map(|frame| outcome.path[frame.step].stress);
@@ -149,26 +150,17 @@ fn report(
     c
 }
 
-fn status(status: path::Status) -> Status {
-    match status {
-        path::Status::LimitPoint | path::Status::Bifurcation => Status::Collapsed,
-        path::Status::StableToLastLoad => Status::StableToLastLoad,
-        path::Status::UnstableUnderSelfWeight => Status::UnstableUnderSelfWeight,
-        path::Status::NotConverged => Status::NotConverged,
-        path::Status::Cancelled => Status::Cancelled,
-    }
-}
-
-fn ended(outcome: &path::Outcome) -> Ended {
+/// How a path ended, for an engineer and by what.
+fn ended(outcome: &path::Outcome) -> (Status, Ended) {
     match (outcome.status, outcome.cause) {
-        (path::Status::LimitPoint, Some(Cause::Sliding)) => Ended::Sliding,
-        (path::Status::LimitPoint, Some(Cause::Crushing)) => Ended::Crushing,
-        (path::Status::LimitPoint, _) => Ended::LimitPoint,
-        (path::Status::Bifurcation, _) => Ended::Bifurcation,
-        (path::Status::StableToLastLoad, _) => Ended::LoadLimit,
-        (path::Status::UnstableUnderSelfWeight, _) => Ended::SelfWeight,
-        (path::Status::NotConverged, _) => Ended::NotConverged,
-        (path::Status::Cancelled, _) => Ended::Cancelled,
+        (path::Status::LimitPoint, Some(Cause::Sliding)) => (Status::Collapsed, Ended::Sliding),
+        (path::Status::LimitPoint, Some(Cause::Crushing)) => (Status::Collapsed, Ended::Crushing),
+        (path::Status::LimitPoint, _) => (Status::Collapsed, Ended::LimitPoint),
+        (path::Status::Bifurcation, _) => (Status::Collapsed, Ended::Bifurcation),
+        (path::Status::StableToLastLoad, _) => (Status::StableToLastLoad, Ended::LoadLimit),
+        (path::Status::UnstableUnderSelfWeight, _) => (Status::UnstableUnderSelfWeight, Ended::SelfWeight),
+        (path::Status::NotConverged, _) => (Status::NotConverged, Ended::NotConverged),
+        (path::Status::Cancelled, _) => (Status::Cancelled, Ended::Cancelled),
     }
 }
 
@@ -194,10 +186,7 @@ fn draw(d: &Discretised, outcome: &path::Outcome, picture: &mut Picture) {
     }
     let motions = outcome.mechanism.iter().map(|&(v, rotation)| Motion { translation: point(v), rotation });
     picture.mechanism = scaled(motions.collect());
-    if let Some(mechanism) = &picture.mechanism {
-        let found = moving(d, &outcome.interfaces, mechanism);
-        (picture.hinges, picture.sliding) = (found.hinges, found.sliding);
-    }
+    moving(d, &outcome.interfaces, picture);
 }
 
 /// Frames that are drawn: the first, the peak, the last and some between.
@@ -222,13 +211,6 @@ fn snapshot(d: &Discretised, joints: &[Interface], frame: &Frame) -> Snapshot {
             });
         }
     }
-    let loads: Vec<_> = d
-        .loading
-        .permanent
-        .iter()
-        .map(|f| (*f, 1.0))
-        .chain(d.loading.variable.iter().map(|f| (*f, frame.factor)))
-        .collect();
     let motion = |(id, pose): (_, &mechanics::plane::Pose)| {
         let block: &mechanics::blocks::Block = &d.model.blocks[id];
         let turned = pose.rotation;
@@ -238,7 +220,7 @@ fn snapshot(d: &Discretised, joints: &[Interface], frame: &Frame) -> Snapshot {
         load: d.load(frame.factor),
         motions: frame.poses.pairs().map(motion).collect(),
         velocities: vec![[0.0; 2]; d.model.blocks.len()],
-        stresses: picture::stresses(d, &contacts, &loads),
+        stresses: picture::stresses(d, &contacts, frame.factor),
         contacts,
         ..Snapshot::default()
     }

@@ -1,7 +1,7 @@
 //! What a ring would carry on joints of other stiffness: nobody knows that of an old bridge well.
 
 use crate::analysis::AnalysisError;
-use mechanics::blocks::{BlockModel, Stiffness};
+use crate::analysis::engine::joints::stiffer;
 use mechanics::path::{Ground, Program, Settings, Status};
 use mechanics::watch::{CancelToken, Watch};
 use outcome::picture::OverStiffness;
@@ -53,25 +53,9 @@ fn scaled(
 ) -> Result<Option<f64>, AnalysisError> {
     let mut model = d.model.clone();
     for law in model.laws.iter_mut() {
-        for stiffness in [&mut law.normal, &mut law.shear] {
-            *stiffness = match *stiffness {
-                Stiffness::Given(k) => Stiffness::Given(times * k),
-                Stiffness::Series { joint, body } => Stiffness::Series { joint: times * joint, body: times * body },
-            };
-        }
+        *law = stiffer(law, times);
     }
-    followed(&model, d, (settings, program), rigid, watch)
-}
-
-/// Largest factor of these blocks, whose loads are those of `d`.
-fn followed(
-    model: &BlockModel,
-    d: &Discretised,
-    (settings, program): (&Settings, &Program),
-    rigid: f64,
-    watch: &mut dyn Watch,
-) -> Result<Option<f64>, AnalysisError> {
-    let ground = Ground::new(model, &d.loading, settings, watch)?;
+    let ground = Ground::new(&model, &d.loading, settings, watch)?;
     let program = Program { increment: FIRST_STEP * rigid, ..program.clone() };
     let found = ground.sweeper().carried(&d.loading.variable, (&program, &[]), watch);
     Ok(found.factor.filter(|_| matches!(found.status, Status::LimitPoint | Status::Bifurcation)))

@@ -20,6 +20,7 @@ fn bump() -> Passage {
         reason: None,
         self_weight: vec![0.0; 6],
         values: sizes.iter().map(|size| (0..count).map(|k| size * wave(k)).collect()).collect(),
+        derivatives: Vec::new(),
         degrees_of_freedom: 7,
         condensed_degrees_of_freedom: None,
         taking_part: Vec::new(),

@@ -251,7 +251,7 @@ fn end_of_weight(solution: &mut Solution) {
     }
 }
 
-fn of_visited(visited: &Visited) -> StepLog {
+pub(super) fn of_visited(visited: &Visited) -> StepLog {
     StepLog {
         iterations: visited.position.iterations as usize,
         unbalanced: visited.position.residual,
@@ -269,5 +269,5 @@ fn again(watch: &mut dyn Watch, what: &str, k: usize, last: usize) -> impl Watch
         let fraction = Some(k as f64 / (last + 1) as f64);
         Progress { stage: what.to_owned(), fraction, steps: k as u64 }
     };
-    Retold { watch, number: None, told }
+    Retold { watch, kept: None, told }
 }

@@ -5,7 +5,7 @@ mod moment;
 mod plain;
 mod slices;
 
-pub use slices::{Slices, WantedSlices, slices};
+pub use slices::{WantedSlices, slices};
 
 use super::Setup;
 use super::model::{assumptions, model};
@@ -20,7 +20,7 @@ use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Watch};
 use outcome::note::Note;
-use outcome::passage::{Influence, Moment, Part, PassageStatus, StepLog};
+use outcome::passage::{Influence, Moment, PassageStatus, StepLog};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -35,11 +35,13 @@ pub struct Solution {
     pub self_weight: Vec<f64>,
     /// Value of each sensor at every position, self-weight taken off [SI]: all of the same length.
     pub values: Vec<Vec<f64>>,
+    /// Of slices: derivatives of the values by each quantity that was asked for, in the same shape.
+    pub derivatives: Vec<Vec<Vec<f64>>>,
     /// Unknowns of the model.
     pub degrees_of_freedom: usize,
     /// Unknowns that iterate, where linear parts are condensed.
     pub condensed_degrees_of_freedom: Option<usize>,
-    /// Parts of the model that did not answer linearly, where linear parts are condensed.
+    /// Parts of the model that did not answer linearly, where linear parts are condensed: what to expect of the same bridge with other moduli.
     pub taking_part: Vec<usize>,
     /// Every step: of the self-weight, then of the passage.
     pub log: Vec<StepLog>,
@@ -310,10 +312,6 @@ fn functional(reading: &Reading) -> Option<Functional> {
     }
 }
 
-fn of_weight(step: &Step) -> StepLog {
-    StepLog { stage: Part::SelfWeight, time: step.reached, ..of_step(step) }
-}
-
 fn of_step(step: &Step) -> StepLog {
     StepLog {
         iterations: step.iterations as usize,
@@ -342,5 +340,5 @@ fn end(solution: &mut Solution, outcome: &Outcome, place: &str) {
 /// An onlooker who is told that the self-weight is brought on.
 fn of_self_weight(watch: &mut dyn Watch) -> impl Watch {
     let told = |progress: &Progress| Progress { stage: format!("self-weight: {}", progress.stage), ..progress.clone() };
-    Retold { watch, number: None, told }
+    Retold { watch, kept: None, told }
 }

@@ -6,7 +6,9 @@ use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
-use mechanics::fem::{Damping, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient};
+use mechanics::fem::{
+    Damping, Motion, Outcome, Settings, State, Status, Step, Target, Workspace, advance, transient,
+};
 use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Part, PassageStatus, StepLog};
 use std::collections::BTreeMap;
@@ -46,7 +48,8 @@ impl Way {
         };
         let target = Target { forces: rest.weight.clone(), imposed: Vec::new() };
         let outcome = advance(model, &mut state, &mut work, &target, &of_weight, &mut of_self_weight(watch));
-        solution.log.extend(outcome.steps.iter().map(super::of_weight));
+        let log = |step: &Step| StepLog { stage: Part::SelfWeight, time: step.reached, ..of_step(step) };
+        solution.log.extend(outcome.steps.iter().map(log));
         if let Some(last) = solution.log.last_mut() {
             last.open_joints = open_interfaces(model, state.bonds.iter());
         }
@@ -83,7 +86,7 @@ impl Way {
             let stage = format!("position {} of {count}", k + 1);
             Progress { stage, fraction: Some(k as f64 / count as f64), steps: k as u64 }
         };
-        let mut placed = Retold { watch, number: None, told };
+        let mut placed = Retold { watch, kept: None, told };
         let forces = with_train(rest, position);
         let outcome: Outcome = match motion {
             None => {

@@ -3,8 +3,8 @@
 //! What model updating asks for again and again (the railway paper, section 3.4): the mesh stays, the moduli change. All of it goes by the condensed
 //! path, the self-weight too, so that an evaluation costs one factorisation and the rows that are not linear.
 
-use super::condensed::{loads, stand, with_weight};
-use super::{functional, self_weight};
+use super::condensed::{loads, of_visited, stand, with_weight};
+use super::{Solution, functional, self_weight};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::model::model;
 use crate::analysis::passage::{PassageError, Setup};
@@ -14,26 +14,6 @@ use mechanics::fem::{Kinematics, State};
 use mechanics::watch::Watch;
 use outcome::passage::PassageStatus;
 use std::sync::Arc;
-
-/// Values of the sensors at a few positions.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Slices {
-    /// How it ended.
-    pub status: PassageStatus,
-    /// Why, where it did not complete.
-    pub reason: Option<String>,
-    /// Value of each sensor under self-weight alone [SI].
-    pub self_weight: Vec<f64>,
-    /// Value of each sensor at each position, self-weight taken off [SI]; fewer positions than asked for where one found no
-    /// balance.
-    pub values: Vec<Vec<f64>>,
-    /// Their derivatives by each quantity that was asked for, in the same shape.
-    pub derivatives: Vec<Vec<Vec<f64>>>,
-    /// Iterations in all.
-    pub iterations: u32,
-    /// Parts of the model that did not answer linearly: what to expect of the same bridge with other moduli.
-    pub taking_part: Vec<usize>,
-}
 
 /// What is asked of slices.
 #[derive(Debug, Clone, Copy, Default)]
@@ -46,7 +26,7 @@ pub struct WantedSlices<'w> {
     pub neighbours: &'w [(Bridge, f64)],
 }
 
-/// Values of the sensors while the first axle stands at some positions, with the moduli of `bridge` on the mesh of
+/// Values of the sensors while the first axle stands at some positions, fewer than asked for where one found no balance, with the moduli of `bridge` on the mesh of
 /// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for.
 ///
 /// # Errors
@@ -56,7 +36,7 @@ pub fn slices(
     setup: &Setup,
     wanted: WantedSlices<'_>,
     watch: &mut dyn Watch,
-) -> Result<Slices, AnalysisError> {
+) -> Result<Solution, AnalysisError> {
     let observed: Option<Vec<Functional>> = setup.sensors.iter().map(|sensor| functional(&sensor.reading)).collect();
     let observed = observed.ok_or(PassageError::StressInSlices)?;
     let model = model(bridge, &setup.meshed, Kinematics::Small)?;
@@ -70,18 +50,16 @@ pub fn slices(
         condensed = condensed.with_equilibria();
     }
     let mut found =
-        Slices { status: PassageStatus::Completed, values: vec![Vec::new(); observed.len()], ..Slices::default() };
+        Solution { status: PassageStatus::Completed, values: vec![Vec::new(); observed.len()], ..Solution::default() };
     if !condensed.retain_parts(wanted.expected, watch) {
         return Ok(cancelled(found));
     }
-    let mut log = Vec::new();
-    let stood = stand(&mut condensed, setup, &mut log, watch).map_err(failed)?;
+    let stood = stand(&mut condensed, setup, &mut found.log, watch).map_err(failed)?;
     let Some(path) = stood else {
-        let stuck = log.last().is_some_and(|step| step.cuts > 0);
+        let stuck = found.log.last().is_some_and(|step| step.cuts > 0);
         let reason = "under self-weight no balance was found".to_owned();
         return Ok(if stuck { unbalanced(found, reason) } else { cancelled(found) });
     };
-    found.iterations = log.iter().map(|step| step.iterations as u32).sum();
     found.self_weight = condensed.observed();
     let at_rest = condensed.snapshot();
     let under = wanted.positions.iter().map(|&position| with_weight(setup.loads.reactions(position)));
@@ -89,7 +67,7 @@ pub fn slices(
     let Some(visited) = visited else { return Ok(cancelled(found)) };
     found.taking_part = condensed.retained_parts();
     for (visited, place) in visited.iter().zip(wanted.positions) {
-        found.iterations += visited.position.iterations;
+        found.log.push(of_visited(visited));
         if visited.position.reached != Reached::Balanced {
             return Ok(unbalanced(found, format!("with the first axle at {place:.3} m no balance was found")));
         }
@@ -134,10 +112,10 @@ fn derivatives(
 }
 
 /// A stop leaves nothing that could pass for an answer.
-fn cancelled(found: Slices) -> Slices {
-    Slices { status: PassageStatus::Cancelled, values: Vec::new(), ..found }
+fn cancelled(found: Solution) -> Solution {
+    Solution { status: PassageStatus::Cancelled, values: Vec::new(), ..found }
 }
 
-fn unbalanced(found: Slices, reason: String) -> Slices {
-    Slices { status: PassageStatus::NotConverged, reason: Some(reason), ..found }
+fn unbalanced(found: Solution, reason: String) -> Solution {
+    Solution { status: PassageStatus::NotConverged, reason: Some(reason), ..found }
 }

@@ -1,6 +1,7 @@
 //! Factors of rules on weights, strengths and loads, and the load models that a rule is made for.
 
 use super::*;
+use outcome::vehicles::Weights;
 
 #[test]
 fn factors_of_a_rule_divide_the_factor() {
@@ -59,9 +60,7 @@ fn weights_that_help_have_the_favourable_factor() {
         let weights = vec![Weights { masonry: m, fill: Some(f), surfacing: Some(s) }];
         assert_eq!(own.factors.masonry_weight.value, m);
         search::all(
-            &one,
-            (&own, one.sweep.as_ref().unwrap()),
-            (&vehicles, &weights),
+            &Traffic::new(&one, (&own, one.sweep.as_ref().unwrap()), (&vehicles, &weights)).unwrap(),
             (found.step, true),
             &mut Unwatched,
         )
@@ -75,9 +74,12 @@ fn weights_that_help_have_the_favourable_factor() {
         // Another road: every combination by a sweep of its own.
         let all = found.weights.iter().map(|w| {
             let one = search::all(
-                &b,
-                (&rule, b.sweep.as_ref().unwrap()),
-                (&chosen(&b, b.sweep.as_ref().unwrap()).unwrap().1, &[*w]),
+                &Traffic::new(
+                    &b,
+                    (&rule, b.sweep.as_ref().unwrap()),
+                    (&chosen(&b, b.sweep.as_ref().unwrap()).unwrap().1, &[*w]),
+                )
+                .unwrap(),
                 (found.step, true),
                 &mut Unwatched,
             );
@@ -110,9 +112,7 @@ fn no_weight_between_the_factors_is_worse() {
     for (m, f) in [(1.05, 1.0), (1.15, 1.1), (1.0, 1.13), (1.1, 1.05)] {
         let weights = [Weights { masonry: m, fill: Some(f), surfacing: None }];
         let between = search::all(
-            &b,
-            (&rule, b.sweep.as_ref().unwrap()),
-            (&vehicles, &weights),
+            &Traffic::new(&b, (&rule, b.sweep.as_ref().unwrap()), (&vehicles, &weights)).unwrap(),
             (found.step, true),
             &mut Unwatched,
         )
