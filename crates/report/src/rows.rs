@@ -215,7 +215,9 @@ pub(crate) fn fit(update: &Update, inputs: &[Input]) -> Vec<FitRow> {
         FitRow {
             name: one.name.clone(),
             unit: one.quantity.unit().to_owned(),
-            measured: maybe(end.and_then(|end| end.measured_peak).or_else(|| largest(&one.measured))),
+            measured: maybe(
+                end.and_then(|_| update.problem.channels()[k].measured_peak()).or_else(|| largest(&one.measured)),
+            ),
             start: maybe(largest(&one.start)),
             updated: maybe(end.map(|end| end.model_peak)),
             shape: shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),

@@ -106,7 +106,7 @@ impl Searches<'_> {
                         hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
                     };
                     let found = outcome.found.clone();
-                    update.paper.push(PaperSearch { variant, start: start.clone(), outcome });
+                    update.paper.push(PaperSearch { variant, start, outcome });
                     (end, found)
                 });
             }

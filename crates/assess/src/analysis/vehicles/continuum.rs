@@ -86,7 +86,7 @@ impl One<'_> {
     fn at(&self, swept: &Swept, point: usize) -> Vec<Stands> {
         let p = &swept.envelope[point];
         let Some(pattern) = factored::pattern(self.chosen, &p.case.arrangement) else { return Vec::new() };
-        let governing = self.traffic.governing(p);
+        let governing = Case { horizontal: 0.0, ..self.traffic.governing(p) };
         let axles = pattern.axles.len().checked_sub(1).map(|last| [0, last]);
         // As far as the fill reaches.
         let uniform = self.bodies.first().map(|body| body.earth.ends).filter(|_| !pattern.stretches.is_empty());

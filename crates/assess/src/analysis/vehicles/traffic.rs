@@ -57,16 +57,7 @@ impl<'a> Traffic<'a> {
 
     /// What governs at a point of an envelope, without its load.
     pub(super) fn governing(&self, point: &EnvelopePoint) -> Case {
-        Case {
-            position: point.position,
-            direction: point.direction,
-            arrangement: point.arrangement.clone(),
-            axles: point.axles,
-            critical_axle: point.critical_axle,
-            weights: point.weights.unwrap_or(self.weights[0]),
-            uniform: point.uniform,
-            horizontal: self.plan.braking,
-            load: 0.0,
-        }
+        let weights = point.weights.unwrap_or(self.weights[0]);
+        Case { weights, horizontal: self.plan.braking, load: 0.0, ..point.case.clone() }
     }
 }

@@ -86,7 +86,9 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
     };
     let mut c = report(bridge, &d, &outcome, "least thickness", &|factor| factor);
     c.status = ended;
-    c.sought = Sought::Thickness(fell.or(unproven).zip(stood.as_ref()).map(|(fell, (stood, ..))| rings.report([fell, *stood])));
+    c.sought = Sought::Thickness(
+        fell.or(unproven).zip(stood.as_ref()).map(|(fell, (stood, ..))| rings.report([fell, *stood])),
+    );
     if let Some((_, d, outcome)) = &stood {
         let standing = report(bridge, d, outcome, "least thickness", &|factor| factor);
         c.picture.thrust_lines = standing.picture.thrust_lines;

@@ -6,9 +6,7 @@ use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
-use mechanics::fem::{
-    Damping, Motion, Outcome, Settings, State, Status, Step, Target, Workspace, advance, transient,
-};
+use mechanics::fem::{Damping, Motion, Outcome, Settings, State, Status, Step, Target, Workspace, advance, transient};
 use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Part, PassageStatus, StepLog};
 use std::collections::BTreeMap;
