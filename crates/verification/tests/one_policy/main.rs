@@ -148,6 +148,9 @@ fn no_help_raises_a_number() {
     }
     let (name, bridge) = drawn(4);
     trial.ask(&name, &bridge, &[Method::Path], &[Question::Load]);
+    // The least of its places is not the one beside which the worst one lies.
+    let (name, bridge) = drawn(12);
+    trial.ask(&name, &bridge, &[Method::Limit], &[Question::Sweep]);
     let compared: usize = trial.counts.values().map(|of| of.compared).sum();
     assert!(compared >= 50, "{compared} compared:\n{}", trial.told());
     trial.finish();

@@ -3,7 +3,7 @@
 //! At every place likely cases are followed along their equilibrium paths; then what was found to govern beside it, from place to place there and
 //! back. The worst place is sought between the places, and what stands there is varied.
 
-use super::super::moving::REFINEMENTS;
+use super::super::moving::{REFINEMENTS, dips};
 use super::super::parallel::{self, Stage};
 use super::super::service::Service;
 use super::{Bound, Followed, InService, follow};
@@ -226,6 +226,15 @@ fn least<M: Moves>(
     least
 }
 
+/// Answers beside which less may be found than the least of all; places lie a step [m] apart.
+fn low<M: Moves>(answers: &[Option<Answer<M::Case>>], step: f64) -> Vec<&Answer<M::Case>> {
+    let loads: Vec<Option<f64>> = answers.iter().map(|answer| Some(answer.as_ref()?.found.factor)).collect();
+    let position = |k: usize| answers[k].as_ref().map(|answer| M::position(&answer.case));
+    // Places of another drive lie elsewhere.
+    let together = |k| position(k).zip(position(k + 1)).is_some_and(|(a, b)| (a - b).abs() < 1.5 * step);
+    dips(&loads, together).into_iter().filter_map(|k| answers[k].as_ref()).collect()
+}
+
 /// Seeks the worst place between the places, then varies what stands there. What is found stands at the end of the answers. Tells whether the
 /// work was done.
 fn refined<M: Moves>(one: &M, known: &mut Found<M::Case>, [from, to]: [f64; 2], watch: &mut dyn Watch) -> bool {
@@ -237,7 +246,12 @@ fn refined<M: Moves>(one: &M, known: &mut Found<M::Case>, [from, to]: [f64; 2], 
         let cases: Vec<M::Case> = match round < rounds {
             true => {
                 let width = step * 0.1f64.powi(round as i32 + 1);
-                (-10..=10).map(|k| one.shifted(&best.case, width * f64::from(k))).collect()
+                let from = if round == 0 { low::<M>(&known.answers, step) } else { vec![&best] };
+                let around = |from: &Answer<M::Case>| {
+                    let each = (-10..=10).map(|k| one.shifted(&from.case, width * f64::from(k)));
+                    each.collect::<Vec<_>>()
+                };
+                from.into_iter().flat_map(around).collect()
             }
             false => one.varied(&best.case),
         };

@@ -1,9 +1,10 @@
 //! Loads that move over rigid blocks: the least that they come to, by one rule for the loads of a file and for vehicles under factors.
 //!
 //! In the order of the method: [`Stands`] tells what may stand at a place, `place` answers all of it with dilation, `level` answers cases
-//! without dilation, `search` goes over every place and seeks the worst one between them. `least` says which of several answers governs, `turns`
+//! without dilation, `search` goes over every place and seeks the worst one between them, beside the places that `dips` names. `least` says which of several answers governs, `turns`
 //! which cases are still to be asked without dilation, and `sections` keeps what joints carry meanwhile.
 
+mod dips;
 mod least;
 mod level;
 mod place;
@@ -11,6 +12,7 @@ mod search;
 mod sections;
 mod turns;
 
+pub(crate) use dips::dips;
 pub(crate) use least::{Answer, least};
 pub(crate) use place::{FAR_ABOVE, Found, Place, Tried};
 pub(crate) use search::{Line, REFINEMENTS, search};

@@ -2,7 +2,7 @@
 
 use super::super::parallel::{self, CancelToken, Stage};
 use super::place::Found;
-use super::{Answer, DILATANCY, Key, Place, Scene, Stands, WithoutDilation, least};
+use super::{Answer, DILATANCY, Key, Place, Scene, Stands, WithoutDilation, dips, least};
 use mechanics::limit::{Friction, Least, Status, Sweeper};
 use mechanics::watch::Watch;
 use rayon::prelude::*;
@@ -114,7 +114,7 @@ impl<S: Stands> Scene<'_, S> {
         };
         if step > 0.0 {
             let unanswered;
-            (worst, unanswered) = self.refined(&mut sweepers, worst, step, token);
+            (worst, unanswered) = self.refined(&mut sweepers, (worst, &found.places), step, token);
             end.places.extend(unanswered);
             let again = self.answered_again(&mut sweepers, worst.key, token);
             let mut place = again.unwrap_or_else(|| Place::nothing(worst.key));
@@ -151,25 +151,33 @@ impl<S: Stands> Scene<'_, S> {
         self.answered_again(&mut self.sweepers(token), Key::at(0, position), token)
     }
 
-    /// The worst place beside one with the same case, and places beside it without an answer.
+    /// The worst place beside those from which less may be found than the worst of them, with the same case, and places beside them without
+    /// an answer.
     fn refined(
         &self,
         sweepers: &mut [Sweeper<'_>],
-        mut worst: Answer,
+        (mut worst, places): (Answer, &[Place]),
         step: f64,
         token: &CancelToken,
     ) -> (Answer, Vec<Place>) {
         let (mut width, mut unanswered) = (step, Vec::new());
+        let loads: Vec<Option<f64>> = places.iter().map(|place| place.least.map(|least| least.factor)).collect();
+        let low = dips(&loads, |k| places[k].at.drive == places[k + 1].at.drive);
+        let mut beside: Vec<Answer> = low.into_iter().filter_map(|k| places[k].least).collect();
         for _ in 0..REFINEMENTS {
-            let beside = |k: i32| worst.key.position + 0.1 * width * f64::from(k);
+            let around = |from: &Answer| {
+                (-10..=10).map(|k| (from.key, from.key.position + 0.1 * width * f64::from(k))).collect()
+            };
+            let all: Vec<(Key, f64)> = beside.iter().flat_map::<Vec<_>, _>(around).collect();
             let asked: Vec<(Key, Least)> = match self.without_dilation {
                 // One case may take a second without dilation: each place is a piece of work of its own.
-                WithoutDilation::Everywhere(friction) => (-10..=10)
-                    .into_par_iter()
-                    .filter_map(|k| self.one(&mut self.sweepers(token), &worst.key, (beside(k), friction)))
+                WithoutDilation::Everywhere(friction) => all
+                    .par_iter()
+                    .filter_map(|(key, position)| self.one(&mut self.sweepers(token), key, (*position, friction)))
                     .collect(),
-                WithoutDilation::InTurn => (-10..=10)
-                    .filter_map(|k| self.one(sweepers, &worst.key, (beside(k), Friction::Associated)))
+                WithoutDilation::InTurn => all
+                    .iter()
+                    .filter_map(|(key, position)| self.one(sweepers, key, (*position, Friction::Associated)))
                     .collect(),
             };
             if token.is_cancelled() {
@@ -190,7 +198,7 @@ impl<S: Stands> Scene<'_, S> {
                 }
             }
             worst = least(&answers).unwrap_or(worst);
-            width *= 0.1;
+            (beside, width) = (vec![worst], 0.1 * width);
         }
         (worst, unanswered)
     }
