@@ -15,6 +15,8 @@ const SHIFT: f64 = 1e-13;
 /// Displacements for each unit of the load factor.
 pub(super) struct Rate {
     pub displacements: Vec<f64>,
+    /// Elastic forces of each element with them, without bond.
+    pub elastic: Vec<[f64; 3]>,
     /// Sign of the determinant.
     pub sign: f64,
 }
@@ -167,10 +169,11 @@ impl<'a> Tangent<'a> {
             let mut displacements = self.plain.clone();
             let sign = self.corrected(&mut displacements);
             for _ in 0..4 {
-                let left = self.left(pieces, &displacements);
+                let elastic = self.system.elastic(&displacements);
+                let left = self.left(pieces, &elastic);
                 let most = |v: &[f64]| v.iter().fold(0.0f64, |most, x| most.max(x.abs()));
                 if !(most(&left) > LEFT[0] * most(&self.growing) + LEFT[1] * most(&displacements)) {
-                    return Rate { displacements, sign };
+                    return Rate { displacements, elastic, sign };
                 }
                 let mut more = left;
                 self.factors.solve(&mut more);
@@ -178,19 +181,19 @@ impl<'a> Tangent<'a> {
                 displacements.iter_mut().zip(more).for_each(|(to, more)| *to += more);
             }
             if attempt == 1 || self.changes.is_empty() {
-                return Rate { displacements, sign };
+                return Rate { elastic: self.system.elastic(&displacements), displacements, sign };
             }
             self.anew(pieces);
         }
         unreachable!("the second attempt returns")
     }
 
-    /// What the loads leave beside these rates.
-    fn left(&self, pieces: &[Piece], displacements: &[f64]) -> Vec<f64> {
+    /// What the loads leave beside the rates of elastic forces.
+    fn left(&self, pieces: &[Piece], elastic: &[[f64; 3]]) -> Vec<f64> {
         let mut left = self.growing.clone();
-        let each = self.system.elements.iter().zip(pieces).map(|(element, piece)| {
-            let elastic = element.elastic(displacements);
-            element.slope(&self.system.shapes, *piece).map(|row| dot(row, elastic))
+        let each = self.system.elements.iter().zip(pieces).zip(elastic);
+        let each = each.map(|((element, piece), elastic)| {
+            element.slope(&self.system.shapes, *piece).map(|row| dot(row, *elastic))
         });
         self.system.add_forces(each, &mut left);
         left

@@ -123,13 +123,12 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
     let (mut best, mut grown) = (this.most, 0);
     let mut least: Option<(State, Vec<f64>)> = None;
     loop {
-        let Some((rate, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
+        let Some((rate, mut rates, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
             return this.ends(End::Lost);
         };
         let speed = largest(&rate);
         let unit = load.displacement(this.most);
         let reach = largest(&this.state.displacements);
-        let mut rates: Vec<[f64; 3]> = system.elastic(&rate);
         load.bind(&mut rates, direction);
         let rigid = speed > load.rigid();
         let far = if rigid { ALONG * unit } else { (FAR * unit - reach).max(0.0) } / speed;
@@ -187,9 +186,9 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// Displacements along the way, and the direction of the factor; none where no number is left.
-    fn rate(&mut self) -> Option<(Vec<f64>, f64)> {
-        let (rate, direction) = loop {
+    /// Displacements along the way, their elastic forces, and the direction of the factor; none where no number is left.
+    fn rate(&mut self) -> Option<(Vec<f64>, Vec<[f64; 3]>, f64)> {
+        let (mut rate, direction) = loop {
             let rate = self.tangent.rate(&self.state.pieces);
             let most = largest(&rate.displacements);
             if !most.is_finite() {
@@ -214,8 +213,10 @@ impl Follower<'_> {
             let direction = by_limit.or(by_sign).unwrap_or_else(by_motion);
             break (rate, direction);
         };
-        self.moved = rate.displacements.iter().map(|x| x * direction).collect();
-        Some((self.moved.clone(), direction))
+        rate.displacements.iter_mut().for_each(|x| *x *= direction);
+        rate.elastic.iter_mut().flatten().for_each(|y| *y *= direction);
+        self.moved.clone_from(&rate.displacements);
+        Some((rate.displacements, rate.elastic, direction))
     }
 
     /// The direction in which the element that has passed a limit goes on beyond it; none where it hardly moves.
