@@ -227,6 +227,8 @@ published! {
         pub iterations: u32 as solver_iterations,
         /// Whether blocks stand without dilation only as far as they are jammed, so that no load is known.
         pub jammed: bool [kept],
+        /// Whether the load comes and goes between those of `spread`.
+        pub comes_and_goes: bool [kept],
         /// Points of all lines of thrust.
         = thrust_line: Vec<ThrustPoint> = of.thrust_line(),
         = ..ContinuumReport = limit.continuum.as_ref().map(|soil| soil.object()),

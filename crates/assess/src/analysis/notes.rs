@@ -42,6 +42,9 @@ pub(super) fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             assumptions.push(note::Blocks::FrictionNonAssociated { associated_load });
         }
     }
+    if let Some([least, most]) = report.spread.filter(|_| report.comes_and_goes && c.status == Status::Collapsed) {
+        warnings.push(warning::Joints::ComesAndGoes { least, most }.into());
+    }
     warnings.extend(
         joints::bond(bridge)
             .map(|(cohesion, tension, strength)| warning::Joints::Bond { cohesion, tension, strength }.into()),

@@ -82,7 +82,8 @@ fn by_friction(
     }
     outcome.friction = Friction::NonAssociated;
     match level {
-        WithoutDilation::Load { solution, spread } => {
+        WithoutDilation::Load { solution, spread, comes_and_goes } => {
+            outcome.comes_and_goes = comes_and_goes;
             outcome.status = Status::Solved;
             outcome.iterations += solution.iterations;
             outcome.spread = Some(spread.map(|f| f * scale));

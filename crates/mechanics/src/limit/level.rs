@@ -27,8 +27,8 @@ const ZERO: f64 = 1e-6;
 
 /// What is carried where sliding does not dilate.
 pub(super) enum WithoutDilation {
-    /// A load: the state in which blocks give way, and the scaled factors there and of the largest load on the way to it.
-    Load { solution: Solution, spread: [f64; 2] },
+    /// A load: the state in which blocks give way, the scaled factors there and of the largest load on the way to it, and whether it comes and goes.
+    Load { solution: Solution, spread: [f64; 2], comes_and_goes: bool },
     /// Every load.
     Locks,
     /// What blocks carry depends on how hard they are jammed.
@@ -61,10 +61,10 @@ pub(super) fn without_dilation(equilibrium: &Equilibrium, beside: &WithDilation,
     let Some(stood) = at_rest.stood(equilibrium) else { return WithoutDilation::Jammed };
     match stood.under(equilibrium, if endless { LOCKED } else { f64::INFINITY }) {
         Grown::GivesWay { solution, .. } if solution.factor < -ZERO => WithoutDilation::Jammed,
-        Grown::GivesWay { mut solution, most } => {
+        Grown::GivesWay { mut solution, most, comes_and_goes } => {
             solution.factor = solution.factor.max(0.0);
             let spread = [solution.factor, most.max(solution.factor)];
-            WithoutDilation::Load { solution, spread }
+            WithoutDilation::Load { solution, spread, comes_and_goes }
         }
         Grown::Carried => WithoutDilation::Locks,
         Grown::Lost => WithoutDilation::Unsettled,

@@ -128,6 +128,8 @@ pub struct Outcome {
     pub associated_factor: Option<f64>,
     /// The load factor without dilation, and the largest on the way to it.
     pub spread: Option<[f64; 2]>,
+    /// Whether the load comes and goes between them, so that blocks snap from state to state: the motion is then that of one of them.
+    pub comes_and_goes: bool,
     /// Whether blocks stand without dilation only as far as they are jammed: by friction on compressions that self-stress alone brings about.
     /// What they carry then is not known.
     pub jammed: bool,
@@ -154,6 +156,7 @@ impl Outcome {
             friction,
             associated_factor: None,
             spread: None,
+            comes_and_goes: false,
             jammed: false,
             iterations,
         }

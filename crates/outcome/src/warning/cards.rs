@@ -128,9 +128,9 @@ findings::cards! {
     RINGS_SHARE = "A124", "the shear between rings that slide on one another is statically indeterminate",
         "The shear between rings depends on the force that presses them together, and equilibrium allows many such \
          forces. Limit analysis finds the largest load with dilation, and without it the one that weight and load between stiff \
-         joints come to, where rings are pressed together more than by discrete elements: for nine bridges with two rings these \
-         gave 0.66 to 0.83 of its load (docs/verification/profiles.md). Use the smaller result of both methods, or a low friction angle \
-         in [ring_joint].";
+         joints come to. Joints that deform let rings lose their shape before they reach it: the equilibrium path and discrete elements carry \
+         less, as much as the limit load where joints are made ever stiffer, and half to three quarters of it with joints of usual stiffness \
+         (docs/verification/brick-rings.md). Use the smaller result.";
     /// One packing is one sample.
     ONE_PACKING = "A125", "one packing of particles is one sample",
         "The loads of packings with the same settings but another seed differ by tens of kN/m, sometimes by more than \

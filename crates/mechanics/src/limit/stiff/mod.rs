@@ -39,8 +39,8 @@ pub(super) struct Stood {
 
 /// What a growing load comes to.
 pub(super) enum Grown {
-    /// A mechanism, with the largest factor on the way to it.
-    GivesWay { solution: Solution, most: f64 },
+    /// A mechanism, with the largest factor on the way to it; or, where the load comes and goes, the motion at the least since then.
+    GivesWay { solution: Solution, most: f64, comes_and_goes: bool },
     /// It is carried far beyond all permanent loads.
     Carried,
     /// The way has no end.
@@ -93,7 +93,8 @@ impl Stood {
         match way.end {
             End::Far if way.state.factor > carried => Grown::Carried,
             End::Mechanism | End::Far | End::Wanders => {
-                Grown::GivesWay { most: way.most, solution: self.solution(equilibrium, &way) }
+                let (most, comes_and_goes) = (way.most, way.end == End::Wanders);
+                Grown::GivesWay { most, solution: self.solution(equilibrium, &way), comes_and_goes }
             }
             End::Reached | End::Lost => Grown::Lost,
         }

@@ -117,6 +117,7 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         yield_violation: Some(outcome.yield_violation),
         iterations: outcome.iterations,
         jammed: outcome.jammed,
+        comes_and_goes: outcome.comes_and_goes,
         ..LimitReport::default()
     });
 }
