@@ -13,6 +13,7 @@ from typing import Any, Literal, TypeVar, Union, cast
 
 from . import _extrados
 from ._extrados import Answer, BlockModel, Project, State
+from ._keys import Method
 from ._progress import Wanted, told
 from .errors import BridgeError, Finding, Interrupted, argument
 from .records import Records, as_files
@@ -33,8 +34,6 @@ from .runs import CollapseRun, PassageRun
 
 __all__ = ["Blocks", "Bridge", "Check", "Quantity"]
 
-Method = Literal["dem", "limit", "path", "fe"]
-"""Discrete elements, limit analysis, the equilibrium path, finite elements."""
 Analysis = Literal["load", "thickness", "support-movement"]
 Friction = Literal["associated", "non-associated"]
 Stage = Literal["update", "service", "collapse", "vehicles", "cases", "support-movement", "sensitivity"]

@@ -1,5 +1,6 @@
 //! A page and types that are made from the keys of results: `EXTRADOS_WRITE_DOCS=1 cargo test -p outcome --test written` writes them anew.
 
+use bridge::Method;
 use outcome::wire::Key;
 use outcome::{
     assessment, calibration, checked, collapse, condition, help, passage, picture, study, sweep, update, validation,
@@ -102,8 +103,13 @@ const COMMON: [&str; 5] = ["schema", "status", "bridge", "assumptions", "warning
 fn classes() -> String {
     let mut text = String::from(
         "\"\"\"Fields of results. Made from the results themselves: EXTRADOS_WRITE_DOCS=1 cargo test -p outcome --test written\"\"\"\n\nfrom \
-         __future__ import annotations\n\nfrom typing import Any\n",
+         __future__ import annotations\n\nfrom typing import Any, Literal\n",
     );
+    let all = |of: fn(Method) -> &'static str, between: &str| {
+        Method::ALL.iter().map(|one| of(*one)).collect::<Vec<_>>().join(between)
+    };
+    text += &format!("\nMethod = Literal[\"{}\"]\n", all(Method::word, "\", \""));
+    text += &format!("\"\"\"Methods: {}.\"\"\"\n", all(Method::name, ", "));
     for told in &RESULTS[..7] {
         let name = told.0.rsplit("::").next().unwrap_or(told.0);
         text += &format!("\n\nclass {name}:\n    \"\"\"Fields of `{}`.\"\"\"\n\n", told.1);

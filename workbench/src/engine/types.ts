@@ -49,7 +49,8 @@ export type Reading = {
     cases: number;
     particles: boolean;
     continuum: boolean;
-    method: "dem" | "limit" | "path" | "fe";
+    /** A word of `method` in [analysis]. */
+    method: string;
     /** What each method does not know of the bridge, in words. */
     not_known?: Record<string, string | null>;
     analysis: "load" | "thickness" | "support-movement";

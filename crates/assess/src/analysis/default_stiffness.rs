@@ -5,7 +5,7 @@
 //! 0.31 m, units of 15 GPa), and soft for what is known of masonry: the load errs to the low side.
 
 use super::state::{self, Change};
-use bridge::{Bridge, Joint, Method};
+use bridge::{Bridge, Joint, StiffnessAsked};
 use outcome::warning::{self, Warning};
 
 /// Modulus of the masonry as a share of that of its units.
@@ -16,7 +16,7 @@ const POISSON_RATIO: f64 = 0.2;
 
 /// The same where the plan's method is the equilibrium path, with what is to be said of it.
 pub(super) fn for_paths(bridge: &Bridge) -> Option<(Bridge, Option<Warning>)> {
-    (bridge.plan.method == Method::Path).then(|| (stiffened(bridge), note(bridge)))
+    (bridge.plan.method.stiffness() == StiffnessAsked::OrModulus).then(|| (stiffened(bridge), note(bridge)))
 }
 
 /// The bridge with a stiffness for all of its joints, where its units have a modulus.

@@ -310,7 +310,7 @@ fn inset(bridge: &Bridge) -> Warning {
 }
 
 /// Notes that do not depend on the method.
-fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+pub(super) fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     super::caveats::add(bridge, d, c);
     c.assumptions.extend(super::defects::told(bridge));
     let soil = c.limit().is_some_and(|l| l.continuum.is_some());

@@ -6,7 +6,7 @@ use crate::choice::choice;
 use crate::findings::Findings;
 use crate::model::{
     Analysis, ContactLength, ContactPoints, Damping, Friction, Joint, JointContact, JointStiffness, Load, Masonry,
-    Method, Plan, Strip, SupportMovement,
+    Method, Plan, StiffnessAsked, Strip, SupportMovement,
 };
 use crate::quantity::Dimension::AngleRate;
 use crate::tree::{Table, shorten, wrong_type};
@@ -288,10 +288,10 @@ pub(crate) fn check(
         if let Some(masonry) = masonry {
             series(file, section, joint, masonry, findings);
         }
-        // Equilibrium paths take a stiffness from the modulus of the units where the file gives none.
-        let is_taken = plan.method == Method::Path && masonry.is_some_and(|m| m.elastic_modulus.is_some());
-        if plan.method != Method::Limit && !is_taken {
-            stiffness(file, section, joint, findings);
+        match plan.method.stiffness() {
+            StiffnessAsked::None => {}
+            StiffnessAsked::OrModulus if masonry.is_some_and(|m| m.elastic_modulus.is_some()) => {}
+            StiffnessAsked::OrModulus | StiffnessAsked::Given => stiffness(file, section, joint, findings),
         }
     }
     if plan.method == Method::Dem {

@@ -64,6 +64,27 @@ impl Method {
             Method::Fe => "finite elements",
         }
     }
+
+    /// What it asks of the stiffness of joints.
+    #[must_use]
+    pub const fn stiffness(self) -> StiffnessAsked {
+        match self {
+            Method::Limit => StiffnessAsked::None,
+            Method::Path => StiffnessAsked::OrModulus,
+            Method::Dem | Method::Fe => StiffnessAsked::Given,
+        }
+    }
+}
+
+/// What a method asks of the stiffness of joints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StiffnessAsked {
+    /// Joints are rigid.
+    None,
+    /// The file gives it.
+    Given,
+    /// The file gives it, or the modulus of the units, from which one is taken.
+    OrModulus,
 }
 
 choice! {
