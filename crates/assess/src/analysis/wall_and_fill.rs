@@ -52,7 +52,7 @@ pub(super) fn strip(
 ) -> Result<Collapse, AnalysisError> {
     let changes = [Change::Strip(strip), Change::LoadsThroughCover];
     let alone = state::with(bridge, if strip == Strip::Wall { &changes } else { &changes[..1] });
-    let (number, name) = if strip == Strip::Wall { (1, "below the walls") } else { (0, "between the walls") };
+    let (number, name) = if strip == Strip::Wall { (1usize, "below the walls") } else { (0, "between the walls") };
     let told = |progress: &Progress| Progress {
         stage: format!("{name}: {}", progress.stage),
         fraction: progress.fraction.map(|share| 0.5 * (share + number as f64)),

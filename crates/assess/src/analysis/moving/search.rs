@@ -101,6 +101,13 @@ impl Found {
     }
 }
 
+/// What lies beside an answer: so many tenths of a step [m] to either side, and of a tenth of it about the least found there.
+struct Nearby {
+    step: f64,
+    tenths: i32,
+    friction: Friction,
+}
+
 impl<S: Stands> Scene<'_, S> {
     /// Seeks the worst place between the places of a vehicle, proves what is carried where no answer was found, and asks cases without dilation
     /// in turn. What came of it, and by places the factors that are proven to be carried.
@@ -114,7 +121,15 @@ impl<S: Stands> Scene<'_, S> {
         };
         if step > 0.0 {
             let unanswered;
-            (worst, unanswered) = self.refined(&mut sweepers, (worst, &found.places), step, token);
+            let loads: Vec<Option<f64>> = found.places.iter().map(|place| Some(place.least?.factor)).collect();
+            let low = dips(&loads, |k| found.places[k].at.drive == found.places[k + 1].at.drive);
+            let low = low.into_iter().filter_map(|k| found.places[k].least).collect();
+            let friction = match self.without_dilation {
+                WithoutDilation::Everywhere(friction) => friction,
+                WithoutDilation::InTurn => Friction::Associated,
+            };
+            let nearby = Nearby { step, tenths: 10, friction };
+            (worst, unanswered) = self.refined(&mut sweepers, (worst, low), &nearby, token);
             end.places.extend(unanswered);
             let again = self.answered_again(&mut sweepers, worst.key, token);
             let mut place = again.unwrap_or_else(|| Place::nothing(worst.key));
@@ -129,11 +144,36 @@ impl<S: Stands> Scene<'_, S> {
         let settled = all().map(|place| self.settled(&mut sweepers, place, worst.factor)).collect();
         let sliding = all().filter_map(|place| place.slides).collect();
         let mut level = match self.without_dilation {
-            WithoutDilation::InTurn => self.in_turn(&mut sweepers, worst, [governing, sliding].concat(), token),
+            WithoutDilation::InTurn => {
+                let level = self.in_turn(&mut sweepers, worst, [governing, sliding].concat(), token);
+                self.with_least_between(&mut sweepers, (worst, level), step, token)
+            }
             WithoutDilation::Everywhere(_) => Vec::new(),
         };
         level.extend(locking);
         (Found { worst: Some(worst), level, whole: !token.is_cancelled(), ..end }, settled)
+    }
+
+    /// Cases without dilation, with the least of them between the places where one carries less than the worst with dilation. Those at the places beside
+    /// it were asked where they may govern, so that half a step to either side is left.
+    fn with_least_between(
+        &self,
+        sweepers: &mut [Sweeper<'_>],
+        (worst, mut level): (Answer, Vec<(Key, Option<f64>)>),
+        step: f64,
+        token: &CancelToken,
+    ) -> Vec<(Key, Option<f64>)> {
+        let answer =
+            |(key, factor): &(Key, Option<f64>)| Some(Answer { key: *key, factor: (*factor)?, upper: (*factor)? });
+        let known: Vec<Answer> = level.iter().filter_map(answer).collect();
+        if let Some(lowest) = least(&known).filter(|lowest| step > 0.0 && lowest.factor < worst.factor) {
+            let nearby = Nearby { step, tenths: 5, friction: Friction::Automatic };
+            let (between, _) = self.refined(sweepers, (lowest, vec![lowest]), &nearby, token);
+            if between.factor < lowest.factor {
+                level.push((between.key, Some(between.factor)));
+            }
+        }
+        level
     }
 
     /// Everything at the place of a case; none where the work does not go on.
@@ -151,34 +191,26 @@ impl<S: Stands> Scene<'_, S> {
         self.answered_again(&mut self.sweepers(token), Key::at(0, position), token)
     }
 
-    /// The worst place beside those from which less may be found than the worst of them, with the same case, and places beside them without
-    /// an answer.
+    /// The least beside some answers with the same cases, and places beside them without an answer.
     fn refined(
         &self,
         sweepers: &mut [Sweeper<'_>],
-        (mut worst, places): (Answer, &[Place]),
-        step: f64,
+        (mut worst, mut beside): (Answer, Vec<Answer>),
+        nearby: &Nearby,
         token: &CancelToken,
     ) -> (Answer, Vec<Place>) {
-        let (mut width, mut unanswered) = (step, Vec::new());
-        let loads: Vec<Option<f64>> = places.iter().map(|place| place.least.map(|least| least.factor)).collect();
-        let low = dips(&loads, |k| places[k].at.drive == places[k + 1].at.drive);
-        let mut beside: Vec<Answer> = low.into_iter().filter_map(|k| places[k].least).collect();
+        let (mut tenth, mut unanswered) = (0.1 * nearby.step, Vec::new());
         for _ in 0..REFINEMENTS {
+            let tenths = -nearby.tenths..=nearby.tenths;
             let around = |from: &Answer| {
-                (-10..=10).map(|k| (from.key, from.key.position + 0.1 * width * f64::from(k))).collect()
+                let position = |k: i32| (from.key, (from.key.position + tenth * f64::from(k), nearby.friction));
+                tenths.clone().map(position).collect()
             };
-            let all: Vec<(Key, f64)> = beside.iter().flat_map::<Vec<_>, _>(around).collect();
-            let asked: Vec<(Key, Least)> = match self.without_dilation {
+            let all: Vec<(Key, (f64, Friction))> = beside.iter().flat_map::<Vec<_>, _>(around).collect();
+            let asked: Vec<(Key, Least)> = match nearby.friction {
+                Friction::Associated => all.iter().filter_map(|(key, at)| self.one(sweepers, key, *at)).collect(),
                 // One case may take a second without dilation: each place is a piece of work of its own.
-                WithoutDilation::Everywhere(friction) => all
-                    .par_iter()
-                    .filter_map(|(key, position)| self.one(&mut self.sweepers(token), key, (*position, friction)))
-                    .collect(),
-                WithoutDilation::InTurn => all
-                    .iter()
-                    .filter_map(|(key, position)| self.one(sweepers, key, (*position, Friction::Associated)))
-                    .collect(),
+                _ => all.par_iter().filter_map(|(key, at)| self.one(&mut self.sweepers(token), key, *at)).collect(),
             };
             if token.is_cancelled() {
                 break;
@@ -198,7 +230,7 @@ impl<S: Stands> Scene<'_, S> {
                 }
             }
             worst = least(&answers).unwrap_or(worst);
-            (beside, width) = (vec![worst], 0.1 * width);
+            (beside, tenth) = (vec![worst], 0.1 * tenth);
         }
         (worst, unanswered)
     }
