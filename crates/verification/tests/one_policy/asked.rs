@@ -68,14 +68,17 @@ pub(crate) fn mirrored(question: Question, bridge: &Bridge) -> Found {
     answered(question, bridge, PLACES, true)
 }
 
-/// The same with places at half the distance; none of questions without places.
-pub(crate) fn finer(question: Question, bridge: &Bridge) -> Option<Found> {
+/// Places that are halved: less than a voussoir apart, or what lies between them is passed over.
+const FINE: usize = 33;
+
+/// The answer at places and at those at half their distance; none of questions without places.
+pub(crate) fn halved(question: Question, bridge: &Bridge) -> Option<[Found; 2]> {
     match question {
-        Question::Sweep => Some(answered(question, bridge, 2 * PLACES - 1, false)),
+        Question::Sweep => Some([FINE, 2 * FINE - 1].map(|places| answered(question, bridge, places, false))),
         Question::Vehicles => {
             let mut own = bridge.clone();
             own.sweep.as_mut()?.step = Some(0.5 * bridge.sweep.as_ref()?.step?);
-            Some(answered(question, &own, PLACES, false))
+            Some([bridge, &own].map(|one| answered(question, one, PLACES, false)))
         }
         Question::Load | Question::Dragged | Question::Thickness | Question::Movement => None,
     }

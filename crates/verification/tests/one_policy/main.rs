@@ -64,8 +64,8 @@ impl Trial {
             self.hold(&what, name, [found, bare], slack);
             self.hold(&what, name, [bare, found], slack);
         }
-        if let Some(finer) = asked::finer(question, bridge) {
-            self.hold(&format!("{method} {question:?}, finer"), name, [finer, bare], asked::same(question, bridge));
+        if let Some([whole, halves]) = asked::halved(question, bridge) {
+            self.hold(&format!("{method} {question:?}, finer"), name, [halves, whole], asked::same(question, bridge));
         }
         if let Some(more) = changed::with_an_axle_more(bridge, question) {
             let found = asked::asked(question, &more);
