@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
+
+Method = Literal["dem", "limit", "path", "fe"]
+"""Methods: discrete elements, limit analysis, the equilibrium path, finite elements."""
 
 
 class Collapse:
