@@ -130,12 +130,15 @@ pub(crate) fn told<J: Sync, M: Send>(
     });
 }
 
+/// Turns a kept state into that of the whole.
+type Keeping<'a> = dyn Fn(&[u8]) -> Vec<u8> + 'a;
+
 /// An onlooker who is told of the work in other words.
 pub(crate) struct Retold<'w, F> {
     /// Who looks on.
     pub watch: &'w mut dyn Watch,
     /// A kept state behind what stands in front of it; none where no state is kept.
-    pub kept: Option<&'w dyn Fn(&[u8]) -> Vec<u8>>,
+    pub kept: Option<&'w Keeping<'w>>,
     /// How far the whole is, by what is told of the work.
     pub told: F,
 }

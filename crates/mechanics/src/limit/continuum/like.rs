@@ -116,7 +116,7 @@ impl Sizes<'_> {
         let rows = (span.y / cell) as usize + 1;
         let mut sizes = Sizes { mesh, low, cell, columns, cells: vec![Vec::new(); columns * rows] };
         for t in 0..mesh.triangles.len() {
-            let (from, to) = crate::plane::bounds(&mesh.corners(t));
+            let (from, to) = crate::plane::bounds(mesh.corners(t));
             let ([i, j], [m, n]) = (sizes.place(from), sizes.place(to));
             for row in j..=n {
                 for column in i..=m {
