@@ -92,7 +92,7 @@ impl Train {
 /// A train of the library: its name and the text of its file.
 #[derive(Debug, Clone, Copy)]
 pub struct BuiltIn {
-    /// The name that `name` in [train] takes.
+    /// The name that `name` in `[train]` takes.
     pub name: &'static str,
     /// What it is, in a line.
     pub about: &'static str,
