@@ -137,7 +137,11 @@ fn answered(question: Question, bridge: &Bridge, places: usize, is_mirrored: boo
             let found = sweep(&own, all, true, &mut Unwatched);
             found.map_or_else(
                 |error| refused(&error),
-                |found| match found.worst() {
+                // A sweep with places that are not answered has no number, which its result says as well.
+                |found| match found
+                    .worst()
+                    .filter(|_| found.points.iter().all(|one| one.status != Status::NotConverged))
+                {
                     Some(worst) => worst.load_factor.map_or(Found::Open, Found::Size),
                     None => Found::Open,
                 },
