@@ -23,7 +23,7 @@ use ::outcome::help::Help;
 use ::outcome::note;
 use ::outcome::picture::{Hinge, HingeAt};
 use ::outcome::sweep::Sweep;
-use bridge::{Analysis, Method};
+use bridge::Analysis;
 use findings::words::counted;
 use std::fmt::Write;
 
@@ -200,7 +200,7 @@ fn loads(page: &mut String, found: &Collapse, details: bool) {
     }
     line("stalled at", found.stalled_load);
     line("load step", found.load_step);
-    line("limit load, rigid", found.limit_load.filter(|_| found.method() != Method::Limit));
+    line("limit load, rigid", found.limit_load.filter(|_| found.method().joints_deform()));
     line("limit load, crushing", found.crushing_limit_load);
     for limit in found.along().iter().flat_map(|along| &along.permissible) {
         line(limit.criterion.word(), Some(limit.load));

@@ -10,7 +10,7 @@ mod deformable;
 use super::engine::rigid;
 use super::moving::{DILATANCY, Key, Line, Place, Scene, Stands, Tried, WithoutDilation, runs, search};
 use super::{AnalysisError, default_stiffness, policy};
-use bridge::{Bridge, LoadKind, Method};
+use bridge::{Bridge, LoadKind};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Effect, Friction, Ground, Sweeper};
 use mechanics::watch::Watch;
@@ -90,7 +90,7 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     let without_dilation = WithoutDilation::Everywhere(settings.friction);
     let scene = Scene { stands: &loads, grounds: &grounds, watched: &[], screen: false, seeds: &[], without_dilation };
     let step = if list.len() > 1 { list[1] - list[0] } else { 0.0 };
-    let yields = wanted(bridge).is_some() && bridge.plan.method == Method::Limit;
+    let yields = wanted(bridge).is_some() && !bridge.plan.method.follows_moving_loads();
     let line = Line { vehicle: 0, positions: &list, alike: false };
     let finest = if yields { 0.0 } else { step };
     let Some(rigid) = search(&scene, (&[line], 1), finest, watch).pop() else { return Err(AnalysisError::NoLoad) };
@@ -106,7 +106,7 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     if whole && yields {
         found.whole = continuum::instead(&loads, &rows, &mut found, watch)?;
     }
-    if whole && bridge.plan.method == Method::Path {
+    if whole && bridge.plan.method.follows_moving_loads() {
         found.whole = deformable::beside(&scene, (&mut rows, step), &mut found, watch)?;
     }
     found.points.sort_by(|a, b| a.position.total_cmp(&b.position));

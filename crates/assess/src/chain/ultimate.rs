@@ -44,7 +44,7 @@ fn of_blocks(bridge: &Bridge) -> Bridge {
 
 /// Deformable joints are followed beside rigid blocks where the plan says so.
 fn method(bridge: &Bridge) -> Method {
-    if bridge.plan.method == Method::Path { Method::Path } else { Method::Limit }
+    if bridge.plan.method.follows_moving_loads() { bridge.plan.method } else { Method::Limit }
 }
 
 /// The factor on the run of axles that governs, at one position [m] of the first load, with the parts of uniform loads that govern: what is
@@ -101,7 +101,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     let (at_file, at_status) = (factor(&file), file.status);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
-        method: if method(bridge) == Method::Path {
+        method: if bridge.plan.method.follows_moving_loads() {
             "the smaller load of limit analysis (rigid blocks as built) and of the equilibrium path (deformable joints)"
         } else if own.continuum.is_some() {
             "limit analysis, lower bound of rigid blocks as built beside soil that yields as a continuum"

@@ -74,6 +74,30 @@ impl Method {
             Method::Dem | Method::Fe => StiffnessAsked::Given,
         }
     }
+
+    /// Whether its joints deform; those of rigid blocks do not, and their cohesion counts only where they crush.
+    #[must_use]
+    pub fn joints_deform(self) -> bool {
+        self.stiffness() != StiffnessAsked::None
+    }
+
+    /// Whether layers of fill may be particles in it. To the others they are weight.
+    #[must_use]
+    pub const fn has_particles(self) -> bool {
+        match self {
+            Method::Dem => true,
+            Method::Limit | Method::Path | Method::Fe => false,
+        }
+    }
+
+    /// Whether it follows loads that move; the others are given limit analysis in its place.
+    #[must_use]
+    pub const fn follows_moving_loads(self) -> bool {
+        match self {
+            Method::Path => true,
+            Method::Limit | Method::Dem | Method::Fe => false,
+        }
+    }
 }
 
 /// What a method asks of the stiffness of joints.

@@ -166,7 +166,7 @@ fn load(page: &mut String, name: &str, at: [f64; 2], force: [f64; 2], permanent:
 
 fn plan(page: &mut String, plan: &bridge::Plan) {
     // By whatever else a bridge was analysed: blocks of a drawing are analysed by discrete elements.
-    let method = if plan.method == Method::Limit { Method::Limit } else { Method::Dem };
+    let method = if plan.method.joints_deform() { Method::Dem } else { Method::Limit };
     let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", method.word());
     for (key, value) in
         [("load_step", plan.load_step), ("load_limit", plan.load_limit), ("resolution", plan.resolution)]

@@ -33,7 +33,7 @@ pub fn by(method: Method) -> &'static dyn Engine {
 #[must_use]
 pub fn raising(method: Method, bridge: &Bridge) -> &'static dyn Engine {
     match structure::discretise::continuum::wanted(bridge) {
-        Some(_) if method == Method::Limit => &continuum::Continuum,
+        Some(_) if can::knows(method, can::Feature::Continuum) == can::Knows::Yes => &continuum::Continuum,
         _ => by(method),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::analysis::engine::can::{self, Feature, Knows};
 use crate::analysis::state::{self, Change};
-use bridge::{Analysis, Bridge, Joint, Method, Strip};
+use bridge::{Analysis, Bridge, Joint, Strip};
 use outcome::help::Help;
 
 /// The helps that a bridge's file describes and its plan's method can see, in the order of [`Help::ALL`].
@@ -76,7 +76,7 @@ fn has(bridge: &Bridge, help: Help) -> bool {
         // Rigid joints that turn about an edge have no cohesion there: it counts where they crush.
         Help::Cohesion => {
             joints.iter().any(|joint| joint.cohesion > 0.0)
-                && (bridge.plan.method != Method::Limit || bridge.masonry.compressive_strength.is_some())
+                && (bridge.plan.method.joints_deform() || bridge.masonry.compressive_strength.is_some())
         }
     }
 }

@@ -67,7 +67,7 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
     if share == 0.0 {
         return moved(bridge, watch);
     }
-    if bridge.plan.method != Method::Path && continuum::is_wanted(bridge) {
+    if !bridge.plan.method.follows_moving_loads() && continuum::is_wanted(bridge) {
         return Err(DiscretiseError::Horizontal { what: "fill as a continuum" }.into());
     }
     let mut own = bridge.clone();
@@ -99,7 +99,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
     let step = cases::places_apart(bridge, plan);
     let weights = weights::combinations(bridge, &rule);
-    let gives = bridge.plan.method == Method::Path;
+    let gives = bridge.plan.method.follows_moving_loads();
     let yields = !gives && continuum::is_wanted(bridge);
     let before = if vehicles.iter().any(|chosen| chosen.acting.beside.is_some()) { 0.3 } else { 0.0 };
     let (first_part, rigid_part) = ([0.0, before], if gives || yields { [before, 0.5] } else { [before, 1.0] });
@@ -187,7 +187,7 @@ pub(super) fn case_by_itself(
     let own = default_stiffness::for_paths(bridge);
     let bridge = own.as_ref().map_or(bridge, |own| &own.0);
     let one = factored::with_case(&factored::bridge(bridge, &rule, &case.weights), plan, &rule, chosen, case);
-    let run = alone(bridge, &one, bridge.plan.method == Method::Path, watch)?;
+    let run = alone(bridge, &one, bridge.plan.method.follows_moving_loads(), watch)?;
     Ok(run.carried().map(|load| load / run.reference_load * rule.capacity_factor()))
 }
 

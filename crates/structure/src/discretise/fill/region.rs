@@ -1,7 +1,7 @@
 //! Which layers of the cover are bodies, and the region that particles fill: what is in it, how it is filled.
 
 use crate::extent::extent;
-use bridge::{Analysis, Bridge, Layer, Method, Packing, Particles, Sizes, Strip};
+use bridge::{Analysis, Bridge, Layer, Packing, Particles, Sizes, Strip};
 use mechanics::blocks::{Block, BlockModel, Held};
 use mechanics::dem::{Recipe, Target};
 use mechanics::ids::{GroupId, Table};
@@ -45,7 +45,7 @@ pub struct FillLayer {
 /// are weight.
 pub fn wanted(bridge: &Bridge) -> Option<&Particles> {
     let plan = &bridge.plan;
-    let bodies = plan.strip == Strip::Fill && plan.method == Method::Dem && plan.analysis == Analysis::Load;
+    let bodies = plan.strip == Strip::Fill && plan.method.has_particles() && plan.analysis == Analysis::Load;
     bridge.particles.as_ref().filter(|_| bodies)
 }
 
