@@ -10,7 +10,7 @@ pub(crate) fn dips(loads: &[Option<f64>], together: impl Fn(usize) -> bool) -> V
         let before = k.checked_sub(1).filter(|before| together(*before)).and_then(|before| loads[before]);
         let after = loads.get(k + 1).copied().flatten().filter(|_| together(*k));
         let change = [before, after].into_iter().flatten().fold(0.0, |most: f64, beside| most.max(beside - load));
-        before.is_none_or(|before| load < before)
+        before.is_none_or(|before| load <= before)
             && after.is_none_or(|after| load <= after)
             && (load - change < least || load <= least)
     };
@@ -29,7 +29,8 @@ mod tests {
         // The last place of a drive has nothing after it.
         assert_eq!(dips(&loads, |k| k != 2), [1, 3]);
         assert_eq!(dips(&[Some(2.0), None, Some(2.5)], |_| true), [0]);
-        assert_eq!(dips(&[Some(2.0); 3], |_| true), [0]);
+        // Of equal places each counts, from whichever side they are read.
+        assert_eq!(dips(&[Some(2.0); 3], |_| true), [0, 1, 2]);
         assert!(dips(&[None], |_| true).is_empty());
     }
 }
