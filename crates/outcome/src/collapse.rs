@@ -130,6 +130,12 @@ impl Collapse {
         list(self.picture.thrust_lines.iter().flatten(), |point| point.object())
     }
 
+    /// Whether it was stopped before it ended.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        self.status == Status::Cancelled
+    }
+
     /// Load of the headline [N/m].
     pub fn carried(&self) -> Option<f64> {
         self.headline().map(|headline| headline.load)

@@ -49,6 +49,7 @@ use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::Collapse;
 use outcome::picture::Picture;
+use state::{Change, with};
 use structure::discretise::{Discretised, fill};
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
@@ -70,7 +71,22 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
         return wall_and_fill::both(bridge, resume, watch);
     }
-    policy::collapse(bridge, resume, watch, &as_described)
+    governing(bridge, resume, watch)
+}
+
+/// The least that a bridge comes to with and without each help that may come and go.
+fn governing(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    let states = policy::states(bridge);
+    let turns = policy::Turns::new(states.len(), resume)?;
+    let mut all = Vec::new();
+    for (number, state) in states.iter().enumerate() {
+        let mut turn = turns.watch((number, state), watch);
+        all.push(as_described(&state.bridge, turns.kept(number), &mut turn)?);
+        if all.last().is_some_and(Collapse::is_cancelled) {
+            break;
+        }
+    }
+    Ok(policy::least(bridge, &states, &all))
 }
 
 /// The same of one strip with all that the file says of the bridge, help that may come and go included: what a method finds, to be held against
@@ -119,9 +135,7 @@ pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::de
 /// # Errors
 /// An analysis that cannot be set up.
 pub fn collapse_by(method: Method, bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    policy::collapse(bridge, None, watch, &|state, resume, watch| {
-        engine::raising(method, state).load(state, resume, watch)
-    })
+    governing(&with(bridge, &[Change::Analysis(Analysis::Load), Change::Method(method)]), None, watch)
 }
 
 /// By limit analysis.

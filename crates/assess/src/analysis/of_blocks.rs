@@ -25,7 +25,16 @@ pub fn collapse_of_blocks(
     resume: Option<&[u8]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
-    policy::of_blocks(scene, resume, watch, &as_described)
+    let states = policy::states_of_blocks(scene);
+    let turns = policy::Turns::new(states.len(), resume)?;
+    let mut all = Vec::new();
+    for turn in states.iter().enumerate() {
+        all.push(as_described(&turn.1.bridge, turns.kept(turn.0), &mut turns.watch(turn, watch))?);
+        if all.last().is_some_and(Collapse::is_cancelled) {
+            break;
+        }
+    }
+    Ok(policy::least_of(&states, &all))
 }
 
 /// The same with all that the file says of the blocks.

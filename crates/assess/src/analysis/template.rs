@@ -1,17 +1,19 @@
 //! Results with nothing found yet, for analyses to fill.
 
+use super::picture;
 use bridge::{Bridge, LoadKind, Plan};
 use outcome::collapse::{AskedAxles, By, Collapse, Sought, Status};
 use outcome::picture::Picture;
 use structure::discretise::Discretised;
 
-pub(super) fn of_bridge(bridge: &Bridge, d: &Discretised, by: By, picture: Picture) -> Collapse {
+/// Of a bridge, drawn as built under a title.
+pub(super) fn of_bridge(bridge: &Bridge, d: &Discretised, by: By, title: &str) -> Collapse {
     Collapse {
         bridge: bridge.name.clone(),
         width: bridge.width,
         asked: asked(bridge),
         block_names: d.origins.iter().map(|o| o.name()).collect(),
-        ..of_blocks(&bridge.plan, d, by, picture)
+        ..of_blocks(&bridge.plan, d, by, picture::built(bridge, d, title))
     }
 }
 

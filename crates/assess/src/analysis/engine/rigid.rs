@@ -71,7 +71,7 @@ pub fn loaded(d: Discretised) -> Result<Discretised, AnalysisError> {
 
 /// Result of an analysis that was cancelled before any load was found.
 pub fn cancelled(bridge: &Bridge, d: &Discretised, by: By) -> Collapse {
-    Collapse { status: Status::Cancelled, ..template::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }
+    Collapse { status: Status::Cancelled, ..template::of_bridge(bridge, d, by, "as built") }
 }
 
 /// The same as [`solve`], watched.

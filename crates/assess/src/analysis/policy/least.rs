@@ -1,89 +1,38 @@
 //! The least of what the states of a bridge come to: a load, a thickness, a support movement.
 
-use super::super::parallel::Retold;
-use super::super::{AnalysisError, notes};
+use super::super::notes;
 use super::standing::{Standing, hurts, leading, not_counted, warned};
-use super::states::{State, states};
+use super::states::State;
 use bridge::Bridge;
-use mechanics::blocks::ModelError;
-use mechanics::kept;
-use mechanics::watch::{Progress, Watch};
 use outcome::collapse::{By, Collapse, PathPressure, Permissible, Sought, Status};
 use outcome::help::{Help, WithHelp};
 use outcome::note::Size;
-use structure::blocks::Scene;
 
-/// A method: a model, a kept state of its own, an onlooker.
-type Method<'a, T> = &'a dyn Fn(&T, Option<&[u8]>, &mut dyn Watch) -> Result<Collapse, AnalysisError>;
-
-/// What a bridge comes to by a method, with what helps it left out.
-pub(crate) fn collapse(
-    bridge: &Bridge,
-    resume: Option<&[u8]>,
-    watch: &mut dyn Watch,
-    method: Method<'_, Bridge>,
-) -> Result<Collapse, AnalysisError> {
-    let states = states(bridge);
-    let (mut led, all) = each(&states, resume, watch, method)?;
-    pressed(bridge, &states, &all, &mut led);
-    Ok(led)
+/// What leads of what every state of a bridge came to, with what the others came to beside it.
+pub(in crate::analysis) fn least(bridge: &Bridge, states: &[State<Bridge>], all: &[Collapse]) -> Collapse {
+    let mut led = least_of(states, all);
+    if all.len() == states.len() {
+        pressed(bridge, states, all, &mut led);
+    }
+    led
 }
 
-/// The same for blocks of a file or a drawing.
-pub(crate) fn of_blocks(
-    scene: &Scene,
-    resume: Option<&[u8]>,
-    watch: &mut dyn Watch,
-    method: Method<'_, Scene>,
-) -> Result<Collapse, AnalysisError> {
-    Ok(each(&super::scene::states(scene), resume, watch, method)?.0)
-}
-
-/// Analyses every state: the result that leads, and what every state came to, where there are several and all were made. A kept state starts with
-/// the number of the one that was at work; on resuming, those before it are made again, to the same bits.
-fn each<T>(
-    states: &[State<T>],
-    resume: Option<&[u8]>,
-    watch: &mut dyn Watch,
-    method: Method<'_, T>,
-) -> Result<(Collapse, Vec<Collapse>), AnalysisError> {
-    if let [alone] = states {
-        return Ok((method(&alone.bridge, resume, watch)?, Vec::new()));
+/// The same for blocks of a file or a drawing. The last one leads where it was cancelled.
+pub(in crate::analysis) fn least_of<T>(states: &[State<T>], all: &[Collapse]) -> Collapse {
+    if let [.., last] = all
+        && (states.len() == 1 || last.is_cancelled())
+    {
+        return last.clone();
     }
-    let count = states.len();
-    let kept = resume.map(kept::split::<usize>).transpose()?;
-    if kept.is_some_and(|(at, _)| at >= count) {
-        return Err(ModelError::ForeignState.into());
-    }
-    let mut all = Vec::with_capacity(count);
-    for (number, state) in states.iter().enumerate() {
-        let own = kept.and_then(|(at, own)| (at == number).then_some(own));
-        let what = match &state.helps[..] {
-            [] => "without what may come and go".to_owned(),
-            helps => format!("with {}", Help::all_told(helps)),
-        };
-        let told = |progress: &Progress| Progress {
-            stage: format!("{what}: {}", progress.stage),
-            fraction: progress.fraction.map(|share| (share + number as f64) / count as f64),
-            ..progress.clone()
-        };
-        let found =
-            method(&state.bridge, own, &mut Retold { watch, kept: Some(&|state| kept::join(&number, state)), told })?;
-        if found.status == Status::Cancelled {
-            return Ok((found, Vec::new()));
-        }
-        all.push(found);
-    }
-    let standings: Vec<Standing> =
-        states.iter().zip(&all).map(|(state, found)| standing(&state.helps, found)).collect();
+    let standings: Vec<Standing> = states.iter().zip(all).map(|(state, found)| standing(&state.helps, found)).collect();
     let lead = leading(&standings);
     let mut led = all[lead].clone();
     led.not_counted = not_counted(&standings, lead);
-    permissible(&all, &mut led);
+    permissible(all, &mut led);
     let own = size(&standings[lead].numbers);
     led.warnings.extend(warned(&led.not_counted, None, own, size));
     led.assumptions.extend(hurts(&standings, lead, size));
-    Ok((led, all))
+    led
 }
 
 /// What a state comes to. What is not known is least; what nothing makes fall is most.

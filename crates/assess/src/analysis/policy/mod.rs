@@ -11,12 +11,15 @@ mod scene;
 mod standing;
 mod states;
 mod sweep;
+mod turns;
 mod vehicles;
 
-pub(super) use least::{collapse, of_blocks};
+pub(super) use least::{least, least_of};
+pub(super) use scene::states_of_blocks;
 pub use states::bare;
-pub(super) use states::states_of_moving;
+pub(super) use states::{states, states_of_moving};
 pub(super) use sweep::swept;
+pub(super) use turns::Turns;
 pub(super) use vehicles::moved;
 
 #[cfg(test)]

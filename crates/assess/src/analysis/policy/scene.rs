@@ -7,13 +7,12 @@ use outcome::help::Help;
 use structure::blocks::Scene;
 
 /// Every state of the blocks that may lead.
-pub(super) fn states(scene: &Scene) -> Vec<State<Scene>> {
+pub(in crate::analysis) fn states_of_blocks(scene: &Scene) -> Vec<State<Scene>> {
     let crushes = scene.materials.iter().any(|material| material.masonry.compressive_strength.is_some());
-    let limit = scene.plan.method == bridge::Method::Limit;
     let laws = || pairs(scene).into_iter().map(|[a, b]| scene.laws.between(a, b));
     let has = |help: &Help| match help {
         Help::Tension => laws().any(|law| law.tension > 0.0),
-        Help::Cohesion => laws().any(|law| law.cohesion > 0.0) && (crushes || !limit),
+        Help::Cohesion => laws().any(|law| law.cohesion > 0.0) && (crushes || scene.plan.method.joints_deform()),
         Help::Water | Help::Movement | Help::FillPressure | Help::Parapets | Help::LostStone => false,
     };
     let all: Vec<Help> = Help::ALL.iter().copied().filter(has).collect();

@@ -24,7 +24,7 @@ impl<T> State<T> {
 /// Every state that may lead: the bridge without strength that may be lost and with every set of the other helps, none of them first, all of
 /// them last; then the bridge as described, where that is another one. A bridge without helps has one state. Lost stone of which a part alone is
 /// there does not count as help.
-pub(super) fn states(bridge: &Bridge) -> Vec<State<Bridge>> {
+pub(in crate::analysis) fn states(bridge: &Bridge) -> Vec<State<Bridge>> {
     let all = change::helps(bridge);
     let of_set = |helps: Vec<Help>| {
         let bridges = match all.contains(&Help::LostStone) && !helps.contains(&Help::LostStone) {

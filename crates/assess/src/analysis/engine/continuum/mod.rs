@@ -6,7 +6,7 @@ pub mod moved;
 use crate::analysis::engine::Engine;
 use crate::analysis::engine::rigid::{cancelled, draw, loaded, settings};
 use crate::analysis::geometry::point;
-use crate::analysis::{AnalysisError, notes, parallel, picture, template};
+use crate::analysis::{AnalysisError, notes, parallel, template};
 use beside::Beside;
 use bridge::{Bridge, ContinuumPlan, Method};
 use mechanics::blocks::{Held, ModelError};
@@ -251,14 +251,13 @@ fn reported(
     bounds: &Bounds,
     report: ContinuumReport,
 ) -> Collapse {
-    let mut drawn = picture::built(bridge, d, "limit analysis with a continuum");
+    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), "limit analysis with a continuum");
     // Loads stand on the soil: they reach no block by a rule.
-    drawn.loads.clear();
+    c.picture.loads.clear();
     if bounds.status == BoundsStatus::Bounded {
-        draw(d, &bounds.blocks, &mut drawn);
-        moved(d, loaded, bounds, &mut drawn);
+        draw(d, &bounds.blocks, &mut c.picture);
+        moved(d, loaded, bounds, &mut c.picture);
     }
-    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), drawn);
     c.status = status(bounds);
     // Of a bridge that does not stand the stresses carry a share of its weight, and no load.
     let stands = c.status != Status::UnstableUnderSelfWeight;

@@ -15,7 +15,7 @@ use structure::blocks::Scene;
 use structure::discretise::{Discretised, laws};
 
 /// Raises the loads in steps until the blocks collapse.
-pub(super) fn found(
+pub(super) fn until_they_fall(
     scene: &Scene,
     d: &Discretised,
     resume: Option<&[u8]>,

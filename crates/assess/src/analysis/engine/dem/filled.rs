@@ -338,10 +338,7 @@ fn settlement(d: &Discretised, frame: &Frame) -> f64 {
 
 /// The result of a run that was stopped while particles grew.
 fn stopped(bridge: &Bridge, d: &Discretised) -> Collapse {
-    let picture = super::picture::built(bridge, d, "discrete elements");
-    let mut c = template::of_bridge(bridge, d, By::Dem(None), picture);
-    c.status = Status::Cancelled;
-    c
+    Collapse { status: Status::Cancelled, ..template::of_bridge(bridge, d, By::Dem(None), "discrete elements") }
 }
 
 /// The result where ring and fill did not come to rest.

@@ -10,7 +10,7 @@ use crate::analysis::engine::rings::{MovedSupport, RingThickness};
 use crate::analysis::engine::steps::program;
 use crate::analysis::engine::{Engine, rigid};
 use crate::analysis::geometry::{moving_as_built, point, scaled, thrust_lines};
-use crate::analysis::{AnalysisError, notes, picture, template};
+use crate::analysis::{AnalysisError, notes, template};
 use bridge::{Bridge, Damping, JointContact, Method, Plan};
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
@@ -47,12 +47,12 @@ impl Engine for Dem {
     fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
         match fill::wanted(bridge) {
             Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
-            None => collapse(bridge, resume, watch),
+            None => until_it_falls(bridge, resume, watch),
         }
     }
 
     fn thickness(&self, rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-        thickness::found(rings, watch)
+        thickness::least(rings, watch)
     }
 
     fn support_movement(
@@ -61,7 +61,7 @@ impl Engine for Dem {
         resume: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
-        movement::found(moves, resume, watch)
+        movement::until_it_falls(moves, resume, watch)
     }
 
     fn drawn(
@@ -71,7 +71,7 @@ impl Engine for Dem {
         resume: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
-        drawn::found(scene, d, resume, watch)
+        drawn::until_they_fall(scene, d, resume, watch)
     }
 }
 
@@ -123,7 +123,7 @@ pub(super) fn increased(
 }
 
 /// Raises the loads of the file in steps until the blocks collapse.
-fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+fn until_it_falls(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let (d, rigid) = increased(bridge, watch)?;
     if rigid.status == limit::Status::Cancelled {
         return Ok(rigid::cancelled(bridge, &d, By::Dem(None)));
@@ -189,11 +189,10 @@ pub fn report(
     load: &dyn Fn(f64) -> f64,
 ) -> Collapse {
     let (status, broken) = ended(outcome.status);
-    let mut picture = picture::built(bridge, d, title);
-    draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     let report = numbers(&bridge.plan, outcome, broken.map(|(body, step)| (d.body_name(body), step)));
-    let mut c = template::of_bridge(bridge, d, By::Dem(Some(report)), picture);
+    let mut c = template::of_bridge(bridge, d, By::Dem(Some(report)), title);
+    draw(d, outcome, load, &mut c.picture);
     c.status = status;
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     c.contacts = at_rest.map_or(0, |f| f.contacts.len());

@@ -9,7 +9,7 @@ use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Sought, SupportReport};
 
 /// Moves a support in steps until the blocks do not come to rest.
-pub(super) fn found(
+pub(super) fn until_it_falls(
     moves: &MovedSupport<'_>,
     resume: Option<&[u8]>,
     watch: &mut dyn Watch,

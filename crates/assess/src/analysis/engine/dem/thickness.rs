@@ -15,7 +15,7 @@ const BRACKET: f64 = 5e-3;
 
 /// Brackets the thickness at which the rings just stand. Rings whose forces go to and fro without end are not shown to stand, and the bracket
 /// is narrowed above them.
-pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub(super) fn least(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let bridge = rings.bridge;
     require_stiffness(bridge)?;
     let settings = settings(bridge);

@@ -10,7 +10,7 @@ use crate::analysis::engine::can::{Cannot, Feature};
 use crate::analysis::engine::joints::require_stiffness;
 use crate::analysis::engine::steps::program;
 use crate::analysis::engine::{Engine, rigid};
-use crate::analysis::{AnalysisError, notes, picture, template};
+use crate::analysis::{AnalysisError, notes, template};
 use bridge::{Bridge, JointContact, Method};
 use mechanics::blocks::PointForce;
 use mechanics::dem::Program;
@@ -55,7 +55,7 @@ impl Engine for Elements {
     }
 
     fn load(&self, bridge: &Bridge, _: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-        collapse(bridge, watch)
+        until_it_fails(bridge, watch)
     }
 }
 
@@ -66,7 +66,7 @@ fn mesh(bridge: &Bridge, d: &Discretised, spread: bool) -> Result<RingMesh, Anal
 }
 
 /// Raises the loads of the file in steps until the ring finds no balance.
-fn collapse(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+fn until_it_fails(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
     let mut d = rigid::loaded(discretise(bridge)?)?;
     d.loading.movements.clear();
@@ -243,10 +243,6 @@ impl<'a> Run<'a> {
 
     fn report(self, bridge: &Bridge, status: Status) -> Collapse {
         let load = |factor: f64| self.d.load(factor);
-        let mut picture = picture::built(bridge, self.d, "finite elements");
-        let mechanism = self.onset.as_deref().filter(|_| status == Status::Collapsed);
-        draw::draw(self.d, &self.shown, mechanism, &mut picture);
-        picture.path = self.path;
         let report = FiniteReport {
             equations: self.model.equations(),
             springs_per_joint: self.ring.springs,
@@ -256,7 +252,10 @@ impl<'a> Run<'a> {
                 _ => None,
             },
         };
-        let mut c = template::of_bridge(bridge, self.d, By::Fe(report), picture);
+        let mut c = template::of_bridge(bridge, self.d, By::Fe(report), "finite elements");
+        let mechanism = self.onset.as_deref().filter(|_| status == Status::Collapsed);
+        draw::draw(self.d, &self.shown, mechanism, &mut c.picture);
+        c.picture.path = self.path;
         c.status = status;
         c.last_stable_load = self.carried.map(load);
         c.collapse_load = self.failed.filter(|_| status == Status::Collapsed).map(load);

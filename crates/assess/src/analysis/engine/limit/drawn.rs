@@ -12,7 +12,7 @@ use structure::blocks::Scene;
 use structure::discretise::Discretised;
 
 /// The load factor at which the blocks become a mechanism.
-pub(super) fn found(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub(super) fn mechanism(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let crushing = scene::crushes(scene);
     let settings = rigid::settings_of(&scene.plan, crushing);
     let mut solve = |settings: &limit::Settings| {

@@ -7,7 +7,7 @@ mod thickness;
 use crate::analysis::engine::rings::{MovedSupport, RingThickness};
 use crate::analysis::engine::{Engine, rigid};
 use crate::analysis::state::{self, Change};
-use crate::analysis::{AnalysisError, notes, parallel, picture, template};
+use crate::analysis::{AnalysisError, notes, parallel, template};
 use bridge::{Bridge, Method};
 use mechanics::limit;
 use mechanics::watch::{CancelToken, Watch};
@@ -29,7 +29,7 @@ impl Engine for Limit {
     }
 
     fn thickness(&self, rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-        thickness::found(rings, watch)
+        thickness::least(rings, watch)
     }
 
     fn support_movement(
@@ -38,7 +38,7 @@ impl Engine for Limit {
         _: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
-        movement::found(moves, watch)
+        movement::followed(moves, watch)
     }
 
     fn drawn(
@@ -48,7 +48,7 @@ impl Engine for Limit {
         _: Option<&[u8]>,
         watch: &mut dyn Watch,
     ) -> Result<Collapse, AnalysisError> {
-        drawn::found(scene, d, watch)
+        drawn::mechanism(scene, d, watch)
     }
 }
 
@@ -88,9 +88,8 @@ fn whole(bridge: &Bridge, d: &Discretised, token: &CancelToken) -> Result<Collap
 }
 
 fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
-    let mut picture = picture::built(bridge, d, "limit analysis");
-    rigid::draw(d, outcome, &mut picture);
-    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), picture);
+    let mut c = template::of_bridge(bridge, d, By::Limit(LimitReport::default()), "limit analysis");
+    rigid::draw(d, outcome, &mut c.picture);
     c.status = rigid::status(outcome.status);
     loads(d, outcome, unlimited, &mut c);
     notes::limit(bridge, d, &mut c);

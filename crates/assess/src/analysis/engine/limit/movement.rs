@@ -3,7 +3,7 @@
 use crate::analysis::engine::rigid;
 use crate::analysis::engine::rings::MovedSupport;
 use crate::analysis::geometry::{point, scaled};
-use crate::analysis::{AnalysisError, notes, parallel, picture, template};
+use crate::analysis::{AnalysisError, notes, parallel, template};
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
 use mechanics::plane::{Pose, Vec2};
@@ -16,14 +16,16 @@ use outcome::picture::{Motion, Snapshot};
 const FINE: f64 = 1e-3;
 
 /// Moves a support until no thrust line holds the blocks where they are.
-pub(super) fn found(moves: &MovedSupport<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub(super) fn followed(moves: &MovedSupport<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let MovedSupport { bridge, blocks: d, step, largest } = *moves;
     let settings = rigid::settings(bridge);
     let increments = limit::Increments { largest, step, resolution: FINE * step };
     let outcome = parallel::alone("support movement", true, watch, |token| {
         limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings, token)
     })?;
-    let mut picture = picture::built(bridge, d, "support movement");
+    let report = LimitReport { iterations: outcome.path.len() as u32, ..LimitReport::default() };
+    let mut c = template::of_bridge(bridge, d, By::Limit(report), "support movement");
+    let picture = &mut c.picture;
     let built = d.model.poses();
     let (hinges, resultants) = as_built(&outcome, &built);
     picture.hinges = rigid::hinges(d, &outcome.interfaces, &hinges);
@@ -48,8 +50,6 @@ pub(super) fn found(moves: &MovedSupport<'_>, watch: &mut dyn Watch) -> Result<C
     }];
     picture.last_stable = Some(0);
     picture.mechanism = scaled(picture.snapshots[0].motions.clone());
-    let report = LimitReport { iterations: outcome.path.len() as u32, ..LimitReport::default() };
-    let mut c = template::of_bridge(bridge, d, By::Limit(report), picture);
     c.tolerance = FINE * step;
     c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
     c.status = match outcome.status {

@@ -2,7 +2,7 @@
 
 use crate::analysis::engine::rigid;
 use crate::analysis::engine::rings::RingThickness;
-use crate::analysis::{AnalysisError, notes, parallel, picture, template};
+use crate::analysis::{AnalysisError, notes, parallel, template};
 use mechanics::limit;
 use mechanics::watch::{CancelToken, Watch};
 use outcome::collapse::{By, Collapse, LimitReport, Sought, Status};
@@ -13,7 +13,7 @@ const EXACT: f64 = 1e-7;
 
 /// Narrows the thickness at which the rings just stand. Hinges belong to the thickest ring that falls, the line of thrust to the thinnest that
 /// stands.
-pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub(super) fn least(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let bridge = rings.bridge;
     let settings = rigid::settings(bridge);
     let given = rings.at(1.0)?;
@@ -32,15 +32,14 @@ pub(super) fn found(rings: &RingThickness<'_>, watch: &mut dyn Watch) -> Result<
     let found = parallel::alone("least thickness", true, watch, search)?;
     let shown = rings.at(found.stands.or(found.falls).unwrap_or(1.0))?;
     let (joints, line) = limit::least_thrust(&shown.model, &shown.loading, 0.0, &settings)?;
-    let mut picture = picture::built(bridge, &shown, "least thickness");
+    let by = By::Limit(LimitReport { iterations: found.trials, ..LimitReport::default() });
+    let mut c = template::of_bridge(bridge, &shown, by, "least thickness");
     if let Some(mechanism) = &found.mechanism {
-        rigid::draw_mechanism(&shown, &joints, mechanism, &mut picture);
+        rigid::draw_mechanism(&shown, &joints, mechanism, &mut c.picture);
     }
     if let Some(line) = &line {
-        picture.thrust_lines = rigid::thrust_lines(&shown, &joints, line);
+        c.picture.thrust_lines = rigid::thrust_lines(&shown, &joints, line);
     }
-    let by = By::Limit(LimitReport { iterations: found.trials, ..LimitReport::default() });
-    let mut c = template::of_bridge(bridge, &shown, by, picture);
     c.tolerance = EXACT;
     c.contacts = joints.iter().map(|i| i.points.len()).sum();
     c.status = match found.status {

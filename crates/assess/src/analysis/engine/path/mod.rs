@@ -42,12 +42,16 @@ impl Engine for Path {
     }
 
     fn load(&self, bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-        collapse(bridge, resume, watch)
+        until_its_largest_load(bridge, resume, watch)
     }
 }
 
 /// Follows the balanced states of the bridge from its own weight to its largest load.
-fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+fn until_its_largest_load(
+    bridge: &Bridge,
+    resume: Option<&[u8]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
     let taken = default_stiffness::note(bridge);
     let bridge = &default_stiffness::stiffened(bridge);
     require_stiffness(bridge)?;
@@ -136,10 +140,9 @@ fn report(
         iterations_total: outcome.iterations,
         fill_pressure: None,
     };
-    let mut picture = picture::built(bridge, d, "equilibrium path");
-    draw(d, outcome, &mut picture);
     let at_peak = outcome.peak.and_then(|k| outcome.frames.get(k));
-    let mut c = template::of_bridge(bridge, d, By::Path(report), picture);
+    let mut c = template::of_bridge(bridge, d, By::Path(report), "equilibrium path");
+    draw(d, outcome, &mut c.picture);
     c.status = status;
     c.collapse_load = load(outcome.collapse_factor);
     c.last_stable_load = load(outcome.last_stable_factor);
@@ -243,7 +246,7 @@ mod tests {
     fn a_path_that_breaks_off_says_what_is_carried_and_what_is_not_known() {
         let mut b = crate::samples::bridgemill();
         b.plan.method = bridge::Method::Path;
-        let mut c = collapse(&b, None, &mut Unwatched).unwrap();
+        let mut c = until_its_largest_load(&b, None, &mut Unwatched).unwrap();
         assert_eq!(broken_off(&c), None);
         c.status = Status::NotConverged;
         let load = format!("{:.2} kN/m", c.last_stable_load.unwrap() / 1e3);
