@@ -17,7 +17,7 @@ use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::note;
 use outcome::sweep::{Sweep, SweepPoint};
-use outcome::warning;
+use outcome::warning::{self, Warning};
 use structure::discretise::continuum::{loads, wanted};
 use structure::discretise::dispersal::{self, Strip};
 use structure::discretise::{Discretised, bridge_length};
@@ -114,6 +114,7 @@ fn as_described(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn 
     found.governing = bounds.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k);
     if !yields {
         notes(&mut found, &rows);
+        found.warnings.extend(comes_and_goes(&found, &rows));
     }
     found.assumptions.extend(super::notes::particles_as_weight(bridge));
     found.warnings.extend(taken);
@@ -141,6 +142,17 @@ fn notes(found: &mut Sweep, rows: &[Place]) {
     if proven > 0 {
         found.assumptions.push(note::Moving::Proven { cases: proven }.into());
     }
+}
+
+/// Says so where the load of the worst place comes and goes.
+fn comes_and_goes(found: &Sweep, rows: &[Place]) -> Option<Warning> {
+    let worst = found.worst()?;
+    let of_case = |tried: &Tried| {
+        let level = tried.level.as_ref().filter(|_| tried.key.axles == Some(worst.axles))?;
+        let (least, most, per_factor) = (level.factor?, level.at_most?, worst.collapse_load? / worst.load_factor?);
+        Some(warning::Joints::ComesAndGoes { least: per_factor * least, most: per_factor * most }.into())
+    };
+    rows.iter().filter(|row| row.at.position == worst.position).flat_map(|row| &row.tried).find_map(of_case)
 }
 
 /// The loads of a file as one vehicle: its axles are the loads' strips, in the order of the file.

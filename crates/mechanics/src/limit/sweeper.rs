@@ -62,6 +62,8 @@ pub struct Least {
     pub factor: Option<f64>,
     /// The flow rule that the factor belongs to.
     pub friction: Friction,
+    /// Where the load without dilation comes and goes and the factor is the least of it: the largest one.
+    pub at_most: Option<f64>,
 }
 
 impl Ground {
@@ -240,7 +242,7 @@ impl Sweeper<'_> {
             dilatant = self.slowly(effect);
         }
         let Factor { status, lower, slides, .. } = dilatant;
-        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated };
+        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated, at_most: None };
         if friction == Friction::Associated || !matches!(status, Status::Solved | Status::Locks) {
             return dilates;
         }
@@ -260,7 +262,11 @@ impl Sweeper<'_> {
             WithoutDilation::Locks => Status::Locks,
             WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
         };
-        Least { status, factor: level.factor(scale), friction: Friction::NonAssociated, ..dilates }
+        let at_most = match level {
+            WithoutDilation::Load { spread: [_, most], comes_and_goes: true, .. } => Some(most * scale),
+            _ => None,
+        };
+        Least { status, factor: level.factor(scale), friction: Friction::NonAssociated, at_most, ..dilates }
     }
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.

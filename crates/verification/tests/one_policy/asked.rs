@@ -6,6 +6,7 @@ use assess::analysis::{AnalysisError, Places, collapse, sweep, vehicle_sweep};
 use bridge::{Analysis, Bridge, Method};
 use mechanics::watch::Unwatched;
 use outcome::collapse::{Collapse, Sought, Status};
+use outcome::warning::RINGS_SHARE;
 use structure::discretise::bridge_length;
 
 /// A question.
@@ -110,7 +111,8 @@ pub(crate) fn same(question: Question, bridge: &Bridge) -> [f64; 2] {
         Method::Limit => {
             [share.max(if matches!(question, Question::Sweep | Question::Vehicles) { 1e-3 } else { 2e-5 }), step]
         }
-        Method::Path | Method::Dem | Method::Fe => [share.max(1e-3), step],
+        // What is narrowed to a share lies within it of two loads that round-off sets apart.
+        Method::Path | Method::Dem | Method::Fe => [share + 1e-3, step],
     }
 }
 
@@ -137,13 +139,12 @@ fn answered(question: Question, bridge: &Bridge, places: usize, is_mirrored: boo
             let found = sweep(&own, all, true, &mut Unwatched);
             found.map_or_else(
                 |error| refused(&error),
-                // A sweep with places that are not answered has no number, which its result says as well.
-                |found| match found
-                    .worst()
-                    .filter(|_| found.points.iter().all(|one| one.status != Status::NotConverged))
-                {
-                    Some(worst) => worst.load_factor.map_or(Found::Open, Found::Size),
-                    None => Found::Open,
+                // A sweep with places that are not answered has no number, and one whose load comes and goes the least of many, which their results say as well.
+                |found| {
+                    let is_open = found.points.iter().any(|one| one.status == Status::NotConverged)
+                        || found.warnings.iter().any(|told| told.code() == RINGS_SHARE);
+                    let worst = found.worst().filter(|_| !is_open);
+                    worst.and_then(|worst| worst.load_factor).map_or(Found::Open, Found::Size)
                 },
             )
         }
