@@ -45,6 +45,8 @@ class Collapse:
     """Limit load of the same blocks with infinitely stiff joints that never crush, beside a discrete element run [kN/m]."""
     crushing_limit_load_kn_per_m: float | None
     """The same with joints that crush, where the masonry has a strength [kN/m]."""
+    bonded_rings_load_kn_per_m: float | None
+    """Limit load of the same rings bonded into one, beside rings on one another with friction alone between them [kN/m]."""
     width_m: float
     """Width of the barrel [m]."""
     load_factor: float | None

@@ -202,6 +202,7 @@ fn loads(page: &mut String, found: &Collapse, details: bool) {
     line("load step", found.load_step);
     line("limit load, rigid", found.limit_load.filter(|_| found.method().joints_deform()));
     line("limit load, crushing", found.crushing_limit_load);
+    line("limit load, bonded", found.bonded_rings_load);
     for limit in found.along().iter().flat_map(|along| &along.permissible) {
         line(limit.criterion.word(), Some(limit.load));
     }

@@ -485,6 +485,8 @@ published! {
         pub limit_load: Option<f64> [kN/m],
         /// The same with joints that crush, where the masonry has a strength [N/m].
         pub crushing_limit_load?: Option<f64> [kN/m],
+        /// Limit load of the same rings bonded into one [N/m], beside rings on one another with friction alone between them.
+        pub bonded_rings_load?: Option<f64> [kN/m],
         /// Width of the barrel [m].
         pub width: f64 [m],
         /// How often the loads of the file are carried.

@@ -1,6 +1,7 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
 mod bands;
+mod bonded_rings;
 pub mod calibrate;
 mod caveats;
 mod default_stiffness;
@@ -71,7 +72,18 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch) -
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
         return wall_and_fill::both(bridge, resume, watch);
     }
-    governing(bridge, resume, watch)
+    beside_bonded_rings(bridge, resume, watch)
+}
+
+/// What governs, with the load of bonded rings beside it.
+fn beside_bonded_rings(
+    bridge: &Bridge,
+    resume: Option<&[u8]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    let mut found = governing(bridge, resume, watch)?;
+    bonded_rings::beside(bridge, &mut found, watch)?;
+    Ok(found)
 }
 
 /// The least that a bridge comes to with and without each help that may come and go.
@@ -135,7 +147,8 @@ pub fn stepping_of_blocks(bridge: &Bridge) -> Result<(Discretised, mechanics::de
 /// # Errors
 /// An analysis that cannot be set up.
 pub fn collapse_by(method: Method, bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    governing(&with(bridge, &[Change::Analysis(Analysis::Load), Change::Method(method)]), None, watch)
+    let asked = with(bridge, &[Change::Analysis(Analysis::Load), Change::Method(method)]);
+    beside_bonded_rings(&asked, None, watch)
 }
 
 /// By limit analysis.

@@ -1,7 +1,8 @@
 //! What questions and engines change of a bridge: changes of one kind each, applied in one place. The bridge that a file describes stays as it is.
 
 use super::default_stiffness;
-use bridge::{Analysis, BackingBody, Bridge, Joint, JointStiffness, Method, Strip};
+use bridge::defect::{DefectKind, Face};
+use bridge::{Analysis, BackingBody, Bridge, Joint, JointStiffness, Method, Ring, Span, Strip};
 use outcome::help::Help;
 
 /// One change of a bridge.
@@ -31,6 +32,8 @@ pub enum Change {
     Without(Help),
     /// With rings so many times as thick, on the same intrados.
     Thickened(f64),
+    /// With the rings of each span bonded into one.
+    BondedRings,
 }
 
 /// A bridge with changes, one after the other.
@@ -75,7 +78,28 @@ fn apply(change: Change, bridge: &mut Bridge) {
                 ring.springing_thickness *= factor;
             }
         }
+        Change::BondedRings => bridge.spans.iter_mut().for_each(bond),
     }
+}
+
+/// Rings as one, of the stones of the lowest. What is said of one of them holds for all, stones that have fallen out leave the rest, and none has come
+/// off another.
+fn bond(span: &mut Span) {
+    let Some(lowest) = span.rings.first() else { return };
+    let sum = |of: fn(&Ring) -> f64| span.rings.iter().map(of).sum();
+    let (crown_thickness, springing_thickness) =
+        (sum(|ring| ring.crown_thickness), sum(|ring| ring.springing_thickness));
+    let depth = lowest.crown_thickness.max(lowest.springing_thickness);
+    let ring = Ring { crown_thickness, springing_thickness, ..lowest.clone() };
+    span.defects.retain(|defect| !matches!(defect.kind, DefectKind::RingSeparation { .. }));
+    for defect in &mut span.defects {
+        match &mut defect.kind {
+            DefectKind::WeakMasonry { ring, .. } => *ring = None,
+            kind @ DefectKind::MissingStones => *kind = DefectKind::ThinRing { face: Face::Intrados, depth },
+            _ => {}
+        }
+    }
+    span.rings = vec![ring];
 }
 
 fn fill_as_weight(bridge: &mut Bridge) {

@@ -31,6 +31,7 @@ pub(super) fn of_blocks(plan: &Plan, d: &Discretised, by: By, picture: Picture) 
         reference_load: d.reference_load,
         limit_load: None,
         crushing_limit_load: None,
+        bonded_rings_load: None,
         stalled_load: None,
         max_compressive_stress: None,
         blocks: d.model.blocks.len(),

@@ -1,6 +1,6 @@
 //! Supports, spans, cracks and walls.
 
-use crate::sentences::{listed, notes};
+use crate::sentences::{kilo, listed, notes};
 
 notes! {
     /// Of the bridge as a plane model has it.
@@ -20,6 +20,9 @@ notes! {
         SpringingsOfOneSpan => "The springings lie at the levels of the file.";
         PiersAcross => "Piers weigh by their width across the bridge over that of the barrel, cutwaters by their area. Where they are wider, \
                         their joints have the strength of the barrel's width; where they are narrower, of their own.";
+        /// The load of the same rings as one.
+        RingsApart { bonded [N/m]: f64 } => "Rings lie on one another with friction alone between them, as if their mortar were lost. Bonded into one \
+             they would carry {} kN/m by limit analysis: sounding and cores tell which is nearer.", kilo(*bonded);
         Cracks { strips [m]: Vec<f64> } => "Longitudinal cracks through the barrel leave strips of {}: each carries by itself what stands on \
              it, and no load passes a crack. The load per metre of width is that of every strip; vehicles of a sweep stand where they load \
              one most, and an effective width of the file holds for loads that stand on one strip alone.",
