@@ -135,7 +135,7 @@ fn add<const M: usize>(
         for (j, slot) in (0..=i).zip(&mut slot) {
             let skew = 0.5 * (tangent[i][j] - tangent[j][i]);
             if skew != 0.0 {
-                let (a, b) = (model.dofs.equation(*one), model.dofs.equation(components[j]));
+                let (a, b) = (model.dofs.equation[*one], model.dofs.equation[components[j]]);
                 if a != HELD && b != HELD {
                     work.skew[*slot as usize] += if a > b { skew } else { -skew };
                     work.skewed = true;

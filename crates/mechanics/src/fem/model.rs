@@ -104,12 +104,12 @@ impl Model {
 
     /// Equations: free components of displacement.
     pub fn equations(&self) -> usize {
-        self.dofs.free().len()
+        self.dofs.free.len()
     }
 
     /// Components (`2 node` for x, `2 node + 1` for y) in order of their equations.
     pub fn free(&self) -> &[u32] {
-        self.dofs.free()
+        &self.dofs.free
     }
 
     /// Whether a component of a node is held.
@@ -146,7 +146,7 @@ impl Model {
 
     /// Nodal forces [N/m] of the weight under `gravity` [m/s^2] (equation 7).
     pub fn weight(&self, gravity: Vec2) -> Vec<f64> {
-        let mut forces = vec![0.0; self.dofs.count()];
+        let mut forces = vec![0.0; self.dofs.equation.len()];
         for (id, quad) in self.mesh.quads.pairs() {
             let density = self.section(id).density;
             let mass = mass(&self.corners(id));

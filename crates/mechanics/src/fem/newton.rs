@@ -371,14 +371,14 @@ impl Equations<'_> {
 
     fn impose(&self, work: &mut Workspace) {
         let dofs = &self.model.dofs;
-        for component in (0..dofs.count()).filter(|component| dofs.held(*component)) {
+        for component in (0..dofs.equation.len()).filter(|component| dofs.held(*component)) {
             work.trial.displacements[component] = self.aim.displacements[component];
         }
     }
 
     /// Moves the free components and computes what is then out of balance.
     fn go(&self, work: &mut Workspace, direction: &[f64], share: f64) -> Option<Vec<f64>> {
-        for (component, step) in self.model.dofs.free().iter().zip(direction) {
+        for (component, step) in self.model.dofs.free.iter().zip(direction) {
             work.trial.displacements[*component as usize] += share * step;
         }
         self.evaluate(work)?;

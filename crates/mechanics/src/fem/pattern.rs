@@ -60,7 +60,7 @@ impl Pattern {
         let components: Vec<usize> = nodes.iter().flat_map(|node| [dof(*node, 0), dof(*node, 1)]).collect();
         for (i, one) in components.iter().enumerate() {
             for two in &components[..=i] {
-                let (a, b) = (dofs.equation(*one), dofs.equation(*two));
+                let (a, b) = (dofs.equation[*one], dofs.equation[*two]);
                 let place = match (a == HELD, b == HELD) {
                     (false, false) => self.find(a.min(b) as usize, a.max(b)),
                     // Marked here; moved behind the others once all are known.
@@ -139,10 +139,10 @@ fn neighbours(count: usize, elements: &[Vec<NodeId>]) -> Vec<Vec<u32>> {
 fn triangle(dofs: &Dofs, neighbours: &[Vec<u32>]) -> (Vec<u32>, Vec<u32>) {
     let mut columns = vec![0];
     let mut rows = Vec::new();
-    for (equation, component) in dofs.free().iter().enumerate() {
+    for (equation, component) in dofs.free.iter().enumerate() {
         for node in &neighbours[*component as usize / 2] {
             for axis in 0..2 {
-                let row = dofs.equation(2 * *node as usize + axis);
+                let row = dofs.equation[2 * *node as usize + axis];
                 if row != HELD && row as usize >= equation {
                     rows.push(row);
                 }

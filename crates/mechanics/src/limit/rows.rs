@@ -9,37 +9,19 @@ const SIDE: usize = 8;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
     /// Unknowns but the last.
-    width: usize,
+    pub width: usize,
     /// Eight rows after the other; of each eight, unknown after unknown. Rows that only fill up the last eight say nothing.
     a: Vec<f64>,
     /// Right sides.
-    b: Vec<f64>,
+    pub b: Vec<f64>,
     /// The largest size of any entry.
-    largest: f64,
+    pub largest: f64,
 }
 
 impl Rows {
     /// No rows of `width` unknowns yet.
     pub(super) fn new(width: usize) -> Rows {
         Rows { width, ..Rows::default() }
-    }
-
-    pub(super) fn width(&self) -> usize {
-        self.width
-    }
-
-    pub(super) fn count(&self) -> usize {
-        self.b.len()
-    }
-
-    /// Right side of a row.
-    pub(super) fn b(&self, k: usize) -> f64 {
-        self.b[k]
-    }
-
-    /// The largest size of any entry.
-    pub(super) fn largest(&self) -> f64 {
-        self.largest
     }
 
     pub(super) fn push(&mut self, a: impl IntoIterator<Item = f64>, b: f64) {

@@ -414,7 +414,7 @@ impl Sweeper<'_> {
     fn keep(&mut self, corner: &Corner) {
         let Some(reduced) = &self.learnt.reduced else { return };
         let mechanism: Vec<(usize, f64)> = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
-        let resistance = mechanism.iter().map(|&(k, y)| y * reduced.rows.b(k)).sum();
+        let resistance = mechanism.iter().map(|&(k, y)| y * reduced.rows.b[k]).sum();
         let kept = Kept { mechanism, resistance, start: corner.start.clone() };
         if self.learnt.kept.len() < KEPT {
             self.learnt.kept.push(kept);

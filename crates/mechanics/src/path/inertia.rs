@@ -37,7 +37,7 @@ impl Elimination {
         }
         let mut factors = matrix.clone();
         let even = factors.factorise() && factors.sign > 0;
-        even && (matrix.size() > MOST_EQUATIONS || least_real_part(matrix).is_some_and(|least| least > 0.0))
+        even && (matrix.size > MOST_EQUATIONS || least_real_part(matrix).is_some_and(|least| least > 0.0))
     }
 
     /// Whether that may be, as far as pivots tell: of what is far from symmetric they tell nothing.
@@ -47,12 +47,12 @@ impl Elimination {
 
     /// Whether all pivots of a matrix that is not factorised are positive.
     pub(super) fn is_definite(&mut self, matrix: &Banded) -> bool {
-        let below = matrix.below();
+        let below = matrix.below;
         let width = 2 * below + 1;
         self.rows.clear();
-        (0..matrix.size()).for_each(|row| self.rows.extend_from_slice(matrix.about_diagonal(row)));
-        for k in 0..matrix.size() {
-            let (start, count) = (k * width + below, matrix.last(k) - k);
+        (0..matrix.size).for_each(|row| self.rows.extend_from_slice(matrix.about_diagonal(row)));
+        for k in 0..matrix.size {
+            let (start, count) = (k * width + below, matrix.last[k] as usize - k);
             let pivot = self.rows[start];
             // A comparison that a number which is not one fails.
             if !(pivot > 0.0) {
@@ -74,20 +74,20 @@ impl Elimination {
 }
 
 fn entry(matrix: &Banded, row: usize, column: usize) -> f64 {
-    let below = matrix.below();
+    let below = matrix.below;
     if row.abs_diff(column) <= below { matrix.about_diagonal(row)[column + below - row] } else { 0.0 }
 }
 
 fn is_nearly_symmetric(matrix: &Banded) -> bool {
-    let largest = (0..matrix.size()).fold(0.0, |most: f64, k| most.max(entry(matrix, k, k).abs()));
+    let largest = (0..matrix.size).fold(0.0, |most: f64, k| most.max(entry(matrix, k, k).abs()));
     let differs = |row: usize, column: usize| (entry(matrix, row, column) - entry(matrix, column, row)).abs();
     let most = NEARLY_SYMMETRIC * largest;
-    (0..matrix.size()).all(|row| (row + 1..=matrix.last(row)).all(|column| differs(row, column) <= most))
+    (0..matrix.size).all(|row| (row + 1..=matrix.last[row] as usize).all(|column| differs(row, column) <= most))
 }
 
 /// Least real part of the eigenvalues; none where they are not found.
 fn least_real_part(matrix: &Banded) -> Option<f64> {
-    let whole = faer::Mat::from_fn(matrix.size(), matrix.size(), |row, column| entry(matrix, row, column));
+    let whole = faer::Mat::from_fn(matrix.size, matrix.size, |row, column| entry(matrix, row, column));
     whole.eigenvalues().ok()?.iter().map(|value| value.re).min_by(f64::total_cmp)
 }
 

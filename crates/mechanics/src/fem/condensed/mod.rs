@@ -193,7 +193,7 @@ impl Condensed {
             screening: Screening::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
-            row_of: vec![None; model.dofs.count()],
+            row_of: vec![None; model.dofs.equation.len()],
             active_set: ActiveSet::default(),
             current: Equilibrium {
                 amplitudes: vec![0.0; patterns.len()],
@@ -280,7 +280,7 @@ impl Condensed {
                 }
                 Kind::Quad(id) => {
                     for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
-                        if self.model.dofs.equation(component) != HELD {
+                        if self.model.dofs.equation[component] != HELD {
                             let known = &mut self.row_of[component];
                             *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
                         }
@@ -386,7 +386,7 @@ impl Condensed {
         self.solve_full_system(&[&here]);
         self.current = here;
         let mut state = self.start.clone();
-        for (component, change) in self.model.dofs.free().iter().zip(self.block.solution(0)) {
+        for (component, change) in self.model.dofs.free.iter().zip(self.block.solution(0)) {
             state.displacements[*component as usize] += change;
         }
         let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();

@@ -112,7 +112,7 @@ impl Part {
         let mut part = Part::from_rest(Kind::Quad(id), state);
         part.samples = sample(&model.corners(id));
         let components = model.components(id);
-        part.equations = components.map(|component| model.dofs.equation(component));
+        part.equations = components.map(|component| model.dofs.equation[component]);
         let mut scratch = History::default();
         let from = scratch.modes;
         let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes, from, misses: &mut 0 };

@@ -42,7 +42,7 @@ impl LoadPattern {
 
 /// Gives a sum of components by equations, without those that are held.
 fn free_terms(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
-    let equation = |&(component, weight): &(usize, f64)| (model.dofs.equation(component), weight);
+    let equation = |&(component, weight): &(usize, f64)| (model.dofs.equation[component], weight);
     terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
 }
 
