@@ -3,12 +3,11 @@
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
 use super::model::{Bears, Contact, Continuum, Panel, Soil};
-use super::triangulate::area;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use crate::ids::BlockId;
 use crate::limit::equilibrium::Equilibrium;
 use crate::limit::settings::Settings;
-use crate::plane::{Vec2, vec2};
+use crate::plane::{Vec2, area, vec2};
 
 /// Blocks, soil, loads and units: what bounds are asked of, the same for every mesh.
 pub struct Setting<'a> {
