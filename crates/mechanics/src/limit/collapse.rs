@@ -57,7 +57,7 @@ pub(super) fn outcome(
     by_friction(friction, (model, equilibrium), found, at_rest, &mut outcome);
     if equilibrium.token.is_cancelled() {
         let Outcome { interfaces, iterations, friction, .. } = outcome;
-        return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
+        return Outcome { status: Status::Cancelled, friction, interfaces, iterations, ..Outcome::default() };
     }
     outcome
 }
@@ -212,7 +212,8 @@ pub(super) fn locks(equilibrium: &Equilibrium) -> Solution {
 
 fn report(model: &BlockModel, equilibrium: &Equilibrium, interfaces: Vec<Interface>, found: &Found) -> Outcome {
     let solution = &found.solution;
-    let mut outcome = Outcome::without_numbers(found.status, Friction::Associated, interfaces, found.iterations);
+    let Found { status, iterations, .. } = *found;
+    let mut outcome = Outcome { status, interfaces, iterations, ..Outcome::default() };
     if matches!(found.status, Status::Solved | Status::NoEquilibrium) {
         outcome.mechanism = mechanism(model, equilibrium, &solution.velocities);
     }

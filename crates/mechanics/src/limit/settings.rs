@@ -1,9 +1,10 @@
 //! How a limit analysis is done.
 
 /// The flow rule of sliding joints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Friction {
     /// Sliding dilates by the friction angle: one convex program, an upper bound on what real joints carry.
+    #[default]
     Associated,
     /// Sliding without dilation: blocks between stiff joints, followed from rest to collapse.
     NonAssociated,

@@ -34,8 +34,8 @@ const TANGENTS: usize = 300;
 /// Largest velocity against the flow rule, relative to the fastest, with which a motion bounds other loads.
 const FLOWS: f64 = 1e-6;
 
-/// A load factor and how sure it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A load factor and how sure it is; by default none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Factor {
     /// How it ended.
     pub status: Status,
@@ -77,13 +77,6 @@ impl Ground {
         let reduced = learnt.reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
         let learnt = Experience { reduced, ..learnt };
         Sweeper { ground: self, elastic, learnt, token: CancelToken::default() }
-    }
-}
-
-impl Factor {
-    /// No factor, and why.
-    fn without_numbers(status: Status) -> Factor {
-        Factor { status, lower: None, upper: None, slides: false, iterations: 0, by_interior_point: false }
     }
 }
 
@@ -192,7 +185,7 @@ impl Sweeper<'_> {
     /// What the fast method found.
     fn quickly(&self, reached: &Reached) -> Factor {
         match reached {
-            _ if self.token.is_cancelled() => Factor::without_numbers(Status::Cancelled),
+            _ if self.token.is_cancelled() => Factor { status: Status::Cancelled, ..Factor::default() },
             Reached::Corner(corner, scale) => Factor {
                 status: Status::Solved,
                 lower: corner.z.last().map(|z| z.max(0.0) * scale),
@@ -201,7 +194,7 @@ impl Sweeper<'_> {
                 iterations: corner.pivots,
                 by_interior_point: false,
             },
-            Reached::Locks => Factor::without_numbers(Status::Locks),
+            Reached::Locks => Factor { status: Status::Locks, ..Factor::default() },
         }
     }
 
@@ -209,7 +202,7 @@ impl Sweeper<'_> {
     fn slowly(&mut self, effect: &Effect) -> Factor {
         let (equilibrium, found) = self.by_interior_point(effect);
         if self.token.is_cancelled() {
-            return Factor::without_numbers(Status::Cancelled);
+            return Factor { status: Status::Cancelled, ..Factor::default() };
         }
         let (solved, solution) = (found.status == Status::Solved, &found.solution);
         let scale = equilibrium.factor_scale;
@@ -249,7 +242,7 @@ impl Sweeper<'_> {
         let beside = WithDilation { status, factor: lower.unwrap_or(0.0) / scale, slides };
         let level = without_dilation(&equilibrium, &beside, &self.ground.stands.at_rest);
         if self.token.is_cancelled() {
-            let dilatant = Factor::without_numbers(Status::Cancelled);
+            let dilatant = Factor { status: Status::Cancelled, ..Factor::default() };
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
         }
         if !level.governs(friction, &beside) {

@@ -10,8 +10,7 @@ use super::sideways::{Sideways, linear};
 use super::triangulate::{MeshError, triangulate};
 use super::upper::{Motion, jumps, share, strain_rates, upper};
 use crate::ids::{BlockId, Table};
-use crate::limit::outcome::{Outcome, Status};
-use crate::limit::settings::Friction;
+use crate::limit::outcome::Outcome;
 use crate::plane::Vec2;
 use crate::watch::CancelToken;
 
@@ -35,7 +34,7 @@ impl Default for Wanted {
 }
 
 /// How bounds ended. All of these are answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BoundsStatus {
     /// Both bounds were found; whether they are as close as wanted is seen from them.
     Bounded,
@@ -46,6 +45,7 @@ pub enum BoundsStatus {
     /// The loads can grow without end.
     Locks,
     /// One program or both were not solved on any mesh.
+    #[default]
     NotConverged,
     /// It was stopped before both were.
     Cancelled,
@@ -70,7 +70,7 @@ impl Round {
 }
 
 /// What was found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bounds {
     /// How it ended.
     pub status: BoundsStatus,
@@ -107,21 +107,8 @@ impl Bounds {
 
     /// Nothing found yet.
     pub(super) fn begun(setting: &Setting<'_>, mesh: Mesh) -> Bounds {
-        let interfaces = setting.interfaces.clone();
-        Bounds {
-            status: BoundsStatus::NotConverged,
-            lower: None,
-            upper: None,
-            mesh,
-            coarser: None,
-            gaps: Vec::new(),
-            share: None,
-            carried: None,
-            rounds: Vec::new(),
-            blocks: Outcome::without_numbers(Status::NotConverged, Friction::Associated, interfaces, 0),
-            motions: Table::default(),
-            pressures: Vec::new(),
-        }
+        let blocks = Outcome { interfaces: setting.interfaces.clone(), ..Outcome::default() };
+        Bounds { mesh, blocks, ..Bounds::default() }
     }
 
     fn take(&mut self, setting: &Setting<'_>, mesh: Mesh, below: Stresses, above: Motion) {
