@@ -331,7 +331,7 @@ fn gaps(setting: &Setting<'_>, mesh: &Mesh, below: &Stresses, above: &Motion) ->
 fn gaps_beside(setting: &Setting<'_>, mesh: &Mesh, below: &Stresses, above: &Motion, gaps: &mut [f64]) {
     for (t, pressures) in below.sideways.iter().enumerate() {
         let Some(held) = Sideways::of(setting, mesh, t, &setting.soil_of(mesh, t)) else { continue };
-        let ([slide, tilt], weights) = (above.panels[held.panel], linear(mesh, t, &setting.panels()[held.panel]));
+        let ([slide, tilt], weights) = (above.panels[held.panel], linear(mesh, t, &setting.soil.panels[held.panel]));
         gaps[t] +=
             pressures.iter().zip(weights).map(|(p, [area, moment])| p * (slide * area + tilt * moment)).sum::<f64>();
     }

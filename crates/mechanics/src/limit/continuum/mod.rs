@@ -33,7 +33,7 @@ pub use flow::Flow;
 pub use like::{Like, lower_like, upper_like};
 pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
-pub use model::{Bears, Confinement, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};
+pub use model::{Bears, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};
 pub use report::Pressure;
 pub use setting::Setting;
 pub use triangulate::MeshError;

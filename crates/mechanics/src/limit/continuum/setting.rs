@@ -2,7 +2,7 @@
 
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
-use super::model::{Bears, Contact, Continuum, Panel, Soil};
+use super::model::{Bears, Contact, Continuum, Soil};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use crate::ids::BlockId;
 use crate::limit::equilibrium::Equilibrium;
@@ -176,11 +176,6 @@ impl<'a> Setting<'a> {
     /// The soil of a triangle.
     pub(super) fn soil_of(&self, mesh: &Mesh, triangle: usize) -> Soil {
         self.soil.regions[mesh.regions[triangle]].soil
-    }
-
-    /// What holds the soil out of its plane.
-    pub(super) fn panels(&self) -> &[Panel] {
-        self.soil.confinement.as_ref().map_or(&[], |confinement| &confinement.panels)
     }
 
     /// Pore pressure at a point [Pa].
