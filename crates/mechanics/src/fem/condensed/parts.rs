@@ -330,24 +330,20 @@ impl Part {
         (!model.incompatible(id)).then_some(quad)
     }
 
-    /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed, and the number of that
-    /// law.
-    pub(super) fn spring_check<'a>(&'a self, model: &'a Model) -> Option<(usize, SpringCheck<'a>)> {
+    /// Gives equations and weights of a spring's two openings.
+    pub(super) fn openings(&self) -> [&[(u32, f64)]; 2] {
+        self.openings.each_ref().map(Vec::as_slice)
+    }
+
+    /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed.
+    pub(super) fn spring_check(&self, model: &Model) -> Option<SpringCheck> {
         let Kind::Spring(index) = self.kind else { return None };
         let (kind, area) = (model.springs()[index].kind, model.springs()[index].area);
-        let law = &model.joints[kind];
-        let [normal, tangential] = law.stiffness().map(|stiffness| area * stiffness);
+        let [normal, tangential] = model.joints[kind].stiffness().map(|stiffness| area * stiffness);
         let closed = [[normal, 0.0], [0.0, tangential]];
         let linear = (0..2).all(|i| (0..2).all(|j| self.stiffness[i][j] == closed[i][j]));
-        let openings = [self.openings[0].as_slice(), self.openings[1].as_slice()];
-        let spring = SpringCheck {
-            law,
-            area,
-            memory: &self.committed.history.bond.memory,
-            base: [self.base[0], self.base[1]],
-            openings,
-        };
-        linear.then_some((kind, spring))
+        let (memory, base) = (self.committed.history.bond.memory, [self.base[0], self.base[1]]);
+        linear.then_some(SpringCheck { kind: kind as u32, area, memory, base })
     }
 
     /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
@@ -357,7 +353,9 @@ impl Part {
             #[inline(always)]
             || match self.quad_check(model) {
                 Some(quad) => quad.proves_linear(block, solutions),
-                None => self.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions)),
+                None => self
+                    .spring_check(model)
+                    .is_some_and(|spring| spring.proves_linear(model, self.openings(), block, solutions)),
             },
         )
     }
@@ -370,9 +368,9 @@ impl Part {
         let linear = self.committed.linear
             && match self.quad_check(model) {
                 Some(quad) => quad.proves_linear_at(&at),
-                None => self
-                    .spring_check(model)
-                    .is_some_and(|(_, spring)| spring.law.provably_linear(&[at[0], at[1]], spring.area, spring.memory)),
+                None => self.spring_check(model).is_some_and(|SpringCheck { kind, area, memory, .. }| {
+                    model.joints[kind as usize].provably_linear(&[at[0], at[1]], area, &memory)
+                }),
             };
         if linear {
             (self.linear, self.excess) = (true, self.committed.excess);
