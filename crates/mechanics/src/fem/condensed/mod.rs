@@ -45,12 +45,12 @@ use crate::ids::{Id, QuadId};
 use crate::watch::{Asking, Watch};
 use active_set::ActiveSet;
 use parts::{Committed, Kind, Part};
-use rows::{Row, Rows};
+use rows::{Row, Rows, on_equations};
 use screening::Screening;
 use std::sync::Arc;
 
 pub use passage::{Passage, Run, Visited};
-pub use rows::{Functional, LoadPattern};
+pub use rows::{Functional, LoadPattern, load_pattern};
 pub use sensitivity::{Derivatives, PerturbedModel};
 
 /// How one position ended.
@@ -185,7 +185,7 @@ impl Condensed {
         Ok(Condensed {
             work,
             block: Block::default(),
-            patterns: patterns.iter().map(|pattern| pattern.on_equations(model)).collect(),
+            patterns: patterns.iter().map(|pattern| on_equations(model, pattern)).collect(),
             retained: Vec::new(),
             is_retained: vec![false; parts.len()],
             last_nonlinear: vec![0; parts.len()],
@@ -275,14 +275,14 @@ impl Condensed {
             match part.kind {
                 Kind::Spring(spring) => {
                     for (row, opening) in part.rows.iter_mut().zip(self.model.springs()[spring].openings()) {
-                        *row = Some(push(Functional(opening)));
+                        *row = Some(push(opening));
                     }
                 }
                 Kind::Quad(id) => {
                     for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
                         if self.model.dofs.equation[component] != HELD {
                             let known = &mut self.row_of[component];
-                            *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
+                            *row = Some(*known.get_or_insert_with(|| push(vec![(component, 1.0)])));
                         }
                     }
                 }
@@ -318,12 +318,6 @@ impl Condensed {
     /// Gives the values of the observed functionals in one of the solutions found last.
     fn observed_values(&self, lane: usize) -> Vec<f64> {
         self.observed.iter().map(|row| row.start + row.change_in(&self.block, lane)).collect()
-    }
-
-    /// Gives the number of load patterns.
-    #[must_use]
-    pub fn pattern_count(&self) -> usize {
-        self.patterns.len()
     }
 
     /// Gives the values of the observed functionals in the last position, in their order.

@@ -2,7 +2,7 @@
 //! which it carries less than the linear system assumes.
 
 use super::quad_check::QuadCheck;
-use super::rows::{Functional, Row};
+use super::rows::Row;
 use super::spring_check::SpringCheck;
 use crate::fem::dofs::HELD;
 use crate::fem::element::{self, Kept, Sample, sample};
@@ -98,7 +98,7 @@ impl Part {
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
         let mut part = Part::from_rest(Kind::Spring(index), state);
         for (i, opening) in spring.openings().into_iter().enumerate() {
-            let row = Row::new(model, &Functional(opening), &state.displacements);
+            let row = Row::new(model, &opening, &state.displacements);
             (part.base[i], part.openings[i]) = (row.start, row.terms);
             for j in 0..2 {
                 part.stiffness[i][j] = spring.area * virgin.tangent[i][j];
