@@ -226,16 +226,11 @@ pub struct BlockModel {
 pub enum ModelError {
     #[error("block {block}: {source}")]
     Outline { block: u32, source: PolygonError },
-    #[error("block {block}: {what} must be positive and finite, it is {value}")]
+    #[error("{of} {id}: {what} must be positive and finite, it is {value}")]
     NotPositive {
-        block: u32,
-        /// Which number.
-        what: &'static str,
-        value: f64,
-    },
-    #[error("particle {particle}: {what} must be positive and finite, it is {value}")]
-    Particle {
-        particle: u32,
+        /// A block or a particle.
+        of: &'static str,
+        id: u32,
         /// Which number.
         what: &'static str,
         value: f64,

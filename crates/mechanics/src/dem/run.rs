@@ -258,7 +258,7 @@ pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &P
         at_rest: settled == Settled::AtRest,
     });
     if settled == Settled::AtRest {
-        let stress = contacts(&run.state).iter().map(|c| c.compressive_stress()).fold(0.0, f64::max);
+        let stress = contacts(&run.state).iter().map(|c| c.compression / c.length).fold(0.0, f64::max);
         run.max_stress = run.max_stress.max(stress);
         // Pictures of a motion that came to rest after all are not those of a collapse; those of the collapse at a
         // higher factor stay, behind this frame.

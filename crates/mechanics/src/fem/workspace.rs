@@ -20,8 +20,8 @@ pub struct Workspace {
     pub(super) skewed: bool,
     /// Force on modes of elements that is not balanced yet [N/m], all together.
     pub(super) loose: f64,
-    /// Internal forces on all components.
-    pub(super) internal: Vec<f64>,
+    /// Internal forces on all components [N/m] at the displacements for which the tangent was computed last.
+    pub internal: Vec<f64>,
     /// What the state would be if it were kept.
     pub(super) trial: State,
     /// How often in this attempt the modes of each element found no balance.
@@ -94,11 +94,6 @@ impl Workspace {
         }
         let definite = self.solver.factorise(&self.pattern, &values).ok()?;
         definite.then(|| self.solver.solve(&self.pattern, (&values, &[]), right, 0.0).ok())?
-    }
-
-    /// Internal forces on all components [N/m] at the displacements for which the tangent was computed last.
-    pub fn internal_forces(&self) -> &[f64] {
-        &self.internal
     }
 
     /// The tangent computed last times a vector of free components.

@@ -72,14 +72,6 @@ pub(super) fn without_dilation(equilibrium: &Equilibrium, beside: &WithDilation,
 }
 
 impl WithoutDilation {
-    /// The load factor; `scale` is that of a scaled one.
-    pub(super) fn factor(&self, scale: f64) -> Option<f64> {
-        match self {
-            WithoutDilation::Load { solution, .. } => Some(solution.factor * scale),
-            _ => None,
-        }
-    }
-
     /// Whether this counts by the friction that is asked for, and not the load with dilation.
     pub(super) fn governs(&self, friction: Friction, beside: &WithDilation) -> bool {
         let WithDilation { status, factor, slides } = *beside;

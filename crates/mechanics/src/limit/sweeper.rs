@@ -248,12 +248,12 @@ impl Sweeper<'_> {
         if !level.governs(friction, &beside) {
             return dilates;
         }
-        let status = match level {
-            WithoutDilation::Load { .. } => Status::Solved,
-            WithoutDilation::Locks => Status::Locks,
-            WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
+        let (status, factor) = match level {
+            WithoutDilation::Load { solution, .. } => (Status::Solved, Some(solution.factor * scale)),
+            WithoutDilation::Locks => (Status::Locks, None),
+            WithoutDilation::Jammed | WithoutDilation::Unsettled => (Status::NotConverged, None),
         };
-        Least { status, factor: level.factor(scale), friction: Friction::NonAssociated, ..dilates }
+        Least { status, factor, friction: Friction::NonAssociated, ..dilates }
     }
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.

@@ -250,7 +250,7 @@ impl Condensed {
         let known: Vec<usize> = parts.iter().copied().filter(|&index| index < self.parts.len()).collect();
         let mut asking = Asking::new(watch);
         self.retain(&known, &mut asking);
-        !asking.stopped()
+        !asking.stopped
     }
 
     /// Retains parts that were found nonlinear in the current position, so that they are active in the next.
