@@ -35,7 +35,7 @@ pub enum Cause {
 }
 
 /// One balanced state, in numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PathPoint {
     /// Load factor.
     pub factor: f64,

@@ -279,11 +279,11 @@ pub(super) fn commit(model: &Model, settings: &Settings, state: &mut State) {
         let stiffness = response.ends.length.map(|length| length * model.joints[k].resistance.shear);
         let sheared = [0, 1].map(|e| if stiffness[e] > 0.0 { HOLDS * response.shear[e] / stiffness[e] } else { 0.0 });
         let before = state.memory[k].bond;
-        let broken = model.joints[k].cracks(bedding(settings, state), response.overlap, &before);
+        let broken = model.joints[k].cracks(bedding(settings, state), response.meeting.overlap, &before);
         let lost = |left: Bond, e: usize| {
             if left.lost[e] > before.lost[e] { (left.lost[e] - HAIR).max(before.lost[e]) } else { left.lost[e] }
         };
         let hair = |left: Bond| Bond { lost: [0, 1].map(|e| lost(left, e)) };
-        state.memory[k] = Memory { sheared, glide: response.glide, bond: broken.map_or(before, hair) };
+        state.memory[k] = Memory { sheared, glide: response.meeting.glide, bond: broken.map_or(before, hair) };
     }
 }
