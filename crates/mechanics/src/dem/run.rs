@@ -139,7 +139,6 @@ fn drive(
             }
             continue;
         }
-        record(model, &mut run, settled, program);
         if let Some(status) = decide(model, &mut run, settled, program) {
             return Ok((run, status));
         }
@@ -247,7 +246,7 @@ fn support_power(model: &Model, state: &State) -> f64 {
 }
 
 /// Books the end of a stage.
-pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
+fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
     let (block, point) = program.watched;
     let now = model.point_on(block, point, &run.state.poses);
     run.path.push(PathPoint {
@@ -276,8 +275,11 @@ pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &P
     }
 }
 
-/// What comes next: the next factor, or the end.
+/// What comes after a stage that has ended: the next factor, or the end.
 pub(super) fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program) -> Option<Status> {
+    if settled != Settled::Going {
+        record(model, run, settled, program);
+    }
     match settled {
         Settled::AtRest => {
             run.low = Some(run.state.factor);

@@ -131,7 +131,8 @@ enum Reached {
 pub struct Sweeper<'a> {
     ground: &'a Ground,
     elastic: Option<Stiffness<'a>>,
-    learnt: Experience,
+    /// What it has learnt, for [`Ground::sweeper_with`].
+    pub learnt: Experience,
     token: CancelToken,
 }
 
@@ -141,11 +142,6 @@ impl Sweeper<'_> {
     pub fn paced(mut self, token: &CancelToken) -> Self {
         self.token = token.clone();
         self
-    }
-
-    /// What it has learnt, for [`Ground::sweeper_with`].
-    pub fn learnt(self) -> Experience {
-        self.learnt
     }
 
     /// What a load does.

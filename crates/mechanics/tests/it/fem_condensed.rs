@@ -331,8 +331,8 @@ fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadP
 /// Weight in four steps, then the axles at three places; with derivatives where they are wanted.
 fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [usize; 3], Derivatives) {
     let (vault, patterns, observed) = quantified(quantities);
-    let condensed = Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
-    let mut condensed = condensed.with_equilibria();
+    let mut condensed = Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
+    condensed.keeps_equilibria = true;
     let weight = |step: usize| [vec![0.25 * (step + 1) as f64], vec![0.0; vault.surface.len()]].concat();
     let path = condensed.solve_positions(4, &weight, &mut Unwatched).unwrap().visited;
     let at_rest = condensed.snapshot();

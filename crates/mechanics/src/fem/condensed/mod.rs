@@ -136,9 +136,9 @@ pub struct Condensed {
     /// Largest change of a row value by the loads from one position to the next [m].
     largest_load_change: f64,
     /// Limit of iterations in one position.
-    iterations: u32,
-    /// Whether the equilibria of solved positions are kept.
-    keeps_equilibria: bool,
+    pub iterations: u32,
+    /// Whether the equilibria of all solved positions are kept, for [`Condensed::derivatives`].
+    pub keeps_equilibria: bool,
 }
 
 /// A position in equilibrium.
@@ -208,20 +208,6 @@ impl Condensed {
             model: Arc::clone(&shared),
             start,
         })
-    }
-
-    /// Sets the limit of iterations in one position.
-    #[must_use]
-    pub fn with_iterations(mut self, iterations: u32) -> Condensed {
-        self.iterations = iterations;
-        self
-    }
-
-    /// Keeps the equilibria of all solved positions, for [`Condensed::derivatives`].
-    #[must_use]
-    pub fn with_equilibria(mut self) -> Condensed {
-        self.keeps_equilibria = true;
-        self
     }
 
     /// Extends the current equilibrium to rows that were retained since, which carry no force in it.

@@ -1,7 +1,6 @@
 //! Both bounds, on meshes that are refined where they differ.
 
 use super::conic::Ending;
-use super::flow::{Flow, flow};
 use super::lower::{Ends, Stresses, lower, push, share_carried};
 use super::mesh::Mesh;
 use super::report::{Pressure, of_blocks, pressures};
@@ -263,11 +262,6 @@ pub fn bound_on(which: Which, setting: &Setting<'_>, mesh: &Mesh, token: &Cancel
         Which::Lower => lower(setting, mesh, token).ok().map(|field| field.factor),
         Which::Upper => upper(setting, mesh, token).ok().map(|motion| motion.factor),
     }
-}
-
-/// Flow that dilates by an angle [rad], found by iteration on a mesh that is given; none where a program was not solved.
-pub fn flow_on(dilatancy: f64, setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Option<Flow> {
-    flow(setting, mesh, dilatancy, token).ok()
 }
 
 /// What is known where one program or both were not solved on a mesh.

@@ -46,8 +46,8 @@ impl Way {
         let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
         let loads = loads(setup, &rest.weight);
         let model = Arc::clone(&rest.model);
-        let condensed = Condensed::new(model, State::new(&rest.model), &loads, &observed).map_err(failed)?;
-        let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
+        let mut condensed = Condensed::new(model, State::new(&rest.model), &loads, &observed).map_err(failed)?;
+        condensed.iterations = setup.plan.iterations as u32;
         if !condensed.retain_parts(expected, watch) {
             solution.status = PassageStatus::Cancelled;
         } else if stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)?.is_none() {
