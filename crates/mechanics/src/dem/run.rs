@@ -90,8 +90,6 @@ pub struct Rested {
     pub status: Status,
     /// Where they are.
     pub state: State,
-    /// Iterations.
-    pub iterations: u64,
     /// Out-of-balance force at the end, relative to the acting forces.
     pub unbalanced_ratio: f64,
 }
@@ -110,7 +108,7 @@ pub fn rest(
     let program = Program { increment: 1.0, limit: 0.0, resolution: None, watched: (BlockId(0), Vec2::ZERO) };
     let (run, status) = drive(model, state, &program, settings, resume, watch)?;
     let unbalanced_ratio = run.path.last().map_or(run.stage.ratio, |point| point.unbalanced_ratio);
-    Ok(Rested { status, iterations: run.state.steps, unbalanced_ratio, state: run.state })
+    Ok(Rested { status, unbalanced_ratio, state: run.state })
 }
 
 /// Stage after stage until the run ends.

@@ -30,7 +30,9 @@ impl Pattern {
         for nodes in &elements {
             pattern.place(&model.dofs, nodes);
         }
-        pattern.close();
+        // Entries that nobody reads stand in the last place.
+        let last = (pattern.places() - 1) as u32;
+        pattern.slots.iter_mut().filter(|slot| **slot == HELD).for_each(|slot| *slot = last);
         pattern
     }
 
@@ -83,14 +85,6 @@ impl Pattern {
     fn couple(&mut self, free: u32, held: u32) -> u32 {
         self.coupling.push((free, held));
         (self.rows.len() + self.coupling.len() - 1) as u32
-    }
-
-    /// Place of entries that nobody reads.
-    fn close(&mut self) {
-        let last = (self.places() - 1) as u32;
-        for slot in self.slots.iter_mut().filter(|slot| **slot == HELD) {
-            *slot = last;
-        }
     }
 
     /// `out += S x + A x`: the symmetric part in the lower triangle of `values`, and what is skew in that of `skew`, if anything is.
