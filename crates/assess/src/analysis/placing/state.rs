@@ -101,7 +101,7 @@ impl State {
         let mut sweepers: Vec<Sweeper<'_>> =
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
         let governing = standing.governing((&self.grounds, &mut sweepers), position, asked);
-        self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
+        self.learnt = sweepers.into_iter().map(|sweeper| sweeper.learnt).collect();
         put.carried = Some(Carried {
             status: rigid::status(governing.status),
             factor: governing.factor,
