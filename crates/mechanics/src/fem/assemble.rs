@@ -95,7 +95,7 @@ impl Frame {
 fn springs(model: &Model, work: &mut Workspace, state: &State) -> Option<()> {
     let first = model.mesh.quads.len();
     let large = model.kinematics == Kinematics::Large;
-    for (index, spring) in model.springs().iter().enumerate() {
+    for (index, spring) in model.springs.iter().enumerate() {
         let law = &model.joints[spring.kind];
         let pull = spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index])?;
         let mut components = [0; 12];

@@ -32,7 +32,8 @@ pub struct Model {
     pub joints: Vec<JointLaw>,
     /// What displacements do to geometry.
     pub kinematics: Kinematics,
-    springs: Vec<Spring>,
+    /// Points of the interfaces.
+    pub springs: Vec<Spring>,
     pub(super) dofs: Dofs,
     /// Length of an element, in the mean [m].
     pub(super) size: f64,
@@ -115,11 +116,6 @@ impl Model {
     /// Whether a component of a node is held.
     pub fn held(&self, node: NodeId, axis: usize) -> bool {
         self.dofs.held(dof(node, axis))
-    }
-
-    /// Points of the interfaces.
-    pub fn springs(&self) -> &[Spring] {
-        &self.springs
     }
 
     /// Corners of a quadrilateral before anything moves [m].

@@ -206,7 +206,7 @@ fn overstressed<'a>(model: &'a Model, bonds: &'a [Bond]) -> impl Iterator<Item =
     let overstress = |(spring, bond): (&Spring, &Bond)| {
         model.joints[spring.kind].overstress(bond.traction[0], spring.area, &bond.memory)
     };
-    model.springs().iter().zip(bonds).map(overstress).enumerate()
+    model.springs.iter().zip(bonds).map(overstress).enumerate()
 }
 
 /// Where an attempt begins.

@@ -22,7 +22,7 @@ impl Pattern {
     /// Finds the pattern of a model.
     pub fn new(model: &Model) -> Pattern {
         let quads = model.mesh.quads.iter().map(|quad| quad.nodes.to_vec());
-        let springs = model.springs().iter().map(|spring| spring.nodes().collect());
+        let springs = model.springs.iter().map(|spring| spring.nodes().collect());
         let elements: Vec<Vec<NodeId>> = quads.chain(springs).collect();
         let neighbours = neighbours(model.mesh.nodes.len(), &elements);
         let (columns, rows) = triangle(&model.dofs, &neighbours);

@@ -111,7 +111,7 @@ impl Workspace {
 
     /// Entries of its factor.
     pub fn factor_entries(&self) -> usize {
-        self.solver.entries()
+        self.solver.values.len()
     }
 
     /// Starts from a state.

@@ -175,7 +175,7 @@ impl Condensed {
         let mut work = Workspace::new(model)?;
         work.stiffness(model, &State::new(model))?;
         work.factorise()?;
-        let springs = (0..model.springs().len()).map(|index| Some(Part::spring(model, &start, index)));
+        let springs = (0..model.springs.len()).map(|index| Some(Part::spring(model, &start, index)));
         let solids = model.mesh.quads.pairs().map(|(id, _)| id);
         let solids = solids.filter(|id| !model.section(*id).solid.material.linear());
         let parts = springs.chain(solids.map(|id| Part::quad(model, &start, id)));
@@ -260,7 +260,7 @@ impl Condensed {
             let part = &mut self.parts[index];
             match part.kind {
                 Kind::Spring(spring) => {
-                    for (row, opening) in part.rows.iter_mut().zip(self.model.springs()[spring].openings()) {
+                    for (row, opening) in part.rows.iter_mut().zip(self.model.springs[spring].openings()) {
                         *row = Some(push(opening));
                     }
                 }
@@ -314,7 +314,7 @@ impl Condensed {
     /// Counts the nonlinear parts of the last position.
     pub fn counts(&self) -> Counts {
         let untouched = Bond::default();
-        let mut bonds = vec![&untouched; self.model.springs().len()];
+        let mut bonds = vec![&untouched; self.model.springs.len()];
         let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
             if let Kind::Spring(index) = part.kind {
@@ -414,7 +414,7 @@ impl Condensed {
 /// Counts the interfaces with an open spring; `bonds` are in the order of [`Model::springs`].
 pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
     let mut open = vec![false; model.mesh.interfaces.len()];
-    for (spring, bond) in model.springs().iter().zip(bonds) {
+    for (spring, bond) in model.springs.iter().zip(bonds) {
         open[spring.interface.index()] |= bond.state == PairState::Open;
     }
     open.into_iter().filter(|open| *open).count()

@@ -94,7 +94,7 @@ pub(super) struct History {
 impl Part {
     /// Makes the part of a spring as it stands in `state`.
     pub(super) fn spring(model: &Model, state: &State, index: usize) -> Part {
-        let spring = &model.springs()[index];
+        let spring = &model.springs[index];
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
         let mut part = Part::from_rest(Kind::Spring(index), state);
         for (i, opening) in spring.openings().into_iter().enumerate() {
@@ -224,7 +224,7 @@ impl Part {
 
     /// Evaluates the law of a spring at an opening [m]; gives its tangent stiffness [N/m²].
     fn evaluate_spring(&mut self, model: &Model, index: usize, opening: [f64; 2]) -> [[f64; 2]; 2] {
-        let spring = &model.springs()[index];
+        let spring = &model.springs[index];
         let answer = model.joints[spring.kind].respond(opening, spring.area, &self.committed.history.bond.memory);
         self.trial.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
         answer.tangent.map(|row| row.map(|entry| spring.area * entry))
@@ -233,7 +233,7 @@ impl Part {
     /// Gives the tension of an unbroken spring by the last evaluation, over its strength; 0 for quadrilaterals.
     pub(super) fn overstress(&self, model: &Model) -> f64 {
         let Kind::Spring(index) = self.kind else { return 0.0 };
-        let spring = &model.springs()[index];
+        let spring = &model.springs[index];
         model.joints[spring.kind].overstress(
             self.trial.bond.traction[0],
             spring.area,
@@ -261,7 +261,7 @@ impl Part {
                 let stiffness = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let (mut force, mut tangent) = ([0.0; ROWS], [[0.0; ROWS]; ROWS]);
                 for i in 0..2 {
-                    force[i] = model.springs()[index].area * self.trial.bond.traction[i];
+                    force[i] = model.springs[index].area * self.trial.bond.traction[i];
                     tangent[i][..2].copy_from_slice(&stiffness[i]);
                 }
                 Some((force, tangent))
@@ -338,7 +338,7 @@ impl Part {
     /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed.
     pub(super) fn spring_check(&self, model: &Model) -> Option<SpringCheck> {
         let Kind::Spring(index) = self.kind else { return None };
-        let (kind, area) = (model.springs()[index].kind, model.springs()[index].area);
+        let (kind, area) = (model.springs[index].kind, model.springs[index].area);
         let [normal, tangential] = model.joints[kind].stiffness().map(|stiffness| area * stiffness);
         let closed = [[normal, 0.0], [0.0, tangential]];
         let linear = (0..2).all(|i| (0..2).all(|j| self.stiffness[i][j] == closed[i][j]));

@@ -2,7 +2,7 @@
 //! influence `H` of the load patterns on them.
 
 use crate::fem::dofs::HELD;
-use crate::fem::factor::{Asked, Block};
+use crate::fem::factor::Block;
 use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
@@ -81,7 +81,7 @@ pub(super) struct Rows {
     /// Solutions for the patterns that load more than [`WIDE_PATTERN`] equations; `None` for the others.
     wide_solutions: Vec<Option<Vec<f64>>>,
     /// Equations at which solutions are needed: those that rows read, and those that the other patterns load.
-    needed: Asked,
+    needed: Vec<bool>,
 }
 
 /// A pattern that loads more equations than this is solved for by itself. The `H` of the others is read from the solutions of the
