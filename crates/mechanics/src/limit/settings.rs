@@ -30,17 +30,10 @@ pub struct Settings {
     pub contact_points: ContactPoints,
     /// Whether the finite compressive strength of the joints counts.
     pub crushing: bool,
-    /// Largest gap at which two blocks still share a joint [m].
-    pub touching: f64,
 }
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings {
-            friction: Friction::Automatic,
-            contact_points: ContactPoints::Rounded,
-            crushing: false,
-            touching: 1e-6,
-        }
+        Settings { friction: Friction::Automatic, contact_points: ContactPoints::Rounded, crushing: false }
     }
 }

@@ -7,7 +7,7 @@ use super::collapse::{Found, largest_factor_of_carried, outcome};
 use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
-use super::level::{WithDilation, WithoutDilation, without_dilation};
+use super::level::{WithDilation, without_dilation};
 use super::mechanism::mechanism;
 use super::outcome::{Outcome, Status};
 use super::program::Solution;
@@ -15,7 +15,7 @@ use super::proven::carried_up_to;
 use super::reduced::tangents;
 use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member, Start};
-use super::stiff::Grown;
+use super::stiff::WithoutDilation;
 use crate::blocks::PointForce;
 use crate::watch::CancelToken;
 
@@ -266,9 +266,9 @@ impl Sweeper<'_> {
         let equilibrium = self.loaded(effect);
         let stood = self.ground.stands.at_rest.stood(&equilibrium)?;
         match stood.under(&equilibrium, 0.0) {
-            Grown::GivesWay { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
-            Grown::Carried => Some(f64::INFINITY),
-            Grown::Lost => None,
+            WithoutDilation::Load { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
+            WithoutDilation::Locks => Some(f64::INFINITY),
+            WithoutDilation::Jammed | WithoutDilation::Unsettled => None,
         }
     }
 
