@@ -1,7 +1,7 @@
 //! Equilibrium of all blocks and its exact tangent.
 
 use super::dual::{Dual, Half, between, half_of, whole};
-use super::inertia::Elimination;
+use super::inertia::{has_no_negative_eigenvalue, may_have_no_negative_eigenvalue};
 use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::Model;
 use super::settings::Settings;
@@ -60,7 +60,8 @@ pub(super) struct Workspace {
     pub cracks: bool,
     /// Half of the turn of each block.
     turns: Vec<Half>,
-    elimination: Elimination,
+    /// Room for the elimination that tells whether a tangent is stable.
+    eliminated: Vec<f64>,
 }
 
 impl Workspace {
@@ -72,16 +73,16 @@ impl Workspace {
             slides: false,
             cracks: false,
             turns: Vec::new(),
-            elimination: Elimination::default(),
+            eliminated: Vec::new(),
         }
     }
     /// Whether every small motion from the state whose tangent stands here, not factorised, takes work.
     pub(super) fn is_stable(&mut self) -> bool {
-        self.elimination.has_no_negative_eigenvalue(&self.tangent)
+        has_no_negative_eigenvalue(&self.tangent, &mut self.eliminated)
     }
     /// Whether that may be, where it is asked often and the answer is asked again in the end.
     pub(super) fn may_be_stable(&mut self) -> bool {
-        self.elimination.may_have_no_negative_eigenvalue(&self.tangent)
+        may_have_no_negative_eigenvalue(&self.tangent, &mut self.eliminated)
     }
     /// Largest out-of-balance force [N/m].
     pub(super) fn largest(&self) -> f64 {
