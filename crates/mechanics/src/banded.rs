@@ -8,12 +8,13 @@
 /// `below` more entries above the diagonal.
 #[derive(Debug, Clone)]
 pub(crate) struct Banded {
-    size: usize,
+    /// Number of equations.
+    pub size: usize,
     /// Most diagonals on either side of the main one.
-    below: usize,
+    pub below: usize,
     width: usize,
     /// The last equation that this one or one before it acts with.
-    last: Vec<u32>,
+    pub last: Vec<u32>,
     entries: Vec<f64>,
     /// Multiples of row `k` that were taken off the `below` rows after it, from `k * below` on.
     taken: Vec<f64>,
@@ -47,21 +48,6 @@ impl Banded {
             inverse: vec![0.0; size],
             sign: 0,
         }
-    }
-
-    /// Number of equations.
-    pub(crate) fn size(&self) -> usize {
-        self.size
-    }
-
-    /// Most diagonals on either side of the main one.
-    pub(crate) fn below(&self) -> usize {
-        self.below
-    }
-
-    /// The last equation that one or one before it acts with.
-    pub(crate) fn last(&self, k: usize) -> usize {
-        self.last[k] as usize
     }
 
     /// A row of a matrix that is not factorised, over all diagonals.

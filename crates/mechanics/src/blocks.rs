@@ -226,16 +226,11 @@ pub struct BlockModel {
 pub enum ModelError {
     #[error("block {block}: {source}")]
     Outline { block: u32, source: PolygonError },
-    #[error("block {block}: {what} must be positive and finite, it is {value}")]
+    #[error("{of} {id}: {what} must be positive and finite, it is {value}")]
     NotPositive {
-        block: u32,
-        /// Which number.
-        what: &'static str,
-        value: f64,
-    },
-    #[error("particle {particle}: {what} must be positive and finite, it is {value}")]
-    Particle {
-        particle: u32,
+        /// A block or a particle.
+        of: &'static str,
+        id: u32,
         /// Which number.
         what: &'static str,
         value: f64,
@@ -296,6 +291,16 @@ impl BlockModel {
     pub fn poses(&self) -> Table<BlockId, Pose> {
         self.centroids().iter().map(|&at| Pose::at(at)).collect()
     }
+    /// Motions of the blocks, velocity and spin, with the fastest point moved by 1 m; none where nothing moves.
+    pub(crate) fn to_one_metre(&self, motions: &Table<BlockId, (Vec2, f64)>) -> Option<Table<BlockId, (Vec2, f64)>> {
+        let speed = |(block, &(v, w)): (&Block, &(Vec2, f64))| {
+            let centre = block.outline.centroid();
+            block.outline.vertices().iter().map(|&p| (v + (p - centre).left() * w).norm()).fold(0.0, f64::max)
+        };
+        let fastest = self.blocks.iter().zip(motions.iter()).map(speed).fold(0.0, f64::max);
+        (fastest > 0.0).then(|| motions.iter().map(|&(v, w)| (v * (1.0 / fastest), w / fastest)).collect())
+    }
+
     /// Weight of the free blocks [N/m], positive.
     pub fn free_weight(&self) -> f64 {
         self.blocks.iter().filter(|b| !b.held.y).map(|b| b.mass() * self.gravity.norm()).sum()

@@ -138,7 +138,8 @@ impl Watch for CancelToken {
 pub(crate) struct Asking<'w> {
     watch: &'w mut dyn Watch,
     progress: Progress,
-    stopped: bool,
+    /// Whether the onlooker has stopped it.
+    pub stopped: bool,
 }
 
 impl<'w> Asking<'w> {
@@ -156,11 +157,6 @@ impl<'w> Asking<'w> {
     /// Whether the work is to end.
     pub(crate) fn stops(&mut self) -> bool {
         self.stopped = self.stopped || self.watch.look(&self.progress) == Wish::Stop;
-        self.stopped
-    }
-
-    /// Whether the onlooker has stopped it.
-    pub(crate) fn stopped(&self) -> bool {
         self.stopped
     }
 }

@@ -1,8 +1,8 @@
 //! Code as wide as the processor's registers.
 
-/// Runs `work` compiled for the widest registers of the processor: what is marked `#[inline(always)]` in it is compiled so too.
+/// Runs a closure, which is to be marked `#[inline(always)]`, compiled for the widest registers of the processor: what is marked so in it is compiled so too.
 /// The bits are the same for any width, unless `work` itself multiplies and adds in one.
-pub(crate) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
+pub(crate) fn wide<R>(work: impl FnOnce() -> R) -> R {
     #[cfg(target_arch = "x86_64")]
     {
         if let Some(v4) = pulp::x86::V4::try_new() {
@@ -12,10 +12,5 @@ pub(crate) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
             return v3.vectorize(work);
         }
     }
-    work.call()
-}
-
-/// The same for a closure, which is to be marked `#[inline(always)]` itself.
-pub(crate) fn wide<R>(work: impl FnOnce() -> R) -> R {
-    widest(work)
+    work()
 }

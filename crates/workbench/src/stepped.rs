@@ -94,7 +94,7 @@ impl Stepping {
         let all = self.frame().contacts.iter();
         all.flat_map(|c| {
             let slides = f64::from(u8::from(c.sliding));
-            [c.point.x, c.point.y, c.normal.x, c.normal.y, c.compression, c.shear, c.compressive_stress(), slides]
+            [c.point.x, c.point.y, c.normal.x, c.normal.y, c.compression, c.shear, c.compression / c.length, slides]
         })
         .map(|value| value as f32)
         .collect()

@@ -107,5 +107,5 @@ pub(super) fn follow(
     if !governs || found.status == Status::StableToLastLoad && !bound.rigid {
         return None;
     }
-    Some(Followed { factor: found.factor?, broken_off: found.status == Status::NotConverged })
+    Some(Followed { factor: found.last_stable_factor?, broken_off: found.status == Status::NotConverged })
 }

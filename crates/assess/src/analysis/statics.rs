@@ -69,7 +69,7 @@ fn weights(bridge: &Bridge, d: &Discretised) -> Vec<Weight> {
 fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Reaction> {
     // Each with the number of its joints.
     let mut found: Vec<(Reaction, usize)> = Vec::new();
-    for (joint, i) in ground.interfaces().iter().enumerate() {
+    for (joint, i) in ground.interfaces.iter().enumerate() {
         let (first, second) = (d.origins[i.first], d.origins[i.second]);
         let ((place, seat, side), flip) = match (seat(bridge, first, second), seat(bridge, second, first)) {
             (Some(found), _) => (found, false),

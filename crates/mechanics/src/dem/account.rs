@@ -158,7 +158,7 @@ pub fn frame(model: &Model, state: &State) -> Frame {
         factor: state.factor,
         iterations: state.steps,
         poses: state.poses.iter().copied().collect(),
-        velocities: state.velocities.iter().map(|&v| super::model::split(v)).collect(),
+        velocities: state.velocities.iter().map(|v| (vec2(v[0], v[1]), v[2])).collect(),
         stresses: stresses(model, state, &contacts, &particle_contacts).into_iter().collect(),
         contacts,
         particles: state.particles.states(&model.particles, &particle_contacts),

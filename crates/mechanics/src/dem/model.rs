@@ -5,7 +5,7 @@ use super::search::close_pairs;
 use crate::acting::Resultant;
 use crate::blocks::{BlockModel, ContactLaw, LawTable, Loading, ModelError, PointForce, Stiffness};
 use crate::ids::{BlockId, GroupId, Id, Table};
-use crate::plane::{Core, Pose, Vec2, meet, vec2};
+use crate::plane::{Core, Pose, Vec2, meet};
 use serde::Serialize;
 
 /// What a step needs of one body, side by side in memory.
@@ -91,7 +91,7 @@ impl Model {
         };
         for (id, block) in model.blocks.pairs() {
             if !(block.density > 0.0 && block.density.is_finite()) {
-                return Err(ModelError::NotPositive { block: id.0, what: "density", value: block.density });
+                return Err(ModelError::NotPositive { of: "block", id: id.0, what: "density", value: block.density });
             }
             let area = block.outline.area();
             let mass = block.density * area;
@@ -266,11 +266,11 @@ fn check_particles(model: &BlockModel) -> Result<(), ModelError> {
     for (id, p) in model.particles.pairs() {
         for (what, value) in [("radius", p.radius), ("density", p.density)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(ModelError::Particle { particle: id.0, what, value });
+                return Err(ModelError::NotPositive { of: "particle", id: id.0, what, value });
             }
         }
         if !p.centre.is_finite() {
-            return Err(ModelError::Particle { particle: id.0, what: "centre", value: f64::NAN });
+            return Err(ModelError::NotPositive { of: "particle", id: id.0, what: "centre", value: f64::NAN });
         }
     }
     let radii = || model.particles.iter().map(|p| p.radius);
@@ -324,9 +324,4 @@ fn check_law(law: &ContactLaw) -> Result<(), ModelError> {
     positive("fixed length", law.fixed_length.unwrap_or(1.0))?;
     // A contact point that stands for no length would let blocks through one another.
     positive("least length", law.least_length)
-}
-
-/// The three components of a motion as a translation and a rotation.
-pub(super) fn split(v: [f64; 3]) -> (Vec2, f64) {
-    (vec2(v[0], v[1]), v[2])
 }

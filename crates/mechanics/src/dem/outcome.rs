@@ -100,10 +100,6 @@ impl ParticleContact {
     pub fn force(&self) -> Vec2 {
         self.normal * self.compression + self.normal.left() * self.shear
     }
-    /// Compressive stress [Pa], positive.
-    pub fn compressive_stress(&self) -> f64 {
-        self.compression / self.length
-    }
 }
 
 /// A particle at one moment.
@@ -121,13 +117,6 @@ pub struct ParticleState {
     pub spin: f64,
     /// Average stress [Pa], tension positive: xx, yy, xy.
     pub stress: [f64; 3],
-}
-
-impl ContactState {
-    /// Compressive stress [Pa], positive.
-    pub fn compressive_stress(&self) -> f64 {
-        self.compression / self.length
-    }
 }
 
 /// The blocks at one moment.

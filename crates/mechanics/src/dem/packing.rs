@@ -10,7 +10,7 @@ use super::step::{Workspace, begin, step};
 use crate::blocks::{BlockModel, Held, Loading, ModelError, Particle};
 use crate::contact::ContactLength;
 use crate::ids::{GroupId, Table};
-use crate::plane::{Vec2, bounds, vec2};
+use crate::plane::{self, Vec2, bounds, holds, vec2};
 use crate::watch::{Progress, Watch, Wish};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -134,7 +134,7 @@ pub fn pack(
     watch: &mut dyn Watch,
 ) -> Result<Packing, PackingError> {
     check(recipe)?;
-    let area = area(region);
+    let area = plane::area(region).abs();
     let full = full_radii(recipe, area)?;
     let places = strew(region, &full, recipe)?;
     let model = Model::new(&strewn(walls, &places, &full, recipe), &Loading::default())?;
@@ -202,7 +202,7 @@ fn strew(region: &[Vec2], full: &[f64], recipe: &Recipe) -> Result<Vec<Vec2>, Pa
                 return Err(PackingError::NoRoom(full.len()));
             }
             let p = vec2(low.x + (high.x - low.x) * chance.unit(), low.y + (high.y - low.y) * chance.unit());
-            if !inside(region, p) {
+            if !holds(region, p) {
                 continue;
             }
             let (cx, cy) = (((p.x - low.x) / side) as usize, ((p.y - low.y) / side) as usize);
@@ -394,22 +394,6 @@ impl Growth<'_> {
             steps: self.state.steps,
         }
     }
-}
-
-/// Area of a simple polygon [m^2], whichever way it runs.
-fn area(region: &[Vec2]) -> f64 {
-    let next = region.iter().cycle().skip(1);
-    (0.5 * region.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()).abs()
-}
-
-/// Whether `p` lies inside a simple polygon.
-fn inside(region: &[Vec2], p: Vec2) -> bool {
-    let next = region.iter().cycle().skip(1);
-    let crossed = region
-        .iter()
-        .zip(next)
-        .filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x));
-    crossed.count() % 2 == 1
 }
 
 /// Numbers that look like chance and are the same on every machine (Steele, Lea and Flood 2014: SplitMix64).

@@ -90,8 +90,6 @@ pub struct Rested {
     pub status: Status,
     /// Where they are.
     pub state: State,
-    /// Iterations.
-    pub iterations: u64,
     /// Out-of-balance force at the end, relative to the acting forces.
     pub unbalanced_ratio: f64,
 }
@@ -110,7 +108,7 @@ pub fn rest(
     let program = Program { increment: 1.0, limit: 0.0, resolution: None, watched: (BlockId(0), Vec2::ZERO) };
     let (run, status) = drive(model, state, &program, settings, resume, watch)?;
     let unbalanced_ratio = run.path.last().map_or(run.stage.ratio, |point| point.unbalanced_ratio);
-    Ok(Rested { status, iterations: run.state.steps, unbalanced_ratio, state: run.state })
+    Ok(Rested { status, unbalanced_ratio, state: run.state })
 }
 
 /// Stage after stage until the run ends.
@@ -139,7 +137,6 @@ fn drive(
             }
             continue;
         }
-        record(model, &mut run, settled, program);
         if let Some(status) = decide(model, &mut run, settled, program) {
             return Ok((run, status));
         }
@@ -247,7 +244,7 @@ fn support_power(model: &Model, state: &State) -> f64 {
 }
 
 /// Books the end of a stage.
-pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
+fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
     let (block, point) = program.watched;
     let now = model.point_on(block, point, &run.state.poses);
     run.path.push(PathPoint {
@@ -258,7 +255,7 @@ pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &P
         at_rest: settled == Settled::AtRest,
     });
     if settled == Settled::AtRest {
-        let stress = contacts(&run.state).iter().map(|c| c.compressive_stress()).fold(0.0, f64::max);
+        let stress = contacts(&run.state).iter().map(|c| c.compression / c.length).fold(0.0, f64::max);
         run.max_stress = run.max_stress.max(stress);
         // Pictures of a motion that came to rest after all are not those of a collapse; those of the collapse at a
         // higher factor stay, behind this frame.
@@ -276,8 +273,11 @@ pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &P
     }
 }
 
-/// What comes next: the next factor, or the end.
+/// What comes after a stage that has ended: the next factor, or the end.
 pub(super) fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program) -> Option<Status> {
+    if settled != Settled::Going {
+        record(model, run, settled, program);
+    }
     match settled {
         Settled::AtRest => {
             run.low = Some(run.state.factor);

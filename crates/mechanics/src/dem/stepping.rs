@@ -3,8 +3,7 @@
 use super::account::frame;
 use super::model::Model;
 use super::outcome::{Frame, Outcome, PathPoint, Status};
-use super::relax::Settled;
-use super::run::{Run, advance, decide, finish, record, start};
+use super::run::{Run, advance, decide, finish, start};
 use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin};
@@ -58,10 +57,7 @@ impl Stepping {
         while self.status.is_none() && self.run.state.steps < until {
             let most = until - self.run.state.steps;
             let settled = advance(&self.model, &mut self.run, &mut self.work, &self.settings, most);
-            if settled != Settled::Going {
-                record(&self.model, &mut self.run, settled, &self.program);
-                self.status = decide(&self.model, &mut self.run, settled, &self.program);
-            }
+            self.status = decide(&self.model, &mut self.run, settled, &self.program);
         }
         self.status.as_ref()
     }

@@ -95,7 +95,7 @@ impl Frame {
 fn springs(model: &Model, work: &mut Workspace, state: &State) -> Option<()> {
     let first = model.mesh.quads.len();
     let large = model.kinematics == Kinematics::Large;
-    for (index, spring) in model.springs().iter().enumerate() {
+    for (index, spring) in model.springs.iter().enumerate() {
         let law = &model.joints[spring.kind];
         let pull = spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index])?;
         let mut components = [0; 12];
@@ -135,7 +135,7 @@ fn add<const M: usize>(
         for (j, slot) in (0..=i).zip(&mut slot) {
             let skew = 0.5 * (tangent[i][j] - tangent[j][i]);
             if skew != 0.0 {
-                let (a, b) = (model.dofs.equation(*one), model.dofs.equation(components[j]));
+                let (a, b) = (model.dofs.equation[*one], model.dofs.equation[components[j]]);
                 if a != HELD && b != HELD {
                     work.skew[*slot as usize] += if a > b { skew } else { -skew };
                     work.skewed = true;

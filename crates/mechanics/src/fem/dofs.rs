@@ -8,8 +8,10 @@ pub(super) const HELD: u32 = u32::MAX;
 /// Components are `2 node` (x) and `2 node + 1` (y); the free ones are numbered in that order.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Dofs {
-    equation: Vec<u32>,
-    free: Vec<u32>,
+    /// Equation of each component, [`HELD`] if it has none.
+    pub equation: Vec<u32>,
+    /// Free components in order of their equations.
+    pub free: Vec<u32>,
 }
 
 impl Dofs {
@@ -24,25 +26,9 @@ impl Dofs {
         Dofs { equation, free }
     }
 
-    /// Components in all.
-    pub(super) fn count(&self) -> usize {
-        self.equation.len()
-    }
-
-    /// Free components in order of their equations.
-    pub(super) fn free(&self) -> &[u32] {
-        &self.free
-    }
-
     /// Values of the free components among those of all, by equation.
     pub(super) fn of_free(&self, all: &[f64]) -> Vec<f64> {
         self.free.iter().map(|component| all[*component as usize]).collect()
-    }
-
-    /// Equation of a component, [`HELD`] if it has none.
-    #[inline]
-    pub(super) fn equation(&self, dof: usize) -> u32 {
-        self.equation[dof]
     }
 
     /// Whether a component is held.

@@ -63,7 +63,8 @@ enum Kind {
 /// get there, or the symmetric part is not positive definite, by factorising the whole.
 pub(super) struct Solver {
     symbolic: SymbolicCholesky<u32>,
-    values: Vec<f64>,
+    /// Entries of the factor.
+    pub values: Vec<f64>,
     memory: MemBuffer,
     kind: Kind,
     /// Made when it is needed first.
@@ -73,19 +74,14 @@ pub(super) struct Solver {
 /// Solutions side by side.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Block {
-    width: usize,
-    lanes: Vec<f64>,
+    /// Right-hand sides, those that were not asked for included: their solutions are zero.
+    pub width: usize,
+    pub lanes: Vec<f64>,
     /// Place of an equation among them; none where they stand in order.
-    place: Vec<u32>,
+    pub place: Vec<u32>,
 }
 
 impl Block {
-    /// Of solutions in the order of the equations.
-    #[cfg(test)]
-    pub(super) fn with(width: usize, lanes: Vec<f64>) -> Block {
-        Block { width, lanes, place: Vec::new() }
-    }
-
     #[inline]
     fn start(&self, equation: u32) -> usize {
         self.width * self.place.get(equation as usize).copied().unwrap_or(equation) as usize
@@ -100,12 +96,6 @@ impl Block {
     #[inline]
     pub(super) fn add(&mut self, equation: u32, force: f64, multiples: &[f64]) {
         self.at(equation).iter_mut().zip(multiples).for_each(|(lane, multiple)| *lane += force * multiple);
-    }
-
-    /// Right-hand sides, those that were not asked for included: their solutions are zero.
-    #[inline]
-    pub(super) fn width(&self) -> usize {
-        self.width
     }
 
     /// One of the solutions, by equations.
@@ -130,10 +120,6 @@ impl Block {
         &self.lanes[start..start + self.width]
     }
 }
-
-/// Parts of the factor that solutions at some equations need; none where all are gone through anyway.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Asked(Vec<bool>);
 
 impl Solver {
     /// Orders the equations (AMD) and finds the pattern of the factor.
@@ -160,11 +146,6 @@ impl Solver {
         values.try_reserve_exact(symbolic.len_val()).map_err(|_| FactorError::Memory(count))?;
         values.resize(symbolic.len_val(), 0.0);
         Ok(Solver { symbolic, values, memory, kind: Kind::Nothing, whole: None })
-    }
-
-    /// Entries of the factor.
-    pub(super) fn entries(&self) -> usize {
-        self.values.len()
     }
 
     /// Factorises; tells whether the symmetric part is positive definite.
@@ -214,7 +195,7 @@ impl Solver {
     /// Solves for sparse right-hand sides, each a list of equation and value, at most the largest of [`WIDTHS`] at once; overwrites `block`.
     ///
     /// Where only some equations are `asked` for, the block holds their solutions and nothing that could be read elsewhere.
-    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], asked: Option<&Asked>, block: &mut Block) {
+    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], asked: Option<&[bool]>, block: &mut Block) {
         self.clear(right.len(), block);
         // A few entries of each at a time: they often stand in the same equations, which are at hand then.
         let longest = right.iter().map(Vec::len).max().unwrap_or(0);
@@ -242,10 +223,10 @@ impl Solver {
         block.place = self.symbolic.perm().map(|perm| perm.arrays().1.to_vec()).unwrap_or_default();
     }
 
-    fn solve_lanes(&mut self, count: usize, asked: Option<&Asked>, block: &mut Block) {
+    fn solve_lanes(&mut self, count: usize, asked: Option<&[bool]>, block: &mut Block) {
         match (self.symbolic.raw(), self.kind) {
             (SymbolicCholeskyRaw::Supernodal(symbolic), Kind::Definite) => {
-                let wanted = asked.map(|Asked(wanted)| wanted.as_slice()).filter(|wanted| !wanted.is_empty());
+                let wanted = asked.filter(|wanted| !wanted.is_empty());
                 many::solve(symbolic, &self.values, block.width, &mut block.lanes, wanted);
             }
             _ => {
@@ -258,12 +239,12 @@ impl Solver {
         }
     }
 
-    /// Solutions at these equations are asked for, too.
-    pub(super) fn ask(&self, asked: &mut Asked, equations: impl Iterator<Item = u32>) {
+    /// Solutions at these equations are asked for, too: `asked` marks the parts of the factor that they need, none where all are gone through anyway.
+    pub(super) fn ask(&self, asked: &mut Vec<bool>, equations: impl Iterator<Item = u32>) {
         let place = self.symbolic.perm().map(|perm| perm.arrays().1);
         let place = |equation: u32| place.map_or(equation, |place| place[equation as usize]);
         if let SymbolicCholeskyRaw::Supernodal(symbolic) = self.symbolic.raw() {
-            many::reach(symbolic, &mut asked.0, equations.map(place));
+            many::reach(symbolic, asked, equations.map(place));
         }
     }
 

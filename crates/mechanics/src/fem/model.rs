@@ -32,7 +32,8 @@ pub struct Model {
     pub joints: Vec<JointLaw>,
     /// What displacements do to geometry.
     pub kinematics: Kinematics,
-    springs: Vec<Spring>,
+    /// Points of the interfaces.
+    pub springs: Vec<Spring>,
     pub(super) dofs: Dofs,
     /// Length of an element, in the mean [m].
     pub(super) size: f64,
@@ -104,22 +105,17 @@ impl Model {
 
     /// Equations: free components of displacement.
     pub fn equations(&self) -> usize {
-        self.dofs.free().len()
+        self.dofs.free.len()
     }
 
     /// Components (`2 node` for x, `2 node + 1` for y) in order of their equations.
     pub fn free(&self) -> &[u32] {
-        self.dofs.free()
+        &self.dofs.free
     }
 
     /// Whether a component of a node is held.
     pub fn held(&self, node: NodeId, axis: usize) -> bool {
         self.dofs.held(dof(node, axis))
-    }
-
-    /// Points of the interfaces.
-    pub fn springs(&self) -> &[Spring] {
-        &self.springs
     }
 
     /// Corners of a quadrilateral before anything moves [m].
@@ -146,7 +142,7 @@ impl Model {
 
     /// Nodal forces [N/m] of the weight under `gravity` [m/s^2] (equation 7).
     pub fn weight(&self, gravity: Vec2) -> Vec<f64> {
-        let mut forces = vec![0.0; self.dofs.count()];
+        let mut forces = vec![0.0; self.dofs.equation.len()];
         for (id, quad) in self.mesh.quads.pairs() {
             let density = self.section(id).density;
             let mass = mass(&self.corners(id));

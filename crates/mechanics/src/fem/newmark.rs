@@ -90,7 +90,7 @@ impl Motion {
         let seen: Vec<f64> = (0..u.len()).map(|i| weight * coasting(i) - alpha * v[i]).collect();
         let mut constant = vec![0.0; u.len()];
         work.pattern.multiply(&self.damping, &[], &seen, &mut constant);
-        for (i, component) in model.dofs.free().iter().enumerate() {
+        for (i, component) in model.dofs.free.iter().enumerate() {
             let component = *component as usize;
             // Internal forces and loads of the step's start, weighted with -alpha.
             constant[i] = -constant[i] + alpha * (internal[component] - forces[component]);
@@ -101,7 +101,7 @@ impl Motion {
     /// Velocity and acceleration at the end of a step.
     fn update(&self, model: &Model, before: &[f64], state: &mut State) {
         let Motion { beta, gamma, step: h, .. } = *self;
-        for component in model.dofs.free() {
+        for component in &model.dofs.free {
             let i = *component as usize;
             let (v, a) = (state.velocities[i], state.accelerations[i]);
             let moved = state.displacements[i] - before[i];
@@ -150,7 +150,7 @@ fn masses(model: &Model, work: &Workspace) -> Vec<f64> {
         for i in 0..8 {
             for (j, slot) in (0..=i).zip(&mut slots) {
                 let (one, two) = (dof(quad.nodes[i / 2], i % 2), dof(quad.nodes[j / 2], j % 2));
-                let both = model.dofs.equation(one) != HELD && model.dofs.equation(two) != HELD;
+                let both = model.dofs.equation[one] != HELD && model.dofs.equation[two] != HELD;
                 if i % 2 == j % 2 && both {
                     values[*slot as usize] += density * mass[i / 2][j / 2];
                 }
@@ -183,7 +183,7 @@ pub fn at_rest(
     work.skewed = false;
     work.factorise()?;
     let accelerations = work.solve(&right, 1e-12)?;
-    for (component, acceleration) in model.dofs.free().iter().zip(&accelerations) {
+    for (component, acceleration) in model.dofs.free.iter().zip(&accelerations) {
         state.accelerations[*component as usize] = *acceleration;
     }
     state.forces.copy_from_slice(forces);

@@ -145,17 +145,6 @@ pub(super) struct Attempt {
 }
 
 impl Attempt {
-    /// This one, and another that went on from there.
-    fn then(self, next: Attempt) -> Attempt {
-        let took = Step {
-            iterations: self.took.iterations + next.took.iterations,
-            line_searches: self.took.line_searches + next.took.line_searches,
-            indefinite: self.took.indefinite + next.took.indefinite,
-            ..next.took
-        };
-        Attempt { took, ..next }
-    }
-
     pub(super) fn step(&self, model: &Model, work: &Workspace, reached: f64) -> Step {
         let (open, sliding) = count(work.trial.bonds.iter().map(|bond| bond.state));
         Step {
@@ -204,7 +193,9 @@ pub(super) fn balance(
         }
         breaking.iter().for_each(|&pair| state.bonds[pair].memory.broken = true);
         broken.extend(breaking);
-        attempt = attempt.then(seek(&Equations { model, state, aim, inertia }, work, settings, Begin::Trial, asking));
+        let before = attempt.took.iterations;
+        attempt = seek(&Equations { model, state, aim, inertia }, work, settings, Begin::Trial, asking);
+        attempt.took.iterations += before;
     }
     broken.iter().for_each(|&pair| state.bonds[pair].memory.broken = false);
     attempt
@@ -215,7 +206,7 @@ fn overstressed<'a>(model: &'a Model, bonds: &'a [Bond]) -> impl Iterator<Item =
     let overstress = |(spring, bond): (&Spring, &Bond)| {
         model.joints[spring.kind].overstress(bond.traction[0], spring.area, &bond.memory)
     };
-    model.springs().iter().zip(bonds).map(overstress).enumerate()
+    model.springs.iter().zip(bonds).map(overstress).enumerate()
 }
 
 /// Where an attempt begins.
@@ -253,10 +244,7 @@ fn seek(
         attempt.took.iterations += 1;
         let first = attempt.took.iterations == 1 && begin == Begin::State;
         let direction = match direction(work, &right, &mut damping) {
-            Ok((direction, definite)) => {
-                attempt.took.indefinite += u32::from(!definite);
-                direction
-            }
+            Ok(direction) => direction,
             Err(FactorError::IllConditioned) => return attempt,
             Err(_) => {
                 attempt.end = Status::Singular;
@@ -272,12 +260,10 @@ fn seek(
         let found = if first && imposes {
             whole
         } else if skewed {
-            equations.shorten(work, &direction, before, whole, &mut attempt.took.line_searches)
+            equations.shorten(work, &direction, before, whole)
         } else if damping > 0.0 {
-            attempt.took.line_searches += 1;
             equations.descend(work, &direction, start, whole)
         } else if whole.as_ref().is_none_or(|now| poor(start, dot(now, &direction))) {
-            attempt.took.line_searches += 1;
             equations.search(work, &direction, start, whole)
         } else {
             whole
@@ -306,26 +292,26 @@ fn seek(
 /// Share of its diagonal that is added to a tangent that is not positive definite, at first.
 const LEAST_DAMPING: f64 = 1e-6;
 
-/// The step of Newton's method, and whether the symmetric part of the tangent was positive definite.
+/// The step of Newton's method.
 ///
 /// Where a symmetric tangent has an inverse but is not positive definite, Newton's step leads away from balance that is stable: a stone
 /// between two open joints that swings out. A share of its diagonal is then added, as much as makes it definite, so that the step goes
 /// down in energy; the share fades over the next iterations (Levenberg and Marquardt).
-fn direction(work: &mut Workspace, right: &[f64], damping: &mut f64) -> Result<(Vec<f64>, bool), FactorError> {
+fn direction(work: &mut Workspace, right: &[f64], damping: &mut f64) -> Result<Vec<f64>, FactorError> {
     let definite = work.factorise()?;
     let plain = work.solve(right, ACCURACY)?;
     if work.skewed || (definite && *damping < LEAST_DAMPING) {
         *damping = 0.0;
-        return Ok((plain, definite));
+        return Ok(plain);
     }
     *damping = if definite { 0.1 * *damping } else { LEAST_DAMPING.max(*damping) };
     while *damping < 1.0 {
         if let Some(damped) = work.solve_damped(right, *damping) {
-            return Ok((damped, definite));
+            return Ok(damped);
         }
         *damping *= 10.0;
     }
-    Ok((plain, definite))
+    Ok(plain)
 }
 
 /// Whether a part of the step may serve better than the whole: the force along it has turned round and is large, or has grown.
@@ -371,14 +357,14 @@ impl Equations<'_> {
 
     fn impose(&self, work: &mut Workspace) {
         let dofs = &self.model.dofs;
-        for component in (0..dofs.count()).filter(|component| dofs.held(*component)) {
+        for component in (0..dofs.equation.len()).filter(|component| dofs.held(*component)) {
             work.trial.displacements[component] = self.aim.displacements[component];
         }
     }
 
     /// Moves the free components and computes what is then out of balance.
     fn go(&self, work: &mut Workspace, direction: &[f64], share: f64) -> Option<Vec<f64>> {
-        for (component, step) in self.model.dofs.free().iter().zip(direction) {
+        for (component, step) in self.model.dofs.free.iter().zip(direction) {
             work.trial.displacements[*component as usize] += share * step;
         }
         self.evaluate(work)?;
@@ -417,17 +403,15 @@ impl Equations<'_> {
         direction: &[f64],
         start: f64,
         whole: Option<Vec<f64>>,
-        searches: &mut u32,
     ) -> Option<Vec<f64>> {
         const TRIES: usize = 4;
         let falls =
             |found: &Option<Vec<f64>>, loose: f64| found.as_ref().is_some_and(|found| norm(found).hypot(loose) < start);
         let (mut found, mut share) = (whole, 1.0);
-        for tries in 0..TRIES {
+        for _ in 0..TRIES {
             if falls(&found, work.loose) {
                 break;
             }
-            *searches += u32::from(tries == 0);
             found = self.go(work, direction, -0.5 * share);
             share *= 0.5;
         }

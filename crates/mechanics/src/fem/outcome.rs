@@ -22,10 +22,6 @@ pub struct Step {
     pub iterations: u32,
     /// Out-of-balance force over applied force at its end.
     pub unbalanced: f64,
-    /// Searches along a direction.
-    pub line_searches: u32,
-    /// Times the symmetric part of the tangent was not positive definite.
-    pub indefinite: u32,
     /// Points that flow or crack.
     pub yielding: usize,
     /// Plain elements (`Q4`, and `QM6` whose modes found no balance in flow that is not associated) in which every point flows. Flow keeps volume in a fixed ratio to shear, to which four such points bind more than the

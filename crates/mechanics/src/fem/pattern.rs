@@ -22,7 +22,7 @@ impl Pattern {
     /// Finds the pattern of a model.
     pub fn new(model: &Model) -> Pattern {
         let quads = model.mesh.quads.iter().map(|quad| quad.nodes.to_vec());
-        let springs = model.springs().iter().map(|spring| spring.nodes().collect());
+        let springs = model.springs.iter().map(|spring| spring.nodes().collect());
         let elements: Vec<Vec<NodeId>> = quads.chain(springs).collect();
         let neighbours = neighbours(model.mesh.nodes.len(), &elements);
         let (columns, rows) = triangle(&model.dofs, &neighbours);
@@ -30,7 +30,9 @@ impl Pattern {
         for nodes in &elements {
             pattern.place(&model.dofs, nodes);
         }
-        pattern.close();
+        // Entries that nobody reads stand in the last place.
+        let last = (pattern.places() - 1) as u32;
+        pattern.slots.iter_mut().filter(|slot| **slot == HELD).for_each(|slot| *slot = last);
         pattern
     }
 
@@ -60,7 +62,7 @@ impl Pattern {
         let components: Vec<usize> = nodes.iter().flat_map(|node| [dof(*node, 0), dof(*node, 1)]).collect();
         for (i, one) in components.iter().enumerate() {
             for two in &components[..=i] {
-                let (a, b) = (dofs.equation(*one), dofs.equation(*two));
+                let (a, b) = (dofs.equation[*one], dofs.equation[*two]);
                 let place = match (a == HELD, b == HELD) {
                     (false, false) => self.find(a.min(b) as usize, a.max(b)),
                     // Marked here; moved behind the others once all are known.
@@ -83,14 +85,6 @@ impl Pattern {
     fn couple(&mut self, free: u32, held: u32) -> u32 {
         self.coupling.push((free, held));
         (self.rows.len() + self.coupling.len() - 1) as u32
-    }
-
-    /// Place of entries that nobody reads.
-    fn close(&mut self) {
-        let last = (self.places() - 1) as u32;
-        for slot in self.slots.iter_mut().filter(|slot| **slot == HELD) {
-            *slot = last;
-        }
     }
 
     /// `out += S x + A x`: the symmetric part in the lower triangle of `values`, and what is skew in that of `skew`, if anything is.
@@ -139,10 +133,10 @@ fn neighbours(count: usize, elements: &[Vec<NodeId>]) -> Vec<Vec<u32>> {
 fn triangle(dofs: &Dofs, neighbours: &[Vec<u32>]) -> (Vec<u32>, Vec<u32>) {
     let mut columns = vec![0];
     let mut rows = Vec::new();
-    for (equation, component) in dofs.free().iter().enumerate() {
+    for (equation, component) in dofs.free.iter().enumerate() {
         for node in &neighbours[*component as usize / 2] {
             for axis in 0..2 {
-                let row = dofs.equation(2 * *node as usize + axis);
+                let row = dofs.equation[2 * *node as usize + axis];
                 if row != HELD && row as usize >= equation {
                     rows.push(row);
                 }

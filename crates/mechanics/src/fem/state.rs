@@ -56,7 +56,7 @@ impl State {
             displacements: vec![0.0; components],
             points: vec![Point::default(); 4 * quads],
             modes: vec![[0.0; 4]; quads],
-            bonds: vec![Bond::default(); model.springs().len()],
+            bonds: vec![Bond::default(); model.springs.len()],
             forces: vec![0.0; components],
             velocities: vec![0.0; components],
             accelerations: vec![0.0; components],

@@ -20,8 +20,8 @@ pub struct Workspace {
     pub(super) skewed: bool,
     /// Force on modes of elements that is not balanced yet [N/m], all together.
     pub(super) loose: f64,
-    /// Internal forces on all components.
-    pub(super) internal: Vec<f64>,
+    /// Internal forces on all components [N/m] at the displacements for which the tangent was computed last.
+    pub internal: Vec<f64>,
     /// What the state would be if it were kept.
     pub(super) trial: State,
     /// How often in this attempt the modes of each element found no balance.
@@ -50,7 +50,7 @@ impl Workspace {
             skew: if model.symmetric() { Vec::new() } else { vec![0.0; pattern.places()] },
             skewed: false,
             loose: 0.0,
-            internal: vec![0.0; model.dofs.count()],
+            internal: vec![0.0; model.dofs.equation.len()],
             trial: State::new(model),
             misses: vec![0; model.mesh.quads.len()],
             pattern,
@@ -96,11 +96,6 @@ impl Workspace {
         definite.then(|| self.solver.solve(&self.pattern, (&values, &[]), right, 0.0).ok())?
     }
 
-    /// Internal forces on all components [N/m] at the displacements for which the tangent was computed last.
-    pub fn internal_forces(&self) -> &[f64] {
-        &self.internal
-    }
-
     /// The tangent computed last times a vector of free components.
     pub fn tangent_times(&self, x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; x.len()];
@@ -116,7 +111,7 @@ impl Workspace {
 
     /// Entries of its factor.
     pub fn factor_entries(&self) -> usize {
-        self.solver.entries()
+        self.solver.values.len()
     }
 
     /// Starts from a state.
@@ -138,7 +133,7 @@ impl Workspace {
 
     /// What is out of balance at the free components: loads less internal forces [N/m].
     pub(super) fn unbalanced(&self, model: &Model, forces: &[f64]) -> Vec<f64> {
-        let free = model.dofs.free().iter();
+        let free = model.dofs.free.iter();
         free.map(|component| forces[*component as usize] - self.internal[*component as usize]).collect()
     }
 
@@ -153,7 +148,7 @@ impl Workspace {
             let moved = self.trial.displacements[*component as usize].abs() + places;
             self.values[self.pattern.column(equation).start] * moved
         };
-        let terms: Vec<f64> = model.dofs.free().iter().enumerate().map(of).collect();
+        let terms: Vec<f64> = model.dofs.free.iter().enumerate().map(of).collect();
         4.0 * f64::EPSILON * norm(&terms)
     }
 
@@ -161,7 +156,7 @@ impl Workspace {
     pub(super) fn applied(&self, model: &Model, forces: &[f64]) -> f64 {
         let dofs = &model.dofs;
         let loads = dofs.of_free(forces);
-        let held = || (0..dofs.count()).filter(|component| dofs.held(*component));
+        let held = || (0..dofs.equation.len()).filter(|component| dofs.held(*component));
         // Supports that stay where they are answer the loads; only where they are moved do their reactions load the body.
         if held().all(|component| self.trial.displacements[component] == 0.0) {
             return norm(&loads);
@@ -181,5 +176,5 @@ pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64>
         true => work.internal[component] - state.forces[component],
         false => 0.0,
     };
-    (0..dofs.count()).map(of).collect()
+    (0..dofs.equation.len()).map(of).collect()
 }

@@ -127,12 +127,12 @@ impl Held<'_> {
     }
 
     fn plain(&self) -> usize {
-        self.rows.width() - self.bounded.count
+        self.rows.width - self.bounded.count
     }
 
     /// Where an unknown that is held stands.
     fn value(&self, j: usize, at: At) -> f64 {
-        let b = self.rows.b(self.bound(j, at));
+        let b = self.rows.b[self.bound(j, at)];
         if at == At::Most { b } else { -b }
     }
 
@@ -150,13 +150,13 @@ impl Held<'_> {
             places: Vec::with_capacity(self.last.len()),
             free,
         };
-        for k in 0..self.rows.count() {
+        for k in 0..self.rows.b.len() {
             if self.bound_of(k).is_some_and(|(j, _)| at[j] != At::Free) {
                 continue;
             }
             let entry = |unknown| self.rows.entry(k, unknown);
             let own = self.rows.row(k).take(plain).chain(few.free.iter().map(|&j| entry(plain + j)));
-            few.rows.push(own, self.rows.b(k) - held.iter().map(|&(c, x)| entry(c) * x).sum::<f64>());
+            few.rows.push(own, self.rows.b[k] - held.iter().map(|&(c, x)| entry(c) * x).sum::<f64>());
             few.last.push(self.last[k]);
             few.places.push(k);
         }
@@ -214,7 +214,7 @@ impl Few {
             Member::Far => Some(Member::Far),
         };
         let own: Vec<Member> = members.iter().map(own).collect::<Option<_>>()?;
-        (own.len() == self.rows.width() + 1).then_some(own)
+        (own.len() == self.rows.width + 1).then_some(own)
     }
 
     fn whole(&self, member: Member, held: &Held<'_>) -> Member {
@@ -242,13 +242,13 @@ mod tests {
         let (plain, count, many) = (2, 12, 30);
         let mut rows = Rows::new(plain + count);
         for _ in 0..many {
-            let row: Vec<f64> = (0..rows.width()).map(|_| random()).collect();
+            let row: Vec<f64> = (0..rows.width).map(|_| random()).collect();
             rows.push(row, 1.0 + random());
         }
         let bounded = Bounded { first: many, count };
         for j in 0..count {
             for sign in [-1.0, 1.0] {
-                let mut row = vec![0.0; rows.width()];
+                let mut row = vec![0.0; rows.width];
                 row[plain + j] = sign;
                 rows.push(row, if sign < 0.0 { 0.1 } else { 0.3 });
             }
@@ -267,11 +267,11 @@ mod tests {
             assert!((a - b).abs() < 1e-9 * (1.0 + a.abs()), "{a} {b}");
             assert!((held.upper - a).abs() < 1e-9 * (1.0 + a.abs()));
             // The multipliers of all rows balance in every unknown.
-            for j in 0..rows.width() {
+            for j in 0..rows.width {
                 let sum: f64 = held.basis.iter().map(|&(k, y)| y * rows.entry(k, j)).sum();
                 assert!(sum.abs() < 1e-8, "{sum}");
             }
-            assert_eq!(held.start.members.len(), rows.width() + 1);
+            assert_eq!(held.start.members.len(), rows.width + 1);
             start = Some(held.start);
         }
         assert!(start.is_some());

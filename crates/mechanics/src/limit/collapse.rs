@@ -4,7 +4,7 @@ use super::bounds;
 use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::level::{WithDilation, WithoutDilation, without_dilation};
+use super::level::{WithDilation, without_dilation};
 use super::mechanism::mechanism;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Program, Solution};
@@ -12,6 +12,7 @@ use super::proven::{Roomy, proven, roomy};
 use super::rest::{Rest, share};
 use super::settings::{Friction, Settings};
 use super::smooth::smooth;
+use super::stiff::WithoutDilation;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
 use crate::watch::CancelToken;
@@ -57,7 +58,7 @@ pub(super) fn outcome(
     by_friction(friction, (model, equilibrium), found, at_rest, &mut outcome);
     if equilibrium.token.is_cancelled() {
         let Outcome { interfaces, iterations, friction, .. } = outcome;
-        return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
+        return Outcome { status: Status::Cancelled, friction, interfaces, iterations, ..Outcome::default() };
     }
     outcome
 }
@@ -212,7 +213,8 @@ pub(super) fn locks(equilibrium: &Equilibrium) -> Solution {
 
 fn report(model: &BlockModel, equilibrium: &Equilibrium, interfaces: Vec<Interface>, found: &Found) -> Outcome {
     let solution = &found.solution;
-    let mut outcome = Outcome::without_numbers(found.status, Friction::Associated, interfaces, found.iterations);
+    let Found { status, iterations, .. } = *found;
+    let mut outcome = Outcome { status, interfaces, iterations, ..Outcome::default() };
     if matches!(found.status, Status::Solved | Status::NoEquilibrium) {
         outcome.mechanism = mechanism(model, equilibrium, &solution.velocities);
     }

@@ -13,7 +13,7 @@ pub(super) type Entry = (usize, f64);
 
 /// `B f + factor p + w = 0`: three equations for each free block, moments about its centroid divided by `length`,
 /// forces divided by `force`, the factor multiplied by `factor_scale`. Every number is then of the order of one.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Equilibrium {
     /// Number of equations.
     pub rows: usize,
@@ -90,17 +90,11 @@ impl Equilibrium {
         let row = model.blocks.iter().map(|b| [b.held.x, b.held.y, b.held.rotation].map(&mut number)).collect();
         let mut this = Equilibrium {
             rows,
-            token: CancelToken::default(),
             row,
             centroids,
             columns: Vec::with_capacity(3 * joints.len()),
-            restraints: Vec::new(),
-            permanent: Vec::new(),
-            variable: Vec::new(),
-            force: 1.0,
             length: unit_of_length(model, &joints),
-            factor_scale: 1.0,
-            joints: Vec::new(),
+            ..Equilibrium::default()
         };
         for joint in &joints {
             let units = joint.points.iter().map(|&at| (at, joint.normal)).chain([(joint.points[0], joint.tangent())]);

@@ -13,7 +13,8 @@ use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 /// What all loads have in common.
 pub struct Ground {
     pub(super) model: BlockModel,
-    pub(super) interfaces: Vec<Interface>,
+    /// The joints, in the order of all forces.
+    pub interfaces: Vec<Interface>,
     pub(super) equilibrium: Equilibrium,
     pub(super) stands: Carried,
     pub(super) reduced: Option<Reduced>,
@@ -185,11 +186,6 @@ impl Ground {
     pub(super) fn scaled(&self, load: &[PointForce]) -> Vec<f64> {
         let loads = self.equilibrium.of_loads(load.iter().copied());
         loads.iter().map(|p| p / self.equilibrium.force).collect()
-    }
-
-    /// The joints, in the order of all forces.
-    pub fn interfaces(&self) -> &[Interface] {
-        &self.interfaces
     }
 
     /// What a joint carries under the permanent loads and so many times a load, if blocks were elastic, all of one modulus, and

@@ -63,12 +63,15 @@ impl Strength {
     }
 }
 
+/// Largest gap at which two blocks still share a joint [m].
+const TOUCHING: f64 = 1e-6;
+
 /// All joints of a model and the interfaces they come from.
 pub(super) fn joints(model: &BlockModel, settings: &Settings) -> Result<(Vec<Interface>, Vec<Joint>), ModelError> {
     if !model.particles.is_empty() {
         return Err(ModelError::ParticlesInLimitAnalysis(model.particles.len()));
     }
-    let faces = interfaces(model, settings.touching)?;
+    let faces = interfaces(model, TOUCHING)?;
     let mut columns = 0;
     let numbered = |face| {
         let joint = joint(model, settings, face, columns);

@@ -12,7 +12,7 @@ use super::outcome::Status;
 use super::program::Solution;
 use super::rest::Rest;
 use super::settings::Friction;
-use super::stiff::Grown;
+use super::stiff::WithoutDilation;
 
 /// Beside a load so many times all permanent loads, these are less than what the solver can see: geometry and friction alone carry the
 /// load, and would carry any other.
@@ -24,18 +24,6 @@ const BELOW: [f64; 2] = [1e-4, 1e-8];
 
 /// Loads this far below zero, scaled, are zero.
 const ZERO: f64 = 1e-6;
-
-/// What is carried where sliding does not dilate.
-pub(super) enum WithoutDilation {
-    /// A load: the state in which blocks give way, the scaled factors there and of the largest load on the way to it, and whether it comes and goes.
-    Load { solution: Solution, spread: [f64; 2], comes_and_goes: bool },
-    /// Every load.
-    Locks,
-    /// What blocks carry depends on how hard they are jammed.
-    Jammed,
-    /// The way has no end.
-    Unsettled,
-}
 
 /// The load with dilation beside it.
 #[derive(Debug, Clone, Copy)]
@@ -60,26 +48,17 @@ pub(super) fn without_dilation(equilibrium: &Equilibrium, beside: &WithDilation,
     }
     let Some(stood) = at_rest.stood(equilibrium) else { return WithoutDilation::Jammed };
     match stood.under(equilibrium, if endless { LOCKED } else { f64::INFINITY }) {
-        Grown::GivesWay { solution, .. } if solution.factor < -ZERO => WithoutDilation::Jammed,
-        Grown::GivesWay { mut solution, most, comes_and_goes } => {
+        WithoutDilation::Load { solution, .. } if solution.factor < -ZERO => WithoutDilation::Jammed,
+        WithoutDilation::Load { mut solution, spread: [_, most], comes_and_goes } => {
             solution.factor = solution.factor.max(0.0);
             let spread = [solution.factor, most.max(solution.factor)];
             WithoutDilation::Load { solution, spread, comes_and_goes }
         }
-        Grown::Carried => WithoutDilation::Locks,
-        Grown::Lost => WithoutDilation::Unsettled,
+        other => other,
     }
 }
 
 impl WithoutDilation {
-    /// The load factor; `scale` is that of a scaled one.
-    pub(super) fn factor(&self, scale: f64) -> Option<f64> {
-        match self {
-            WithoutDilation::Load { solution, .. } => Some(solution.factor * scale),
-            _ => None,
-        }
-    }
-
     /// Whether this counts by the friction that is asked for, and not the load with dilation.
     pub(super) fn governs(&self, friction: Friction, beside: &WithDilation) -> bool {
         let WithDilation { status, factor, slides } = *beside;

@@ -3,7 +3,6 @@
 use super::equilibrium::Equilibrium;
 use super::outcome::{Hinge, JointMotion, Mechanism};
 use crate::blocks::BlockModel;
-use crate::ids::Table;
 use crate::plane::Vec2;
 
 /// Motions smaller than this share of the fastest one are round-off of the solver (its tolerance is 1e-9), not motion.
@@ -11,20 +10,7 @@ const STILL: f64 = 1e-6;
 
 /// The mechanism of scaled velocities; `None` when nothing moves.
 pub(super) fn mechanism(model: &BlockModel, equilibrium: &Equilibrium, velocities: &[f64]) -> Option<Mechanism> {
-    let motions = equilibrium.motions(velocities);
-    let fastest = model
-        .blocks
-        .iter()
-        .zip(motions.iter())
-        .map(|(block, &(v, w))| {
-            let centre = block.outline.centroid();
-            block.outline.vertices().iter().map(|&p| (v + (p - centre).left() * w).norm()).fold(0.0, f64::max)
-        })
-        .fold(0.0, f64::max);
-    if fastest.is_nan() || fastest <= 0.0 {
-        return None;
-    }
-    let velocities: Table<_, (Vec2, f64)> = motions.iter().map(|&(v, w)| (v * (1.0 / fastest), w / fastest)).collect();
+    let velocities = model.to_one_metre(&equilibrium.motions(velocities))?;
     let centroids = &equilibrium.centroids;
     let (mut motions, mut hinges, mut sliding) = (Vec::new(), Vec::new(), Vec::new());
     for (index, joint) in equilibrium.joints.iter().enumerate() {

@@ -6,7 +6,7 @@ use crate::ids::{BlockId, Table};
 use crate::plane::Vec2;
 
 /// How a limit analysis ended. All of these are answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Status {
     /// The largest load factor was found.
     Solved,
@@ -15,6 +15,7 @@ pub enum Status {
     /// The permanent loads alone are not carried.
     NoEquilibrium,
     /// The program was not solved to its tolerance; no number is reported as an answer.
+    #[default]
     NotConverged,
     /// It was stopped on the way; no number is reported.
     Cancelled,
@@ -94,8 +95,8 @@ pub struct Mechanism {
     pub sliding: Vec<usize>,
 }
 
-/// The result of a limit analysis.
-#[derive(Debug, Clone, PartialEq)]
+/// The result of a limit analysis; by default one without numbers.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outcome {
     /// How it ended.
     pub status: Status,
@@ -135,30 +136,4 @@ pub struct Outcome {
     pub jammed: bool,
     /// Iterations of the solver in all.
     pub iterations: u32,
-}
-
-impl Outcome {
-    /// An outcome without numbers, forces and mechanism: how the analysis ended, with which flow rule, and its joints.
-    #[must_use]
-    pub fn without_numbers(status: Status, friction: Friction, interfaces: Vec<Interface>, iterations: u32) -> Outcome {
-        Outcome {
-            status,
-            factor: None,
-            lower_bound: None,
-            upper_bound: None,
-            equilibrium_residual: 0.0,
-            yield_violation: 0.0,
-            flow_violation: 0.0,
-            interfaces,
-            forces: Vec::new(),
-            resultants: Vec::new(),
-            mechanism: None,
-            friction,
-            associated_factor: None,
-            spread: None,
-            comes_and_goes: false,
-            jammed: false,
-            iterations,
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! The rows of a linear program, so laid out that the slack of eight of them is computed at once.
 
-use crate::wide;
+use crate::wide::wide;
 
 /// Rows that stand side by side.
 const SIDE: usize = 8;
@@ -9,37 +9,19 @@ const SIDE: usize = 8;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
     /// Unknowns but the last.
-    width: usize,
+    pub width: usize,
     /// Eight rows after the other; of each eight, unknown after unknown. Rows that only fill up the last eight say nothing.
     a: Vec<f64>,
     /// Right sides.
-    b: Vec<f64>,
+    pub b: Vec<f64>,
     /// The largest size of any entry.
-    largest: f64,
+    pub largest: f64,
 }
 
 impl Rows {
     /// No rows of `width` unknowns yet.
     pub(super) fn new(width: usize) -> Rows {
         Rows { width, ..Rows::default() }
-    }
-
-    pub(super) fn width(&self) -> usize {
-        self.width
-    }
-
-    pub(super) fn count(&self) -> usize {
-        self.b.len()
-    }
-
-    /// Right side of a row.
-    pub(super) fn b(&self, k: usize) -> f64 {
-        self.b[k]
-    }
-
-    /// The largest size of any entry.
-    pub(super) fn largest(&self) -> f64 {
-        self.largest
     }
 
     pub(super) fn push(&mut self, a: impl IntoIterator<Item = f64>, b: f64) {
@@ -91,58 +73,43 @@ impl Rows {
         careful: bool,
         may: impl Fn(usize) -> bool,
     ) -> Option<usize> {
-        wide::widest(Violated { rows: self, last, x, factor, most, careful, may })
-    }
-}
-
-struct Violated<'a, M> {
-    rows: &'a Rows,
-    last: &'a [f64],
-    x: &'a [f64],
-    factor: f64,
-    most: f64,
-    careful: bool,
-    may: M,
-}
-
-impl<M: Fn(usize) -> bool> pulp::NullaryFnOnce for Violated<'_, M> {
-    type Output = Option<usize>;
-
-    #[inline(always)]
-    fn call(self) -> Option<usize> {
-        let Violated { rows, last, x, factor, most, careful, may } = self;
-        let (mut worst, mut found) = (most, None);
-        let (b, b_left) = rows.b.as_chunks::<SIDE>();
-        let (last, last_left) = last[..rows.b.len()].as_chunks::<SIDE>();
-        // Rows that only fill up the last eight are never violated.
-        let (mut b_end, mut last_end) = ([f64::INFINITY; SIDE], [0.0; SIDE]);
-        b_end[..b_left.len()].copy_from_slice(b_left);
-        last_end[..last_left.len()].copy_from_slice(last_left);
-        let sides = b.iter().chain([&b_end]).zip(last.iter().chain([&last_end]));
-        for (eight, (b, last)) in sides.take(rows.b.len().div_ceil(SIDE)).enumerate() {
-            let mut slack = [0.0; SIDE];
-            for k in 0..SIDE {
-                slack[k] = b[k] - last[k] * factor;
-            }
-            let (columns, _) = rows.a[eight * SIDE * rows.width..][..SIDE * rows.width].as_chunks::<SIDE>();
-            for (column, x) in columns.iter().zip(x) {
-                for k in 0..SIDE {
-                    slack[k] -= column[k] * x;
-                }
-            }
-            if !slack.iter().fold(false, |any, slack| any | (*slack < worst)) {
-                continue;
-            }
-            for (side, slack) in slack.into_iter().enumerate() {
-                let k = eight * SIDE + side;
-                if slack < worst && may(k) {
-                    (worst, found) = (slack, Some(k));
-                    if careful {
-                        return found;
+        wide(
+            #[inline(always)]
+            move || {
+                let (mut worst, mut found) = (most, None);
+                let (b, b_left) = self.b.as_chunks::<SIDE>();
+                let (last, last_left) = last[..self.b.len()].as_chunks::<SIDE>();
+                // Rows that only fill up the last eight are never violated.
+                let (mut b_end, mut last_end) = ([f64::INFINITY; SIDE], [0.0; SIDE]);
+                b_end[..b_left.len()].copy_from_slice(b_left);
+                last_end[..last_left.len()].copy_from_slice(last_left);
+                let sides = b.iter().chain([&b_end]).zip(last.iter().chain([&last_end]));
+                for (eight, (b, last)) in sides.take(self.b.len().div_ceil(SIDE)).enumerate() {
+                    let mut slack = [0.0; SIDE];
+                    for k in 0..SIDE {
+                        slack[k] = b[k] - last[k] * factor;
+                    }
+                    let (columns, _) = self.a[eight * SIDE * self.width..][..SIDE * self.width].as_chunks::<SIDE>();
+                    for (column, x) in columns.iter().zip(x) {
+                        for k in 0..SIDE {
+                            slack[k] -= column[k] * x;
+                        }
+                    }
+                    if !slack.iter().fold(false, |any, slack| any | (*slack < worst)) {
+                        continue;
+                    }
+                    for (side, slack) in slack.into_iter().enumerate() {
+                        let k = eight * SIDE + side;
+                        if slack < worst && may(k) {
+                            (worst, found) = (slack, Some(k));
+                            if careful {
+                                return found;
+                            }
+                        }
                     }
                 }
-            }
-        }
-        found
+                found
+            },
+        )
     }
 }

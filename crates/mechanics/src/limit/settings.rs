@@ -1,9 +1,10 @@
 //! How a limit analysis is done.
 
 /// The flow rule of sliding joints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Friction {
     /// Sliding dilates by the friction angle: one convex program, an upper bound on what real joints carry.
+    #[default]
     Associated,
     /// Sliding without dilation: blocks between stiff joints, followed from rest to collapse.
     NonAssociated,
@@ -29,17 +30,10 @@ pub struct Settings {
     pub contact_points: ContactPoints,
     /// Whether the finite compressive strength of the joints counts.
     pub crushing: bool,
-    /// Largest gap at which two blocks still share a joint [m].
-    pub touching: f64,
 }
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings {
-            friction: Friction::Automatic,
-            contact_points: ContactPoints::Rounded,
-            crushing: false,
-            touching: 1e-6,
-        }
+        Settings { friction: Friction::Automatic, contact_points: ContactPoints::Rounded, crushing: false }
     }
 }

@@ -41,7 +41,7 @@ impl Start {
     /// With rows in the place of members, each named by its number in the basis; none where that is no basis with multipliers.
     pub(super) fn with(&self, swaps: &[(usize, usize)], rows: &Rows, last: &[f64]) -> Option<Start> {
         let (mut members, mut inverse) = (self.members.clone(), self.inverse.clone()?);
-        let mut row = vec![0.0; rows.width() + 1];
+        let mut row = vec![0.0; rows.width + 1];
         for &(leaving, entering) in swaps {
             members[leaving] = Member::Row(entering);
             coefficients(rows, last, members[leaving], &mut row);
@@ -111,7 +111,7 @@ pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&Start>, token: 
             ended => return ended,
         }
     }
-    let fixed = (0..rows.width()).map(Member::Fixed).chain([Member::Far]).collect();
+    let fixed = (0..rows.width).map(Member::Fixed).chain([Member::Far]).collect();
     Search::new(rows, last, Start::of(fixed), token).map_or(Ended::Lost, Search::run)
 }
 
@@ -132,7 +132,7 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(rows: &'a Rows, last: &'a [f64], start: Start, token: &'a CancelToken) -> Option<Self> {
-        let size = rows.width() + 1;
+        let size = rows.width + 1;
         let Start { members, inverse } = start;
         let known = inverse.is_some();
         let mut this = Search {
@@ -203,7 +203,7 @@ impl<'a> Search<'a> {
         self.z.iter_mut().zip(&change).for_each(|(z, d)| *z += d);
         // What no row can be violated by through it, next to what counts as violated.
         let moved: f64 = change.iter().map(|d| d.abs()).sum();
-        let largest = self.rows.largest().max(self.last.iter().fold(0.0, |most, a| a.abs().max(most)));
+        let largest = self.rows.largest.max(self.last.iter().fold(0.0, |most, a| a.abs().max(most)));
         let fresh = self.inverse.changes == 0;
         (fresh || moved * largest <= 0.1 * SLACK * (1.0 + self.z[n - 1].abs()))
             && self.inverse.refine_multipliers(&self.matrix)
@@ -257,7 +257,7 @@ impl<'a> Search<'a> {
                         return Ended::Lost;
                     }
                     basis.push((k, y.max(0.0)));
-                    upper += y.max(0.0) * self.rows.b(k);
+                    upper += y.max(0.0) * self.rows.b[k];
                 }
                 Member::Far if y > 1e-9 => return Ended::Unbounded,
                 Member::Far => {}
@@ -272,7 +272,7 @@ impl<'a> Search<'a> {
 
 /// Writes the row of a member; its right side.
 fn coefficients(rows: &Rows, last: &[f64], member: Member, row: &mut [f64]) -> f64 {
-    let (own, of_last) = row.split_at_mut(rows.width());
+    let (own, of_last) = row.split_at_mut(rows.width);
     own.fill(0.0);
     of_last[0] = match member {
         Member::Row(k) => {
@@ -286,7 +286,7 @@ fn coefficients(rows: &Rows, last: &[f64], member: Member, row: &mut [f64]) -> f
         Member::Far => 1.0,
     };
     match member {
-        Member::Row(k) => rows.b(k),
+        Member::Row(k) => rows.b[k],
         Member::Fixed(_) => 0.0,
         Member::Far => FAR,
     }

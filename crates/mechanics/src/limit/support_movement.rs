@@ -36,13 +36,14 @@ pub struct Increments {
 }
 
 /// How a movement ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MovementStatus {
     /// The blocks fell.
     Collapsed,
     /// The blocks stood up to the largest movement.
     StandsThroughout,
     /// The blocks do not stand before any movement.
+    #[default]
     NoEquilibrium,
     /// It was stopped on the way; the blocks stood as far as they came.
     Cancelled,
@@ -58,7 +59,7 @@ pub struct MovementStep {
 }
 
 /// The blocks as they follow a moving support.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct MovementOutcome {
     /// How it ended.
     pub status: MovementStatus,
@@ -105,16 +106,7 @@ pub fn support_movement(
         slipped: vec![0.0; joints.len()],
     };
     let chain = Chain { model, loading, loads: &loads, joints: &joints, token };
-    let mut outcome = MovementOutcome {
-        status: MovementStatus::NoEquilibrium,
-        stands: 0.0,
-        falls: None,
-        path: Vec::new(),
-        poses: state.poses(),
-        interfaces,
-        resultants: Vec::new(),
-        hinges: Vec::new(),
-    };
+    let mut outcome = MovementOutcome { interfaces, ..MovementOutcome::default() };
     // The unit of length is half of the mean.
     let small = SMALL * (2.0 * length);
     let (mut factor, mut step) = (0.0, increments.step);

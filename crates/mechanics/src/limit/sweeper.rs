@@ -7,7 +7,7 @@ use super::collapse::{Found, largest_factor_of_carried, outcome};
 use super::compliance::Stiffness;
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
-use super::level::{WithDilation, WithoutDilation, without_dilation};
+use super::level::{WithDilation, without_dilation};
 use super::mechanism::mechanism;
 use super::outcome::{Outcome, Status};
 use super::program::Solution;
@@ -15,7 +15,7 @@ use super::proven::carried_up_to;
 use super::reduced::tangents;
 use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member, Start};
-use super::stiff::Grown;
+use super::stiff::WithoutDilation;
 use crate::blocks::PointForce;
 use crate::watch::CancelToken;
 
@@ -34,8 +34,8 @@ const TANGENTS: usize = 300;
 /// Largest velocity against the flow rule, relative to the fastest, with which a motion bounds other loads.
 const FLOWS: f64 = 1e-6;
 
-/// A load factor and how sure it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A load factor and how sure it is; by default none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Factor {
     /// How it ended.
     pub status: Status,
@@ -79,13 +79,6 @@ impl Ground {
         let reduced = learnt.reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
         let learnt = Experience { reduced, ..learnt };
         Sweeper { ground: self, elastic, learnt, token: CancelToken::default() }
-    }
-}
-
-impl Factor {
-    /// No factor, and why.
-    fn without_numbers(status: Status) -> Factor {
-        Factor { status, lower: None, upper: None, slides: false, iterations: 0, by_interior_point: false }
     }
 }
 
@@ -140,7 +133,8 @@ enum Reached {
 pub struct Sweeper<'a> {
     ground: &'a Ground,
     elastic: Option<Stiffness<'a>>,
-    learnt: Experience,
+    /// What it has learnt, for [`Ground::sweeper_with`].
+    pub learnt: Experience,
     token: CancelToken,
 }
 
@@ -150,11 +144,6 @@ impl Sweeper<'_> {
     pub fn paced(mut self, token: &CancelToken) -> Self {
         self.token = token.clone();
         self
-    }
-
-    /// What it has learnt, for [`Ground::sweeper_with`].
-    pub fn learnt(self) -> Experience {
-        self.learnt
     }
 
     /// What a load does.
@@ -194,7 +183,7 @@ impl Sweeper<'_> {
     /// What the fast method found.
     fn quickly(&self, reached: &Reached) -> Factor {
         match reached {
-            _ if self.token.is_cancelled() => Factor::without_numbers(Status::Cancelled),
+            _ if self.token.is_cancelled() => Factor { status: Status::Cancelled, ..Factor::default() },
             Reached::Corner(corner, scale) => Factor {
                 status: Status::Solved,
                 lower: corner.z.last().map(|z| z.max(0.0) * scale),
@@ -203,7 +192,7 @@ impl Sweeper<'_> {
                 iterations: corner.pivots,
                 by_interior_point: false,
             },
-            Reached::Locks => Factor::without_numbers(Status::Locks),
+            Reached::Locks => Factor { status: Status::Locks, ..Factor::default() },
         }
     }
 
@@ -211,7 +200,7 @@ impl Sweeper<'_> {
     fn slowly(&mut self, effect: &Effect) -> Factor {
         let (equilibrium, found) = self.by_interior_point(effect);
         if self.token.is_cancelled() {
-            return Factor::without_numbers(Status::Cancelled);
+            return Factor { status: Status::Cancelled, ..Factor::default() };
         }
         let (solved, solution) = (found.status == Status::Solved, &found.solution);
         let scale = equilibrium.factor_scale;
@@ -251,22 +240,20 @@ impl Sweeper<'_> {
         let beside = WithDilation { status, factor: lower.unwrap_or(0.0) / scale, slides };
         let level = without_dilation(&equilibrium, &beside, &self.ground.stands.at_rest);
         if self.token.is_cancelled() {
-            let dilatant = Factor::without_numbers(Status::Cancelled);
+            let dilatant = Factor { status: Status::Cancelled, ..Factor::default() };
             return Least { dilatant, status: Status::Cancelled, factor: None, ..dilates };
         }
         if !level.governs(friction, &beside) {
             return dilates;
         }
-        let status = match level {
-            WithoutDilation::Load { .. } => Status::Solved,
-            WithoutDilation::Locks => Status::Locks,
-            WithoutDilation::Jammed | WithoutDilation::Unsettled => Status::NotConverged,
+        let (status, factor, at_most) = match level {
+            WithoutDilation::Load { solution, spread, comes_and_goes } => {
+                (Status::Solved, Some(solution.factor * scale), comes_and_goes.then_some(spread[1] * scale))
+            }
+            WithoutDilation::Locks => (Status::Locks, None, None),
+            WithoutDilation::Jammed | WithoutDilation::Unsettled => (Status::NotConverged, None, None),
         };
-        let at_most = match level {
-            WithoutDilation::Load { spread: [_, most], comes_and_goes: true, .. } => Some(most * scale),
-            _ => None,
-        };
-        Least { status, factor: level.factor(scale), friction: Friction::NonAssociated, at_most, ..dilates }
+        Least { status, factor, friction: Friction::NonAssociated, at_most, ..dilates }
     }
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.
@@ -283,9 +270,9 @@ impl Sweeper<'_> {
         let equilibrium = self.loaded(effect);
         let stood = self.ground.stands.at_rest.stood(&equilibrium)?;
         match stood.under(&equilibrium, 0.0) {
-            Grown::GivesWay { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
-            Grown::Carried => Some(f64::INFINITY),
-            Grown::Lost => None,
+            WithoutDilation::Load { solution, .. } => Some(solution.factor.max(0.0) * equilibrium.factor_scale),
+            WithoutDilation::Locks => Some(f64::INFINITY),
+            WithoutDilation::Jammed | WithoutDilation::Unsettled => None,
         }
     }
 
@@ -420,7 +407,7 @@ impl Sweeper<'_> {
     fn keep(&mut self, corner: &Corner) {
         let Some(reduced) = &self.learnt.reduced else { return };
         let mechanism: Vec<(usize, f64)> = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
-        let resistance = mechanism.iter().map(|&(k, y)| y * reduced.rows.b(k)).sum();
+        let resistance = mechanism.iter().map(|&(k, y)| y * reduced.rows.b[k]).sum();
         let kept = Kept { mechanism, resistance, start: corner.start.clone() };
         if self.learnt.kept.len() < KEPT {
             self.learnt.kept.push(kept);

@@ -132,38 +132,26 @@ impl Posed for Dual {
     }
 }
 
-impl Add for Dual {
-    type Output = Dual;
-    #[inline(always)]
-    fn add(self, other: Dual) -> Dual {
-        self.with(other, self.value + other.value, (1.0, 1.0))
-    }
+/// An operator: the value of two numbers, and its derivatives with respect to them.
+macro_rules! operators {
+    ($($operator:ident $name:ident |$a:ident, $b:ident| $value:expr, $slopes:expr;)+) => {$(
+        impl $operator for Dual {
+            type Output = Dual;
+
+            #[inline(always)]
+            fn $name(self, other: Dual) -> Dual {
+                let ($a, $b) = (self.value, other.value);
+                self.with(other, $value, $slopes)
+            }
+        }
+    )+};
 }
 
-impl Sub for Dual {
-    type Output = Dual;
-    #[inline(always)]
-    fn sub(self, other: Dual) -> Dual {
-        self.with(other, self.value - other.value, (1.0, -1.0))
-    }
-}
-
-impl Mul for Dual {
-    type Output = Dual;
-    #[inline(always)]
-    fn mul(self, other: Dual) -> Dual {
-        self.with(other, self.value * other.value, (other.value, self.value))
-    }
-}
-
-impl Div for Dual {
-    type Output = Dual;
-    #[inline(always)]
-    fn div(self, other: Dual) -> Dual {
-        let inverse = 1.0 / other.value;
-        let value = self.value * inverse;
-        self.with(other, value, (inverse, -value * inverse))
-    }
+operators! {
+    Add add |a, b| a + b, (1.0, 1.0);
+    Sub sub |a, b| a - b, (1.0, -1.0);
+    Mul mul |a, b| a * b, (b, a);
+    Div div |a, b| a * (1.0 / b), (1.0 / b, -(a * (1.0 / b)) * (1.0 / b));
 }
 
 #[cfg(test)]

@@ -30,19 +30,19 @@ fn joint(model: &Model, settings: &Settings, state: &State, k: usize) -> JointSt
     let turn = Rotation::by(first[2]);
     let half_turn = between(half_of(first[2]), half_of(state.motions[joint.second][2]));
     let end = |e: usize| EndState {
-        at: centre + turn.turn(joint.place(response.at[e], half_turn)),
+        at: centre + turn.turn(joint.place(response.meeting.at[e], half_turn)),
         compression: response.ends.compression[e],
         shear: response.shear[e],
         length: response.ends.length[e],
-        overlap: response.overlap[e],
+        overlap: response.meeting.overlap[e],
         sliding: slides(joint, &response, e),
     };
     JointState {
         normal: half.turn(joint.normal),
         ends: [end(0), end(1)],
         stress: stress(settings, joint, &response),
-        opened: opened(settings, (joint, &state.memory[k]), &response.overlap),
-        crushed: crushed(settings, joint, &response.overlap),
+        opened: opened(settings, (joint, &state.memory[k]), &response.meeting.overlap),
+        crushed: crushed(settings, joint, &response.meeting.overlap),
     }
 }
 
@@ -57,7 +57,7 @@ fn slides(joint: &Joint, response: &Response<f64>, end: usize) -> bool {
 fn stress(settings: &Settings, joint: &Joint, response: &Response<f64>) -> f64 {
     let law = &joint.resistance;
     let at_end = |k: usize| match settings.contact_length {
-        ContactLength::Distributed => (law.normal * response.overlap[k]).clamp(0.0, law.crushing),
+        ContactLength::Distributed => (law.normal * response.meeting.overlap[k]).clamp(0.0, law.crushing),
         _ if response.ends.length[k] > 0.0 => response.ends.compression[k] / response.ends.length[k],
         _ => 0.0,
     };
@@ -99,21 +99,14 @@ pub(super) fn point(
     let mut point = PathPoint {
         factor: state.factor,
         displacement: watched(model, program, state),
-        eccentricity: 0.0,
-        opened: 0.0,
-        hinges: 0,
-        sliding: 0,
-        stress: 0.0,
-        crushed: 0.0,
         mobilised: mobilised(model, state),
-        excess: 0.0,
-        rate: None,
         iterations,
         residual,
+        ..PathPoint::default()
     };
     for (k, joint) in model.joints.iter().enumerate() {
         let response = respond(model, settings, &state.memory[k], k, state);
-        let open = opened(settings, (joint, &state.memory[k]), &response.overlap);
+        let open = opened(settings, (joint, &state.memory[k]), &response.meeting.overlap);
         // A joint that is open throughout carries nothing: it is no hinge.
         if open < 1.0 {
             point.opened = point.opened.max(open);
@@ -121,14 +114,14 @@ pub(super) fn point(
         }
         let [a, b] = response.ends.compression;
         if a + b > 0.0 {
-            let arm = 0.5 * response.length / joint.built_length().max(response.length);
+            let arm = 0.5 * response.meeting.length / joint.built_length().max(response.meeting.length);
             point.eccentricity = point.eccentricity.max(arm * ((b - a) / (a + b)).abs());
         }
         let beyond = |end: usize| response.shear[end].abs() - response.ends.shear_strength(end, &joint.resistance);
         point.excess = point.excess.max(beyond(0)).max(beyond(1));
         point.sliding += u32::from((0..2).any(|e| slides(joint, &response, e)));
         point.stress = point.stress.max(stress(settings, joint, &response));
-        point.crushed = point.crushed.max(crushed(settings, joint, &response.overlap));
+        point.crushed = point.crushed.max(crushed(settings, joint, &response.meeting.overlap));
     }
     point
 }

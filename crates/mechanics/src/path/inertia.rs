@@ -12,13 +12,6 @@
 
 use crate::banded::Banded;
 
-/// Room for an elimination.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Elimination {
-    /// Row by row from `below` columns before the diagonal to as many after it.
-    rows: Vec<f64>,
-}
-
 /// A tangent is nearly symmetric where no entry differs from its mirror image by more than this share of the largest stiffness: 0.15 at most of rings that rub,
 /// and no less than 0.7 where pivots and eigenvalues were seen to disagree.
 const NEARLY_SYMMETRIC: f64 = 0.25;
@@ -26,68 +19,66 @@ const NEARLY_SYMMETRIC: f64 = 0.25;
 /// Most equations whose eigenvalues are sought, in half a second; of more the determinant alone is asked.
 const MOST_EQUATIONS: usize = 600;
 
-impl Elimination {
-    /// Whether no eigenvalue of a matrix that is not factorised is negative.
-    pub(super) fn has_no_negative_eigenvalue(&mut self, matrix: &Banded) -> bool {
-        if self.is_definite(matrix) {
-            return true;
-        }
-        if is_nearly_symmetric(matrix) {
+/// Whether no eigenvalue of a matrix that is not factorised is negative. The elimination takes place in `rows`.
+pub(super) fn has_no_negative_eigenvalue(matrix: &Banded, rows: &mut Vec<f64>) -> bool {
+    if is_definite(matrix, rows) {
+        return true;
+    }
+    if is_nearly_symmetric(matrix) {
+        return false;
+    }
+    let mut factors = matrix.clone();
+    let even = factors.factorise() && factors.sign > 0;
+    even && (matrix.size > MOST_EQUATIONS || least_real_part(matrix).is_some_and(|least| least > 0.0))
+}
+
+/// Whether that may be, as far as pivots tell: of what is far from symmetric they tell nothing.
+pub(super) fn may_have_no_negative_eigenvalue(matrix: &Banded, rows: &mut Vec<f64>) -> bool {
+    is_definite(matrix, rows) || !is_nearly_symmetric(matrix)
+}
+
+/// Whether all pivots are positive: `rows` holds every row from `below` columns before the diagonal to as many after it.
+fn is_definite(matrix: &Banded, rows: &mut Vec<f64>) -> bool {
+    let below = matrix.below;
+    let width = 2 * below + 1;
+    rows.clear();
+    (0..matrix.size).for_each(|row| rows.extend_from_slice(matrix.about_diagonal(row)));
+    for k in 0..matrix.size {
+        let (start, count) = (k * width + below, matrix.last[k] as usize - k);
+        let pivot = rows[start];
+        // A comparison that a number which is not one fails.
+        if !(pivot > 0.0) {
             return false;
         }
-        let mut factors = matrix.clone();
-        let even = factors.factorise() && factors.sign > 0;
-        even && (matrix.size() > MOST_EQUATIONS || least_real_part(matrix).is_some_and(|least| least > 0.0))
-    }
-
-    /// Whether that may be, as far as pivots tell: of what is far from symmetric they tell nothing.
-    pub(super) fn may_have_no_negative_eigenvalue(&mut self, matrix: &Banded) -> bool {
-        self.is_definite(matrix) || !is_nearly_symmetric(matrix)
-    }
-
-    /// Whether all pivots of a matrix that is not factorised are positive.
-    pub(super) fn is_definite(&mut self, matrix: &Banded) -> bool {
-        let below = matrix.below();
-        let width = 2 * below + 1;
-        self.rows.clear();
-        (0..matrix.size()).for_each(|row| self.rows.extend_from_slice(matrix.about_diagonal(row)));
-        for k in 0..matrix.size() {
-            let (start, count) = (k * width + below, matrix.last(k) - k);
-            let pivot = self.rows[start];
-            // A comparison that a number which is not one fails.
-            if !(pivot > 0.0) {
-                return false;
-            }
-            let inverse = 1.0 / pivot;
-            for below_it in 1..=count {
-                let at = start + below_it * (width - 1);
-                let (upper, lower) = self.rows.split_at_mut(at);
-                let share = lower[0] * inverse;
-                let from = &upper[start + 1..=start + count];
-                for (to, from) in lower[1..=count].iter_mut().zip(from) {
-                    *to -= share * from;
-                }
+        let inverse = 1.0 / pivot;
+        for below_it in 1..=count {
+            let at = start + below_it * (width - 1);
+            let (upper, lower) = rows.split_at_mut(at);
+            let share = lower[0] * inverse;
+            let from = &upper[start + 1..=start + count];
+            for (to, from) in lower[1..=count].iter_mut().zip(from) {
+                *to -= share * from;
             }
         }
-        true
     }
+    true
 }
 
 fn entry(matrix: &Banded, row: usize, column: usize) -> f64 {
-    let below = matrix.below();
+    let below = matrix.below;
     if row.abs_diff(column) <= below { matrix.about_diagonal(row)[column + below - row] } else { 0.0 }
 }
 
 fn is_nearly_symmetric(matrix: &Banded) -> bool {
-    let largest = (0..matrix.size()).fold(0.0, |most: f64, k| most.max(entry(matrix, k, k).abs()));
+    let largest = (0..matrix.size).fold(0.0, |most: f64, k| most.max(entry(matrix, k, k).abs()));
     let differs = |row: usize, column: usize| (entry(matrix, row, column) - entry(matrix, column, row)).abs();
     let most = NEARLY_SYMMETRIC * largest;
-    (0..matrix.size()).all(|row| (row + 1..=matrix.last(row)).all(|column| differs(row, column) <= most))
+    (0..matrix.size).all(|row| (row + 1..=matrix.last[row] as usize).all(|column| differs(row, column) <= most))
 }
 
 /// Least real part of the eigenvalues; none where they are not found.
 fn least_real_part(matrix: &Banded) -> Option<f64> {
-    let whole = faer::Mat::from_fn(matrix.size(), matrix.size(), |row, column| entry(matrix, row, column));
+    let whole = faer::Mat::from_fn(matrix.size, matrix.size, |row, column| entry(matrix, row, column));
     whole.eigenvalues().ok()?.iter().map(|value| value.re).min_by(f64::total_cmp)
 }
 
@@ -120,7 +111,7 @@ mod tests {
             };
             let (mut banded, eigenvalues) = matrix(14, entry);
             let negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
-            assert_eq!(Elimination::default().is_definite(&banded), negative == 0, "{eigenvalues:?}");
+            assert_eq!(is_definite(&banded, &mut Vec::new()), negative == 0, "{eigenvalues:?}");
             assert!(banded.factorise());
             counts[negative.min(2)] += 1;
         }
@@ -136,7 +127,7 @@ mod tests {
         });
         assert_eq!(eigenvalues.iter().filter(|value| **value < 0.0).count(), 2);
         assert!(eigenvalues.iter().product::<f64>() > 0.0);
-        assert!(!Elimination::default().is_definite(&banded));
+        assert!(!is_definite(&banded, &mut Vec::new()));
     }
 
     /// Of a matrix that is far from symmetric a pivot may be negative though no eigenvalue is: here they are 1 + 3.5i, 1 - 3.5i, and the others.
@@ -151,9 +142,9 @@ mod tests {
             }
             banded
         };
-        let mut elimination = Elimination::default();
-        assert!(!elimination.is_definite(&far(2.0)) && elimination.has_no_negative_eigenvalue(&far(2.0)));
+        let mut rows = Vec::new();
+        assert!(!is_definite(&far(2.0), &mut rows) && has_no_negative_eigenvalue(&far(2.0), &mut rows));
         // Two that are negative leave the determinant positive.
-        assert!(!elimination.has_no_negative_eigenvalue(&far(-0.5)));
+        assert!(!has_no_negative_eigenvalue(&far(-0.5), &mut rows));
     }
 }

@@ -59,28 +59,21 @@ pub(super) struct Response<T> {
     pub sliding: [bool; 2],
     /// Whether more of the bond breaks.
     pub cracking: bool,
-    /// Overlap at the two ends of the common face [m].
-    pub overlap: [T; 2],
-    /// Length of the common face [m].
-    pub length: T,
-    /// How far the second block has slid [m].
-    pub glide: T,
-    /// Where the ends are in the frame that halves the angle between the faces, along the joint and across it, from the middle of the first
-    /// block's face [m].
-    pub at: [[T; 2]; 2],
+    pub meeting: Meeting<T>,
 }
 
 /// How the two faces of a joint meet, in the frame that halves the angle between them: along the joint and across it, from the middle of
 /// the first block's face.
-struct Meeting<T> {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Meeting<T> {
     /// Centre of the second block [m].
     centre: [T; 2],
     /// Overlap at the ends of the common face, its length, and how far the second block has slid along it [m].
-    overlap: [T; 2],
-    length: T,
-    glide: T,
+    pub overlap: [T; 2],
+    pub length: T,
+    pub glide: T,
     /// The ends, midway between the faces [m].
-    at: [[T; 2]; 2],
+    pub at: [[T; 2]; 2],
 }
 
 /// How far across a line through two points lies where a place is given along, from one of the points.
@@ -184,7 +177,8 @@ impl Joint {
     /// joint and across it, and by its turn. `memory` is that of the last balanced state.
     #[inline(always)]
     pub(super) fn respond<T: Posed>(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<T> {
-        let Meeting { centre, overlap, length, glide, at } = self.meet(pose);
+        let meeting = self.meet(pose);
+        let Meeting { centre, overlap, length, glide, at } = meeting;
         let (ends, back) = self.pressed(bedding, overlap, length, &memory.bond);
         let law = &self.resistance;
         let cracking = self.cracks(bedding, each(overlap, |o: T| o.value()), &memory.bond).is_some();
@@ -205,7 +199,7 @@ impl Joint {
             force = [force[0] + shear[k], force[1] + push, force[2] + arm[1] * shear[k] - arm[0] * push];
         }
         let [along, across] = T::seen_by_first([force[0], force[1]], pose.1);
-        Response { force: [along, across, force[2]], ends, shear, sliding, cracking, overlap, length, glide, at }
+        Response { force: [along, across, force[2]], ends, shear, sliding, cracking, meeting }
     }
 
     /// What the two ends carry, and what is pushed back where the joint is pressed together beforehand, so that one that nothing
@@ -350,7 +344,7 @@ mod tests {
                     joint.respond::<f64>(bedding, &memory, (vec2(along, across), half_of(turn))).force
                 };
                 let told = joint.respond::<Dual>(bedding, &memory, (vec2(along, across), half_of(turn)));
-                let [a, b] = told.overlap.map(|o| o.value);
+                let [a, b] = told.meeting.overlap.map(|o| o.value);
                 kinds[0] += u32::from(a < 0.0);
                 kinds[1] += u32::from(b < 0.0);
                 kinds[2] += u32::from(a.max(b) * joint.resistance.normal > joint.resistance.crushing);

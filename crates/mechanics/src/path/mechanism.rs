@@ -5,7 +5,7 @@ use super::outcome::{Cause, PathPoint};
 use super::system::State;
 use super::trace::Path;
 use crate::blocks::BlockModel;
-use crate::ids::{BlockId, Id, Table};
+use crate::ids::{BlockId, Table};
 use crate::numbering::HELD;
 use crate::plane::Vec2;
 
@@ -73,14 +73,7 @@ impl Path<'_> {
             let [x, y, spin] = self.motion(block);
             (Vec2 { x, y }, spin)
         };
-        let fastest = |block: usize| {
-            let (velocity, spin) = of(block);
-            let corners = blocks.blocks[BlockId::new(block)].outline.vertices();
-            let speed = |corner: &Vec2| (velocity + (*corner - self.model.built[block]).left() * spin).norm();
-            corners.iter().map(speed).fold(0.0, f64::max)
-        };
-        let count = self.model.built.len();
-        let scale = (0..count).map(fastest).fold(f64::MIN_POSITIVE, f64::max);
-        (0..count).map(of).map(|(velocity, spin)| (velocity * (1.0 / scale), spin / scale)).collect()
+        let motions: Table<_, _> = (0..self.model.built.len()).map(of).collect();
+        blocks.to_one_metre(&motions).unwrap_or(motions)
     }
 }

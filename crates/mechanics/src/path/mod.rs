@@ -32,5 +32,5 @@ mod trace;
 pub use onset::{Measure, Onset};
 pub use outcome::{Cause, EndState, Frame, JointState, Outcome, PathPoint, Status};
 pub use settings::{Program, Settings};
-pub use sweep::{Carried, Ground, Sweeper};
+pub use sweep::{Ground, Sweeper};
 pub use trace::collapse;

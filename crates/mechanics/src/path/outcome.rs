@@ -6,7 +6,7 @@ use crate::plane::{Pose, Vec2};
 use serde::{Deserialize, Serialize};
 
 /// How the path ended. All of these are answers. Kept runs name them by their order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Status {
     /// Every load up to the limit was carried.
     StableToLastLoad,
@@ -16,6 +16,7 @@ pub enum Status {
     Bifurcation,
     /// The next balanced state was not found, and no fall proves that there is none; the last one is kept, and its load is
     /// carried. Without one, not even the self-weight is known to be carried.
+    #[default]
     NotConverged,
     /// The blocks do not stand under their own weight: let go, they fall for good.
     UnstableUnderSelfWeight,
@@ -35,7 +36,7 @@ pub enum Cause {
 }
 
 /// One balanced state, in numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PathPoint {
     /// Load factor.
     pub factor: f64,
@@ -133,7 +134,7 @@ pub struct Frame {
 }
 
 /// The result of following the path.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outcome {
     /// How it ended.
     pub status: Status,

@@ -53,7 +53,7 @@ impl Path<'_> {
     /// Glues the joints of the blocks as built.
     pub(super) fn glue(&mut self) -> Stage {
         let Some(glued) = self.glued() else { return self.settle() };
-        let overlap = |k| respond(self.model, self.settings, &glued.memory[k], k, &glued).overlap;
+        let overlap = |k| respond(self.model, self.settings, &glued.memory[k], k, &glued).meeting.overlap;
         let widest = (0..self.model.joints.len()).flat_map(overlap).fold(0.0, |most: f64, o| most.max(o.abs()));
         self.state = glued;
         Stage::LetGo(LetGo { pressed: GLUED * widest, share: 0.5, widest })

@@ -6,7 +6,7 @@ use super::first_met::fastest;
 use super::frame::point;
 use super::model::Model;
 use super::near::Near;
-use super::outcome::{Cause, PathPoint, Status};
+use super::outcome::{Outcome, Status};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, assemble, load_of};
 use super::trace::Path;
@@ -40,24 +40,6 @@ pub struct Ground {
 /// Out-of-balance force of the states of one load of many, relative to all acting forces: 1e-9 in place of it changes factors by 4e-6 and
 /// takes a third more iterations (1676 cases of a vehicle of 13 axles on three spans).
 const TOLERANCE: f64 = 1e-6;
-
-/// What came of one load.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Carried {
-    /// How it ended.
-    pub status: Status,
-    /// What gives way; none where nothing did.
-    pub cause: Option<Cause>,
-    /// Largest load factor of a balanced state; none where not even the self-weight is balanced.
-    pub factor: Option<f64>,
-    /// Load factors at which the states that the settings name are first met, in their order; none where one is not, or not below the factor
-    /// that was given.
-    pub onsets: Vec<Option<f64>>,
-    /// The balanced states in their order.
-    pub path: Vec<PathPoint>,
-    /// Iterations in all.
-    pub iterations: u32,
-}
 
 impl Ground {
     /// Finds the state under self-weight. Variable forces count for nothing here.
@@ -177,18 +159,17 @@ impl Sweeper<'_> {
     /// joint, and the path goes on from there.
     ///
     /// Of each state that the settings name it is told where the path first meets it, if that is below a factor that is given for it; where
-    /// none is, anywhere.
+    /// none is, anywhere. Frames and mechanism are left out.
     pub fn carried(
         &mut self,
         forces: &[PointForce],
         (program, below): (&Program, &[f64]),
         watch: &mut dyn Watch,
-    ) -> Carried {
+    ) -> Outcome {
         let (state, balanced) = match &self.ground.stood {
             Ok(stood) => stood.clone(),
             Err(status) => {
-                let (onsets, path) = (Vec::new(), Vec::new());
-                return Carried { status: *status, cause: None, factor: None, onsets, path, iterations: 0 };
+                return Outcome { status: *status, ..Outcome::default() };
             }
         };
         self.model.load(forces);
@@ -215,13 +196,15 @@ impl Sweeper<'_> {
         }
         let (factor, gives_way) = (best.map(|p| p.factor), best.map(|p| path.cause(p)));
         let onsets = path.onsets(below);
-        Carried {
+        Outcome {
             status,
             cause: gives_way.filter(|_| matches!(status, Status::LimitPoint | Status::Bifurcation)),
-            factor,
+            last_stable_factor: factor,
             onsets,
             iterations: path.iterations,
+            snaps: path.snaps,
             path: path.points,
+            ..Outcome::default()
         }
     }
 }

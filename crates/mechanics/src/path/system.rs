@@ -1,7 +1,7 @@
 //! Equilibrium of all blocks and its exact tangent.
 
 use super::dual::{Dual, Half, between, half_of, whole};
-use super::inertia::Elimination;
+use super::inertia::{has_no_negative_eigenvalue, may_have_no_negative_eigenvalue};
 use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::Model;
 use super::settings::Settings;
@@ -60,7 +60,8 @@ pub(super) struct Workspace {
     pub cracks: bool,
     /// Half of the turn of each block.
     turns: Vec<Half>,
-    elimination: Elimination,
+    /// Room for the elimination that tells whether a tangent is stable.
+    eliminated: Vec<f64>,
 }
 
 impl Workspace {
@@ -72,16 +73,16 @@ impl Workspace {
             slides: false,
             cracks: false,
             turns: Vec::new(),
-            elimination: Elimination::default(),
+            eliminated: Vec::new(),
         }
     }
     /// Whether every small motion from the state whose tangent stands here, not factorised, takes work.
     pub(super) fn is_stable(&mut self) -> bool {
-        self.elimination.has_no_negative_eigenvalue(&self.tangent)
+        has_no_negative_eigenvalue(&self.tangent, &mut self.eliminated)
     }
     /// Whether that may be, where it is asked often and the answer is asked again in the end.
     pub(super) fn may_be_stable(&mut self) -> bool {
-        self.elimination.may_have_no_negative_eigenvalue(&self.tangent)
+        may_have_no_negative_eigenvalue(&self.tangent, &mut self.eliminated)
     }
     /// Largest out-of-balance force [N/m].
     pub(super) fn largest(&self) -> f64 {
@@ -279,11 +280,11 @@ pub(super) fn commit(model: &Model, settings: &Settings, state: &mut State) {
         let stiffness = response.ends.length.map(|length| length * model.joints[k].resistance.shear);
         let sheared = [0, 1].map(|e| if stiffness[e] > 0.0 { HOLDS * response.shear[e] / stiffness[e] } else { 0.0 });
         let before = state.memory[k].bond;
-        let broken = model.joints[k].cracks(bedding(settings, state), response.overlap, &before);
+        let broken = model.joints[k].cracks(bedding(settings, state), response.meeting.overlap, &before);
         let lost = |left: Bond, e: usize| {
             if left.lost[e] > before.lost[e] { (left.lost[e] - HAIR).max(before.lost[e]) } else { left.lost[e] }
         };
         let hair = |left: Bond| Bond { lost: [0, 1].map(|e| lost(left, e)) };
-        state.memory[k] = Memory { sheared, glide: response.glide, bond: broken.map_or(before, hair) };
+        state.memory[k] = Memory { sheared, glide: response.meeting.glide, bond: broken.map_or(before, hair) };
     }
 }

@@ -7,6 +7,6 @@ mod vector;
 
 pub use manifold::{Manifold, Meeting, meet};
 pub use polygon::{Core, Polygon, PolygonError};
-pub(crate) use polygon::{bounds, overlapping};
+pub(crate) use polygon::{area, bounds, edges, holds, overlapping};
 pub use pose::{Pose, Rotation};
 pub use vector::{Vec2, vec2};

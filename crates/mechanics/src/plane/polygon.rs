@@ -80,8 +80,7 @@ impl Polygon {
     }
     /// Edges from vertex `i` to vertex `i + 1`.
     pub fn edges(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
-        let n = self.vertices.len();
-        (0..n).map(move |i| (self.vertices[i], self.vertices[(i + 1) % n]))
+        edges(&self.vertices)
     }
     /// Area [m^2].
     pub fn area(&self) -> f64 {
@@ -113,6 +112,24 @@ impl Polygon {
     pub fn bounds(&self) -> (Vec2, Vec2) {
         bounds(&self.vertices)
     }
+}
+
+/// From each corner of an outline to the next.
+pub(crate) fn edges(outline: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> {
+    outline.iter().copied().zip(outline.iter().copied().cycle().skip(1))
+}
+
+/// Area of a simple outline [m^2]; negative where it is clockwise.
+pub(crate) fn area(outline: &[Vec2]) -> f64 {
+    0.5 * edges(outline).map(|(a, b)| a.cross(b)).sum::<f64>()
+}
+
+/// Whether a point lies inside of a simple outline: a ray to the right crosses it an odd number of times.
+pub(crate) fn holds(outline: &[Vec2], point: Vec2) -> bool {
+    let crosses = |(a, b): &(Vec2, Vec2)| {
+        (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    };
+    edges(outline).filter(crosses).count() % 2 == 1
 }
 
 /// Smallest box around some points.

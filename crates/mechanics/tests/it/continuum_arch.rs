@@ -35,7 +35,7 @@ pub(crate) fn layered(ring: &Ring, layers: &[(f64, Soil)], contact: Contact) -> 
         outline.extend([top[1], top[0]]);
         regions.push(Region { outline, soil });
     }
-    Continuum { regions, sides, water: None, confinement: None }
+    Continuum { regions, sides, water: None, panels: Vec::new() }
 }
 
 /// A ring under soil up to a level above the crown, between plumb walls at its springings.
@@ -115,7 +115,7 @@ fn an_arch_without_soil_is_that_of_block_limit_analysis() {
         regions: vec![Region { outline: corners.to_vec(), soil: soil(1e4, 30.0, WEIGHT) }],
         sides: vec![ground(corners[0], corners[1], SMOOTH)],
         water: None,
-        confinement: None,
+        panels: Vec::new(),
     };
     let both = bounds(&model, &pushed(&ring), &earth, 1.0 + 1e-6, 200);
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };

@@ -2,7 +2,7 @@
 
 use crate::continuum_tools::{Case, SMOOTH, body, ground, soil};
 use mechanics::blocks::Held;
-use mechanics::limit::continuum::{Bears, Confinement, Continuum, Panel, Region, Side, Wanted};
+use mechanics::limit::continuum::{Bears, Continuum, Panel, Region, Side, Wanted};
 use mechanics::plane::{Vec2, vec2};
 
 /// More than anything asks for.
@@ -16,7 +16,7 @@ fn pressed(panels: Vec<Panel>) -> Case {
     let surcharge = Side { ends: [c, d], bears: Bears::Load { permanent: vec2(0.0, -2.0), variable: Vec2::ZERO } };
     let sides = vec![ground(a, b, SMOOTH), ground(b, c, SMOOTH), surcharge, body(d, a, SMOOTH)];
     let region = Region { outline: corners.to_vec(), soil: soil(1.0, 30.0, 0.0) };
-    let earth = Continuum { regions: vec![region], sides, water: None, confinement: Some(Confinement { panels }) };
+    let earth = Continuum { regions: vec![region], sides, water: None, panels };
     let free = Held { x: false, y: true, rotation: true };
     Case::driven(vec2(-0.2, 0.0), 0.2, 1.0, free, vec2(1.0, 0.0), earth)
 }

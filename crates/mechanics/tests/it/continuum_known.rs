@@ -48,7 +48,7 @@ fn a_vertical_cut_stands_to_its_known_height() {
         regions: vec![Region { outline: corners.to_vec(), soil: clay }],
         sides,
         water: None,
-        confinement: None,
+        panels: Vec::new(),
     };
     Case::alone(earth).brackets(3.7759, 1.02, 1500);
 }
@@ -103,7 +103,7 @@ fn torn_cut(slice: f64) -> Case {
     ];
     let sides = vec![ground(a, b, rough(&clay)), ground(b, c, rough(&clay)), ground(f, a, rough(&clay))];
     let regions = outlines.into_iter().map(|outline| Region { outline, soil: clay }).collect();
-    Case::alone(Continuum { regions, sides, water: None, confinement: None })
+    Case::alone(Continuum { regions, sides, water: None, panels: Vec::new() })
 }
 
 /// The same with plumb lines at distances behind the face.
@@ -159,7 +159,7 @@ fn a_column_is_crushed_and_torn_at_its_strengths() {
             regions: vec![Region { outline: corners.to_vec(), soil: masonry }],
             sides: vec![ground(a, b, glued), body(c, d, glued)],
             water: None,
-            confinement: None,
+            panels: Vec::new(),
         };
         let held = Held { x: true, y: false, rotation: true };
         // One dimension: stress and motion that is exact on any mesh, but for the plates, which hold the ends sideways.
@@ -176,7 +176,7 @@ fn a_column_is_crushed_and_torn_at_its_strengths() {
         regions: vec![Region { outline: corners.to_vec(), soil: soil(10.0, 35.0, 0.0) }],
         sides: vec![ground(a, b, SMOOTH), body(c, d, SMOOTH)],
         water: None,
-        confinement: None,
+        panels: Vec::new(),
     };
     let held = Held { x: true, y: false, rotation: true };
     let exact = 20.0 * (PI / 4.0 + 35f64.to_radians() / 2.0).tan();
@@ -196,11 +196,11 @@ fn soil_in_a_box_locks_and_sand_with_a_free_face_falls() {
         ground(d, a, rough(&sand)),
         body(c, d, rough(&sand)),
     ];
-    let pressed = Continuum { regions: region.clone(), sides, water: None, confinement: None };
+    let pressed = Continuum { regions: region.clone(), sides, water: None, panels: Vec::new() };
     let pressed = Case::driven(vec2(0.0, 1.0), 2.0, 0.1, held, vec2(0.0, -1.0), pressed);
     assert_eq!(pressed.bounds(Wanted::default()).status, BoundsStatus::Locks);
     let falling =
-        Continuum { regions: region, sides: vec![ground(a, b, rough(&sand))], water: None, confinement: None };
+        Continuum { regions: region, sides: vec![ground(a, b, rough(&sand))], water: None, panels: Vec::new() };
     let falling = Case::driven(vec2(5.0, 1.0), 2.0, 0.1, held, vec2(0.0, -1.0), falling);
     let found = falling.bounds(Wanted { ratio: 1.05, elements: 600, first: 100, ..Wanted::default() });
     assert_eq!(found.status, BoundsStatus::NoEquilibrium);
@@ -216,7 +216,7 @@ fn trapdoor(depth: f64, width: f64, permanent: f64) -> Case {
     let pressed = Side { ends: [d, e], bears };
     let sides = vec![ground(b, c, rough(&clay)), ground(c, d, SMOOTH), pressed, ground(e, a, SMOOTH)];
     let regions = vec![Region { outline: corners.to_vec(), soil: clay }];
-    Case::alone(Continuum { regions, sides, water: None, confinement: None })
+    Case::alone(Continuum { regions, sides, water: None, panels: Vec::new() })
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn panel(masonry: Soil, contact: Contact, cut: f64) -> Case {
     let parts = [vec![a, p, q, d], vec![p, b, c, q]];
     let regions = parts.into_iter().map(|outline| Region { outline, soil: masonry }).collect();
     let earth =
-        Continuum { regions, sides: vec![ground(a, b, contact), body(c, d, contact)], water: None, confinement: None };
+        Continuum { regions, sides: vec![ground(a, b, contact), body(c, d, contact)], water: None, panels: Vec::new() };
     let held = Held { x: true, y: false, rotation: false };
     let mut case = Case::driven(vec2(0.0, 2.0), 1.0, 0.1, held, vec2(0.0, -1.0), earth);
     case.loading.variable[0].at.x = 0.2;

@@ -106,7 +106,7 @@ pub(crate) fn footing(soil: Soil, base: Contact, width: f64, depth: f64) -> Case
     let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, e, base), ground(e, a, SMOOTH)];
     let held = Held { x: true, y: false, rotation: true };
     let earth =
-        Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None, confinement: None };
+        Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None, panels: Vec::new() };
     Case::driven(vec2(0.0, 0.0), 0.5, 0.2, held, vec2(0.0, -0.5), earth)
 }
 
@@ -118,7 +118,7 @@ pub(crate) fn wall(soil: Soil, contact: Contact, towards: bool, width: f64) -> C
     let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, a, contact)];
     let held = Held { x: false, y: true, rotation: true };
     let earth =
-        Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None, confinement: None };
+        Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None, panels: Vec::new() };
     let force = vec2(if towards { 1.0 } else { -1.0 }, 0.0);
     Case::driven(vec2(-0.2, 0.0), 0.2, 1.0, held, force, earth)
 }

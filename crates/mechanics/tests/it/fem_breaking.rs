@@ -1,7 +1,7 @@
 //! Mortar that breaks: which pairs do, and that the way there does not matter.
 
 use crate::fem_tools::{bed_of_mortar, carried, elastic, forces, grid, held, moved, node, tie, tight, with_joints};
-use mechanics::fem::condensed::{Condensed, Functional, LoadPattern, Reached};
+use mechanics::fem::condensed::{Condensed, Reached, load_pattern};
 use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, PairState};
 use mechanics::fem::law::Plane;
 use mechanics::fem::{Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, State, Status, Target};
@@ -50,7 +50,7 @@ fn the_weakest_bed_gives_way_and_spares_the_others() {
             let target = Target { forces: model.weight(vec2(0.0, -9.81)), imposed };
             let (state, _, outcome) = carried(&model, &target, &tight(steps));
             assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
-            for (spring, bond) in model.springs().iter().zip(&state.bonds) {
+            for (spring, bond) in model.springs.iter().zip(&state.bonds) {
                 let open = spring.kind == weaker;
                 assert_eq!((bond.memory.broken, bond.state == PairState::Open), (open, open), "{steps}: {spring:?}");
                 // What the stones weigh moves them by a fortieth of that.
@@ -93,8 +93,8 @@ fn a_bed_between_ties_holds_while_it_can_and_never_again() {
     let top = node(3, 1, 1);
     for steps in [1, 10] {
         let (mut state, mut work) = (State::new(&model), mechanics::fem::Workspace::new(&model).unwrap());
-        let pattern = LoadPattern::from_forces(&pulled(breaks));
-        let observed = [Functional(vec![(2 * top.index() + 1, 1.0)])];
+        let pattern = load_pattern(&pulled(breaks));
+        let observed = [vec![(2 * top.index() + 1, 1.0)]];
         let mut condensed = Condensed::new(model.clone(), State::new(&model), &[pattern], &observed).unwrap();
         for (share, stiffness) in way {
             let target = Target { forces: pulled(share * breaks), imposed: Vec::new() };
@@ -120,16 +120,15 @@ fn what_does_not_take_part_yet_breaks_first_if_it_has_to() {
     let pull = 143e3 / 1e11 * (beds + tie);
     let pull = forces(&model, &[2, 3].map(|i| (node(5, i, 1), 0.0, 0.5 * pull)));
     let broken = |state: &State, kind: usize| {
-        let bonds = model.springs().iter().zip(&state.bonds).filter(|(spring, _)| spring.kind == kind);
+        let bonds = model.springs.iter().zip(&state.bonds).filter(|(spring, _)| spring.kind == kind);
         bonds.map(|(_, bond)| bond.memory.broken).collect::<Vec<bool>>()
     };
     let (plain, _, outcome) = carried(&model, &Target { forces: pull.clone(), imposed: Vec::new() }, &tight(1));
     assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
     assert_eq!((broken(&plain, 0), broken(&plain, 1)), (vec![true; 2], vec![false; 2]));
     for known in [None, Some(0), Some(1)] {
-        let mut condensed =
-            Condensed::new(model.clone(), State::new(&model), &[LoadPattern::from_forces(&pull)], &[]).unwrap();
-        let springs = model.springs().iter().enumerate().filter(|(_, spring)| Some(spring.kind) == known);
+        let mut condensed = Condensed::new(model.clone(), State::new(&model), &[load_pattern(&pull)], &[]).unwrap();
+        let springs = model.springs.iter().enumerate().filter(|(_, spring)| Some(spring.kind) == known);
         condensed.retain_parts(&springs.map(|(index, _)| index).collect::<Vec<_>>(), &mut Unwatched);
         assert_eq!(condensed.solve_position(&[1.0], &mut Unwatched).unwrap().reached, Reached::Balanced);
         let state = condensed.state().unwrap();

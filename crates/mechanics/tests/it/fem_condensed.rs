@@ -1,6 +1,8 @@
 //! Many positions of a load: the condensed path against the whole system, position by position.
 
-use mechanics::fem::condensed::{Condensed, Derivatives, Functional, LoadPattern, PerturbedModel, Reached};
+use mechanics::fem::condensed::{
+    Condensed, Derivatives, Functional, LoadPattern, PerturbedModel, Reached, load_pattern,
+};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use mechanics::fem::{
@@ -174,8 +176,8 @@ fn compare_in(vault: &Vault, force: f64) -> (f64, [usize; 4]) {
     assert_eq!(first.status, Status::Completed, "{first:?}");
     let patterns: Vec<LoadPattern> = vault.surface.iter().map(|node| down(*node)).collect();
     let observed: Vec<Functional> = (0..2)
-        .map(|axis| Functional(vec![(2 * vault.crown.index() + axis, 1.0)]))
-        .chain([Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)])])
+        .map(|axis| vec![(2 * vault.crown.index() + axis, 1.0)])
+        .chain([vec![(2 * vault.surface[9].index() + 1, 1.0)]])
         .collect();
     let mut condensed = Condensed::new(model.clone(), state.clone(), &patterns, &observed).unwrap();
     let count = 50;
@@ -187,13 +189,13 @@ fn compare_in(vault: &Vault, force: f64) -> (f64, [usize; 4]) {
         assert_eq!(visited.position.reached, Reached::Balanced);
         let mut forces = weight.clone();
         for (pattern, a) in patterns.iter().zip(amplitudes(vault, index, force)) {
-            pattern.0.iter().for_each(|&(component, force)| forces[component] += a * force);
+            pattern.iter().for_each(|&(component, force)| forces[component] += a * force);
         }
         let outcome =
             advance(model, &mut state, &mut work, &Target { forces, imposed: vec![] }, &settings(), &mut Unwatched);
         assert_eq!(outcome.status, Status::Completed, "position {index}: {outcome:?}");
         for (functional, value) in observed.iter().zip(&visited.observed) {
-            let plain: f64 = functional.0.iter().map(|&(c, w)| w * state.displacements[c]).sum();
+            let plain: f64 = functional.iter().map(|&(c, w)| w * state.displacements[c]).sum();
             worst = worst.max((plain - value).abs());
             size = size.max(plain.abs());
         }
@@ -239,9 +241,9 @@ fn joints_that_rub_give_the_plain_path_to_1e_8() {
 fn batches_break_the_springs_of_single_positions() {
     let vault = vault(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), Kinematics::Small);
     let model = &vault.model;
-    let mut patterns = vec![LoadPattern::from_forces(&model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![load_pattern(&model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
-    let observed = [Functional(vec![(2 * vault.crown.index() + 1, 1.0)])];
+    let observed = [vec![(2 * vault.crown.index() + 1, 1.0)]];
     let under = |index: usize| [vec![1.0], amplitudes(&vault, index, 60e3)].concat();
     let begin = || Condensed::new(model.clone(), State::new(model), &patterns, &observed).unwrap();
     let (mut together, mut single) = (begin(), begin());
@@ -280,12 +282,9 @@ fn a_restored_snapshot_leaves_no_trace() {
     let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, 30f64.to_radians(), 0.0);
     let vault = vault(Material::DruckerPrager(fill), Kinematics::Small);
     let model = &vault.model;
-    let mut patterns = vec![LoadPattern::from_forces(&model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![load_pattern(&model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
-    let observed = [
-        Functional(vec![(2 * vault.crown.index() + 1, 1.0)]),
-        Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)]),
-    ];
+    let observed = [vec![(2 * vault.crown.index() + 1, 1.0)], vec![(2 * vault.surface[9].index() + 1, 1.0)]];
     let under = |index: usize, force: f64| [vec![1.0], amplitudes(&vault, index, force)].concat();
     let begin = || {
         let mut condensed = Condensed::new(model.clone(), State::new(model), &patterns, &observed).unwrap();
@@ -314,7 +313,7 @@ const QUANTITIES: [f64; 4] = [110e6, 16e9, 10e3, 0.4];
 
 /// A unit force downwards on a node.
 fn down(node: NodeId) -> LoadPattern {
-    LoadPattern(vec![(2 * node.index() + 1, -1.0)])
+    vec![(2 * node.index() + 1, -1.0)]
 }
 
 /// The vault with these quantities, the patterns of its weight and of its surface, and what is observed.
@@ -322,9 +321,9 @@ fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadP
     let soil = Elastic { modulus: soil, ratio: 0.19 };
     let fill = DruckerPrager::matching(soil, Cone::Compression, cohesion, 30f64.to_radians(), 0.0);
     let vault = vault_of(Material::DruckerPrager(fill), stones, friction, PANEL, Kinematics::Small);
-    let mut patterns = vec![LoadPattern::from_forces(&vault.model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![load_pattern(&vault.model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
-    let of = |node: NodeId, axis: usize| Functional(vec![(2 * node.index() + axis, 1.0)]);
+    let of = |node: NodeId, axis: usize| vec![(2 * node.index() + axis, 1.0)];
     let observed = [of(vault.crown, 0), of(vault.crown, 1), of(vault.surface[9], 1)];
     (vault, patterns, observed)
 }
@@ -332,8 +331,8 @@ fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadP
 /// Weight in four steps, then the axles at three places; with derivatives where they are wanted.
 fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [usize; 3], Derivatives) {
     let (vault, patterns, observed) = quantified(quantities);
-    let condensed = Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
-    let mut condensed = condensed.with_equilibria();
+    let mut condensed = Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
+    condensed.keeps_equilibria = true;
     let weight = |step: usize| [vec![0.25 * (step + 1) as f64], vec![0.0; vault.surface.len()]].concat();
     let path = condensed.solve_positions(4, &weight, &mut Unwatched).unwrap().visited;
     let at_rest = condensed.snapshot();
@@ -431,9 +430,9 @@ fn branches_are_positions_solved_one_by_one() {
 
 /// A vault whose joints break and slide under a load that crosses in 50 positions: its patterns, and what is observed.
 fn crossed(vault: &Vault) -> (Vec<LoadPattern>, [Functional; 1]) {
-    let mut patterns = vec![LoadPattern::from_forces(&vault.model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![load_pattern(&vault.model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
-    (patterns, [Functional(vec![(2 * vault.crown.index() + 1, 1.0)])])
+    (patterns, [vec![(2 * vault.crown.index() + 1, 1.0)]])
 }
 
 /// Looking at every position leaves no trace in those that follow, and shows the state of a run that ends there.

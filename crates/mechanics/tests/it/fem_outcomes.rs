@@ -132,9 +132,9 @@ fn areas_of_springs_fill_the_face() {
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
         let law = tie(1e9, 1e9);
         let (body, _) = stacked(law, quadrature, Kinematics::Small);
-        let area: f64 = body.springs().iter().map(|spring| spring.area).sum();
+        let area: f64 = body.springs.iter().map(|spring| spring.area).sum();
         assert!((area - 1.0).abs() < 1e-12, "{quadrature:?}: {area}");
-        let equal = body.springs().iter().all(|spring| (spring.area - 0.2).abs() < 1e-12);
+        let equal = body.springs.iter().all(|spring| (spring.area - 0.2).abs() < 1e-12);
         assert_eq!(equal, quadrature == Quadrature::EqualSprings);
     }
 }

@@ -92,7 +92,7 @@ fn energy_is_kept() {
         at_rest(&body, &mut state, &mut work, &motion, &none).unwrap();
         let energy = |state: &State, work: &mut Workspace| {
             work.stiffness(&body, state).unwrap();
-            let strain: f64 = state.displacements.iter().zip(work.internal_forces()).map(|(u, f)| 0.5 * u * f).sum();
+            let strain: f64 = state.displacements.iter().zip(&work.internal).map(|(u, f)| 0.5 * u * f).sum();
             strain + motion.kinetic_energy(&body, work, state)
         };
         let mut other = Workspace::new(&body).unwrap();

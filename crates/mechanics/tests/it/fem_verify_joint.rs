@@ -230,7 +230,7 @@ fn two_cylinders_meet_as_hertz_has_it() {
         let (state, _, outcome) = carried(&model, &target, &settings);
         assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
         // Squared, the pressure is p² = p0² (1 − x²/a²): the line through what is above a third of the peak gives both.
-        let points: Vec<[f64; 2]> = (state.bonds.iter().zip(model.springs()))
+        let points: Vec<[f64; 2]> = (state.bonds.iter().zip(&model.springs))
             .map(|(bond, spring)| [spring.along * spring.along, bond.traction[0] * bond.traction[0]])
             .filter(|[_, squared]| *squared > (peak / 3.0).powi(2))
             .collect();

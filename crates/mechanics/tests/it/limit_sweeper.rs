@@ -308,7 +308,7 @@ fn a_section_presses_where_the_lever_says() {
         let force = PointForce { block: BlockId::new(1), at: vec2(x, 1.0), force: vec2(push, -1000.0) };
         let effect = sweeper.effect(&[force]);
         let found = ground.section(&effect, 2.0, 0).unwrap();
-        let joint = &ground.interfaces()[0];
+        let joint = &ground.interfaces[0];
         assert!((found.compression / (weight + 2000.0) - 1.0).abs() < 1e-9, "{found:?}");
         // About the middle of the foot: two loads of 1000 N at their lever, and the push at the height of the block.
         let moment = 2000.0 * (x - 0.25) + 2.0 * push;

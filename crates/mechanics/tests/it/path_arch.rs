@@ -191,7 +191,7 @@ fn loads_followed_from_one_self_weight_carry_what_they_carry_alone() {
     let mut carried = |forces: &[PointForce], increment: f64| {
         let found = sweeper.carried(forces, (&Program { increment, ..program() }, &[]), &mut Unwatched);
         assert_eq!((found.status, found.cause), (Status::LimitPoint, Some(Cause::Hinging)));
-        found.factor.unwrap()
+        found.last_stable_factor.unwrap()
     };
     let alone = load(&run(&(model, loading.clone()), ContactLength::Distributed));
     within(carried(&loading.variable, 0.15 * alone), alone, 2e-5);
@@ -214,7 +214,7 @@ fn loads_beside_others_are_carried_as_far_as_their_paths_go() {
         let forces = [PointForce { block: id, at: model.blocks[id].outline.centroid(), force }];
         let followed = alone.carried(&forces, (&program(), &[]), &mut Unwatched);
         assert_eq!(followed.status, Status::LimitPoint, "block {block} of {}", model.blocks.len());
-        let peak = followed.factor.unwrap();
+        let peak = followed.last_stable_factor.unwrap();
         assert!(!alone.clone().carries(&forces, 1.001 * peak), "block {block}");
         for share in [0.6, 0.9, 0.99] {
             asked += 1;

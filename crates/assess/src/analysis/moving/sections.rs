@@ -13,7 +13,7 @@ pub(crate) type Watched = (usize, SectionEnvelope);
 /// Springings, quarter points and crowns of every ring, and the feet of piers.
 pub(crate) fn watched(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Watched> {
     let mut found = Vec::new();
-    for (joint, i) in ground.interfaces().iter().enumerate() {
+    for (joint, i) in ground.interfaces.iter().enumerate() {
         let [Some(&a), Some(&b)] = [i.points.first(), i.points.get(1)] else { continue };
         let name = match (d.origins[i.first], d.origins[i.second]) {
             (Origin::Voussoir { span, ring, voussoir }, Origin::Voussoir { span: s, ring: r, voussoir: v })

@@ -101,7 +101,7 @@ impl State {
         let mut sweepers: Vec<Sweeper<'_>> =
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
         let governing = standing.governing((&self.grounds, &mut sweepers), position, asked);
-        self.learnt = sweepers.into_iter().map(Sweeper::learnt).collect();
+        self.learnt = sweepers.into_iter().map(|sweeper| sweeper.learnt).collect();
         put.carried = Some(Carried {
             status: rigid::status(governing.status),
             factor: governing.factor,
@@ -135,7 +135,7 @@ impl State {
         let mut sweeper = self.grounds[0].sweeper_with(std::mem::take(&mut self.learnt[0]));
         let effect = sweeper.effect(&put.forces);
         let found = sweeper.least(&effect, put.friction);
-        self.learnt[0] = sweeper.learnt();
+        self.learnt[0] = sweeper.learnt;
         let dilatant = found.dilatant.lower;
         let factor = found.factor.map(|own| dilatant.map_or(own, |dilatant| own.min(dilatant)));
         Carried { status: rigid::status(found.status), factor, dilatant, slides: found.dilatant.slides }
@@ -147,7 +147,7 @@ impl State {
         let mut sweeper = self.grounds[k].sweeper_with(std::mem::take(&mut self.learnt[k]));
         let effect = sweeper.effect(&put.forces);
         let outcome = sweeper.outcome(&effect, put.friction);
-        self.learnt[k] = sweeper.learnt();
+        self.learnt[k] = sweeper.learnt;
         outcome
     }
 }

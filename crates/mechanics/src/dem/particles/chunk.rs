@@ -2,7 +2,7 @@
 //! sums: each chunk adds up its own forces, and what others exert on its particles is added in the order of the chunks.
 
 use super::disc::Disc;
-use super::laws::{ContactStiffness, PairLaw};
+use super::laws::PairLaw;
 use super::lean::Lean;
 use super::neighbours::Blocks;
 use super::quad::{ByFours, Quad, by_fours};
@@ -17,7 +17,7 @@ pub(in crate::dem) const CHUNK: usize = 4096;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::dem) struct Contact {
     /// The other particle, and the number of the law in the upper eight bits.
-    tagged: u32,
+    pub tagged: u32,
     /// Row of the owner's force, and of the other's.
     pub one: u16,
     #[serde(skip)]
@@ -35,11 +35,6 @@ pub(in crate::dem) struct Contact {
 pub(in crate::dem) const MOST_PARTICLES: usize = 1 << 24;
 
 impl Contact {
-    /// A contact whose other row is not known yet.
-    pub(super) fn new((other, law): (u32, u8), one: u16, shear: f64, stiffness: ContactStiffness) -> Contact {
-        let ContactStiffness { normal: normal_stiffness, shear: shear_stiffness, .. } = stiffness;
-        Contact { tagged: other | u32::from(law) << 24, one, two: 0, shear, normal_stiffness, shear_stiffness }
-    }
     #[inline(always)]
     pub(crate) fn other(&self) -> usize {
         (self.tagged & 0x00FF_FFFF) as usize

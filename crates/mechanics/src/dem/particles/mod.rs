@@ -28,7 +28,7 @@ use crate::ids::{GroupId, ParticleId, Table};
 use crate::plane::Vec2;
 pub(super) use chunk::Contact;
 use integrate::{Motion, Tally, integrate};
-use laws::{PairLaws, stiffness};
+use laws::{ContactStiffness, PairLaws, stiffness};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -112,11 +112,13 @@ impl ParticleModel {
     pub(super) fn weight(&self) -> f64 {
         (0..self.len()).map(|row| self.mass(row)).sum::<f64>() * (self.gravity.x.abs() + self.gravity.y.abs())
     }
-    /// A contact of the rows `i` and `j`, `i < j`.
+    /// A contact of the rows `i` and `j`, `i < j`, whose row of the other's force is not known yet.
     pub(super) fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
         let sum = discs[i as usize].radius + discs[j as usize].radius;
         let law = self.laws.index(self.kinds[i as usize], self.kinds[j as usize]);
-        Contact::new((j, law), one, shear, stiffness(laws.between(self.group(i), self.group(j)), sum, sum))
+        let ContactStiffness { normal: normal_stiffness, shear: shear_stiffness, .. } =
+            stiffness(laws.between(self.group(i), self.group(j)), sum, sum);
+        Contact { tagged: j | u32::from(law) << 24, one, two: 0, shear, normal_stiffness, shear_stiffness }
     }
     /// Square of the largest angular frequency [1/s^2] of a row's particle and another like it that touch: both give way
     /// to the normal spring, and to the shear spring with three times their masses' reciprocal, for their rims turn.

@@ -45,12 +45,12 @@ use crate::ids::{Id, QuadId};
 use crate::watch::{Asking, Watch};
 use active_set::ActiveSet;
 use parts::{Committed, Kind, Part};
-use rows::{Row, Rows};
+use rows::{Row, Rows, on_equations};
 use screening::Screening;
 use std::sync::Arc;
 
 pub use passage::{Passage, Run, Visited};
-pub use rows::{Functional, LoadPattern};
+pub use rows::{Functional, LoadPattern, load_pattern};
 pub use sensitivity::{Derivatives, PerturbedModel};
 
 /// How one position ended.
@@ -136,9 +136,9 @@ pub struct Condensed {
     /// Largest change of a row value by the loads from one position to the next [m].
     largest_load_change: f64,
     /// Limit of iterations in one position.
-    iterations: u32,
-    /// Whether the equilibria of solved positions are kept.
-    keeps_equilibria: bool,
+    pub iterations: u32,
+    /// Whether the equilibria of all solved positions are kept, for [`Condensed::derivatives`].
+    pub keeps_equilibria: bool,
 }
 
 /// A position in equilibrium.
@@ -175,7 +175,7 @@ impl Condensed {
         let mut work = Workspace::new(model)?;
         work.stiffness(model, &State::new(model))?;
         work.factorise()?;
-        let springs = (0..model.springs().len()).map(|index| Some(Part::spring(model, &start, index)));
+        let springs = (0..model.springs.len()).map(|index| Some(Part::spring(model, &start, index)));
         let solids = model.mesh.quads.pairs().map(|(id, _)| id);
         let solids = solids.filter(|id| !model.section(*id).solid.material.linear());
         let parts = springs.chain(solids.map(|id| Part::quad(model, &start, id)));
@@ -185,7 +185,7 @@ impl Condensed {
         Ok(Condensed {
             work,
             block: Block::default(),
-            patterns: patterns.iter().map(|pattern| pattern.on_equations(model)).collect(),
+            patterns: patterns.iter().map(|pattern| on_equations(model, pattern)).collect(),
             retained: Vec::new(),
             is_retained: vec![false; parts.len()],
             last_nonlinear: vec![0; parts.len()],
@@ -193,7 +193,7 @@ impl Condensed {
             screening: Screening::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
-            row_of: vec![None; model.dofs.count()],
+            row_of: vec![None; model.dofs.equation.len()],
             active_set: ActiveSet::default(),
             current: Equilibrium {
                 amplitudes: vec![0.0; patterns.len()],
@@ -208,20 +208,6 @@ impl Condensed {
             model: Arc::clone(&shared),
             start,
         })
-    }
-
-    /// Sets the limit of iterations in one position.
-    #[must_use]
-    pub fn with_iterations(mut self, iterations: u32) -> Condensed {
-        self.iterations = iterations;
-        self
-    }
-
-    /// Keeps the equilibria of all solved positions, for [`Condensed::derivatives`].
-    #[must_use]
-    pub fn with_equilibria(mut self) -> Condensed {
-        self.keeps_equilibria = true;
-        self
     }
 
     /// Extends the current equilibrium to rows that were retained since, which carry no force in it.
@@ -250,7 +236,7 @@ impl Condensed {
         let known: Vec<usize> = parts.iter().copied().filter(|&index| index < self.parts.len()).collect();
         let mut asking = Asking::new(watch);
         self.retain(&known, &mut asking);
-        !asking.stopped()
+        !asking.stopped
     }
 
     /// Retains parts that were found nonlinear in the current position, so that they are active in the next.
@@ -274,15 +260,15 @@ impl Condensed {
             let part = &mut self.parts[index];
             match part.kind {
                 Kind::Spring(spring) => {
-                    for (row, opening) in part.rows.iter_mut().zip(self.model.springs()[spring].openings()) {
-                        *row = Some(push(Functional(opening)));
+                    for (row, opening) in part.rows.iter_mut().zip(self.model.springs[spring].openings()) {
+                        *row = Some(push(opening));
                     }
                 }
                 Kind::Quad(id) => {
                     for (row, component) in part.rows.iter_mut().zip(self.model.components(id)) {
-                        if self.model.dofs.equation(component) != HELD {
+                        if self.model.dofs.equation[component] != HELD {
                             let known = &mut self.row_of[component];
-                            *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
+                            *row = Some(*known.get_or_insert_with(|| push(vec![(component, 1.0)])));
                         }
                     }
                 }
@@ -320,12 +306,6 @@ impl Condensed {
         self.observed.iter().map(|row| row.start + row.change_in(&self.block, lane)).collect()
     }
 
-    /// Gives the number of load patterns.
-    #[must_use]
-    pub fn pattern_count(&self) -> usize {
-        self.patterns.len()
-    }
-
     /// Gives the values of the observed functionals in the last position, in their order.
     pub fn observed(&self) -> Vec<f64> {
         self.current.observed.clone()
@@ -334,7 +314,7 @@ impl Condensed {
     /// Counts the nonlinear parts of the last position.
     pub fn counts(&self) -> Counts {
         let untouched = Bond::default();
-        let mut bonds = vec![&untouched; self.model.springs().len()];
+        let mut bonds = vec![&untouched; self.model.springs.len()];
         let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
         for part in self.retained.iter().map(|&index| &self.parts[index]) {
             if let Kind::Spring(index) = part.kind {
@@ -386,7 +366,7 @@ impl Condensed {
         self.solve_full_system(&[&here]);
         self.current = here;
         let mut state = self.start.clone();
-        for (component, change) in self.model.dofs.free().iter().zip(self.block.solution(0)) {
+        for (component, change) in self.model.dofs.free.iter().zip(self.block.solution(0)) {
             state.displacements[*component as usize] += change;
         }
         let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();
@@ -434,7 +414,7 @@ impl Condensed {
 /// Counts the interfaces with an open spring; `bonds` are in the order of [`Model::springs`].
 pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
     let mut open = vec![false; model.mesh.interfaces.len()];
-    for (spring, bond) in model.springs().iter().zip(bonds) {
+    for (spring, bond) in model.springs.iter().zip(bonds) {
         open[spring.interface.index()] |= bond.state == PairState::Open;
     }
     open.into_iter().filter(|open| *open).count()

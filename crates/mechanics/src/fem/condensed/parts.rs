@@ -2,7 +2,7 @@
 //! which it carries less than the linear system assumes.
 
 use super::quad_check::QuadCheck;
-use super::rows::{Functional, Row};
+use super::rows::Row;
 use super::spring_check::SpringCheck;
 use crate::fem::dofs::HELD;
 use crate::fem::element::{self, Kept, Sample, sample};
@@ -94,11 +94,11 @@ pub(super) struct History {
 impl Part {
     /// Makes the part of a spring as it stands in `state`.
     pub(super) fn spring(model: &Model, state: &State, index: usize) -> Part {
-        let spring = &model.springs()[index];
+        let spring = &model.springs[index];
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
         let mut part = Part::from_rest(Kind::Spring(index), state);
         for (i, opening) in spring.openings().into_iter().enumerate() {
-            let row = Row::new(model, &Functional(opening), &state.displacements);
+            let row = Row::new(model, &opening, &state.displacements);
             (part.base[i], part.openings[i]) = (row.start, row.terms);
             for j in 0..2 {
                 part.stiffness[i][j] = spring.area * virgin.tangent[i][j];
@@ -112,7 +112,7 @@ impl Part {
         let mut part = Part::from_rest(Kind::Quad(id), state);
         part.samples = sample(&model.corners(id));
         let components = model.components(id);
-        part.equations = components.map(|component| model.dofs.equation(component));
+        part.equations = components.map(|component| model.dofs.equation[component]);
         let mut scratch = History::default();
         let from = scratch.modes;
         let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes, from, misses: &mut 0 };
@@ -224,7 +224,7 @@ impl Part {
 
     /// Evaluates the law of a spring at an opening [m]; gives its tangent stiffness [N/m²].
     fn evaluate_spring(&mut self, model: &Model, index: usize, opening: [f64; 2]) -> [[f64; 2]; 2] {
-        let spring = &model.springs()[index];
+        let spring = &model.springs[index];
         let answer = model.joints[spring.kind].respond(opening, spring.area, &self.committed.history.bond.memory);
         self.trial.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
         answer.tangent.map(|row| row.map(|entry| spring.area * entry))
@@ -233,7 +233,7 @@ impl Part {
     /// Gives the tension of an unbroken spring by the last evaluation, over its strength; 0 for quadrilaterals.
     pub(super) fn overstress(&self, model: &Model) -> f64 {
         let Kind::Spring(index) = self.kind else { return 0.0 };
-        let spring = &model.springs()[index];
+        let spring = &model.springs[index];
         model.joints[spring.kind].overstress(
             self.trial.bond.traction[0],
             spring.area,
@@ -261,7 +261,7 @@ impl Part {
                 let stiffness = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let (mut force, mut tangent) = ([0.0; ROWS], [[0.0; ROWS]; ROWS]);
                 for i in 0..2 {
-                    force[i] = model.springs()[index].area * self.trial.bond.traction[i];
+                    force[i] = model.springs[index].area * self.trial.bond.traction[i];
                     tangent[i][..2].copy_from_slice(&stiffness[i]);
                 }
                 Some((force, tangent))
@@ -330,24 +330,20 @@ impl Part {
         (!model.incompatible(id)).then_some(quad)
     }
 
-    /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed, and the number of that
-    /// law.
-    pub(super) fn spring_check<'a>(&'a self, model: &'a Model) -> Option<(usize, SpringCheck<'a>)> {
+    /// Gives equations and weights of a spring's two openings.
+    pub(super) fn openings(&self) -> [&[(u32, f64)]; 2] {
+        self.openings.each_ref().map(Vec::as_slice)
+    }
+
+    /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed.
+    pub(super) fn spring_check(&self, model: &Model) -> Option<SpringCheck> {
         let Kind::Spring(index) = self.kind else { return None };
-        let (kind, area) = (model.springs()[index].kind, model.springs()[index].area);
-        let law = &model.joints[kind];
-        let [normal, tangential] = law.stiffness().map(|stiffness| area * stiffness);
+        let (kind, area) = (model.springs[index].kind, model.springs[index].area);
+        let [normal, tangential] = model.joints[kind].stiffness().map(|stiffness| area * stiffness);
         let closed = [[normal, 0.0], [0.0, tangential]];
         let linear = (0..2).all(|i| (0..2).all(|j| self.stiffness[i][j] == closed[i][j]));
-        let openings = [self.openings[0].as_slice(), self.openings[1].as_slice()];
-        let spring = SpringCheck {
-            law,
-            area,
-            memory: &self.committed.history.bond.memory,
-            base: [self.base[0], self.base[1]],
-            openings,
-        };
-        linear.then_some((kind, spring))
+        let (memory, base) = (self.committed.history.bond.memory, [self.base[0], self.base[1]]);
+        linear.then_some(SpringCheck { kind: kind as u32, area, memory, base })
     }
 
     /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
@@ -357,7 +353,9 @@ impl Part {
             #[inline(always)]
             || match self.quad_check(model) {
                 Some(quad) => quad.proves_linear(block, solutions),
-                None => self.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions)),
+                None => self
+                    .spring_check(model)
+                    .is_some_and(|spring| spring.proves_linear(model, self.openings(), block, solutions)),
             },
         )
     }
@@ -370,9 +368,9 @@ impl Part {
         let linear = self.committed.linear
             && match self.quad_check(model) {
                 Some(quad) => quad.proves_linear_at(&at),
-                None => self
-                    .spring_check(model)
-                    .is_some_and(|(_, spring)| spring.law.provably_linear(&[at[0], at[1]], spring.area, spring.memory)),
+                None => self.spring_check(model).is_some_and(|SpringCheck { kind, area, memory, .. }| {
+                    model.joints[kind as usize].provably_linear(&[at[0], at[1]], area, &memory)
+                }),
             };
         if linear {
             (self.linear, self.excess) = (true, self.committed.excess);

@@ -156,7 +156,7 @@ impl Condensed {
             }
         }
         let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
-        if asking.stopped() {
+        if asking.stopped {
             steps.drain(..).rev().for_each(|step| self.roll_back(step.from, &step.undo_log));
             run.passage.cancelled = true;
             return Ok(());
@@ -179,7 +179,7 @@ impl Condensed {
         } else {
             run.batch = (run.batch + 1 + run.batch / 2).min(LONGEST_BATCH);
         }
-        run.passage.cancelled = asking.stopped();
+        run.passage.cancelled = asking.stopped;
         Ok(())
     }
 
@@ -195,7 +195,7 @@ impl Condensed {
             let position = step.position;
             let valid =
                 position.reached != Reached::Balanced || self.recheck_and_roll_back(&mut vec![step], 0, &mut asking)?.1;
-            if asking.stopped() {
+            if asking.stopped {
                 return Ok(Position { reached: Reached::Cancelled, ..position });
             }
             if valid {
@@ -229,7 +229,7 @@ impl Condensed {
                 self.restore(from);
                 self.update_active_set();
                 steps.push(self.solve_in_substeps(&to[k], &mut asking)?);
-                if asking.stopped() {
+                if asking.stopped {
                     return Ok(None);
                 }
             }
@@ -242,7 +242,7 @@ impl Condensed {
                 found[k] = Some(Visited { observed, position: step.position, counts: step.counts, equilibrium });
             }
             self.retain_nonlinear(&to_retain, &mut asking);
-            if asking.stopped() {
+            if asking.stopped {
                 return Ok(None);
             }
         }

@@ -39,7 +39,7 @@ impl Condensed {
         self.solve_full_system(&ends.iter().copied().chain(last_breaks).collect::<Vec<_>>());
         let mut positions: Vec<Option<usize>> =
             (0..ends.len()).chain(last.iter().map(|(position, _)| *position)).map(Some).collect();
-        if lookahead > 0 && ends.len() > 1 && positions.len() < self.block.width() {
+        if lookahead > 0 && ends.len() > 1 && positions.len() < self.block.width {
             self.block.extend_beyond(ends.len(), EXTRAPOLATION_BASE, lookahead, positions.len());
             positions.push(None);
         }

@@ -2,47 +2,37 @@
 //! influence `H` of the load patterns on them.
 
 use crate::fem::dofs::HELD;
-use crate::fem::factor::{Asked, Block};
+use crate::fem::factor::Block;
 use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
 use crate::watch::Asking;
 use crate::wide::wide;
 
-/// A weighted sum of displacement components.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Functional(
-    /// Component (`2 node` for x, `2 node + 1` for y) and its weight.
-    pub Vec<(usize, f64)>,
-);
+/// A weighted sum of displacement components: component (`2 node` for x, `2 node + 1` for y) and its weight.
+pub type Functional = Vec<(usize, f64)>;
 
-/// Forces of a load pattern on displacement components, which are numbered as those of a [`Functional`] [N/m]. No component
+/// Forces of a load pattern on displacement components, which are numbered as those of a [`Functional`]: component and force [N/m]. No component
 /// occurs twice.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct LoadPattern(
-    /// Component and force.
-    pub Vec<(usize, f64)>,
-);
+pub type LoadPattern = Vec<(usize, f64)>;
 
-impl LoadPattern {
-    /// Makes a pattern of forces on all components [N/m], without the zeros.
-    #[must_use]
-    pub fn from_forces(forces: &[f64]) -> LoadPattern {
-        LoadPattern(forces.iter().copied().enumerate().filter(|(_, force)| *force != 0.0).collect())
-    }
+/// Makes a pattern of forces on all components [N/m], without the zeros.
+#[must_use]
+pub fn load_pattern(forces: &[f64]) -> LoadPattern {
+    forces.iter().copied().enumerate().filter(|(_, force)| *force != 0.0).collect()
+}
 
-    /// Gives the pattern's forces by equations, in ascending order.
-    pub(super) fn on_equations(&self, model: &Model) -> Vec<(u32, f64)> {
-        let mut forces = free_terms(model, &self.0);
-        forces.retain(|(_, force)| *force != 0.0);
-        forces.sort_unstable_by_key(|(equation, _)| *equation);
-        forces
-    }
+/// Gives a pattern's forces by equations, in ascending order.
+pub(super) fn on_equations(model: &Model, pattern: &[(usize, f64)]) -> Vec<(u32, f64)> {
+    let mut forces = free_terms(model, pattern);
+    forces.retain(|(_, force)| *force != 0.0);
+    forces.sort_unstable_by_key(|(equation, _)| *equation);
+    forces
 }
 
 /// Gives a sum of components by equations, without those that are held.
 fn free_terms(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
-    let equation = |&(component, weight): &(usize, f64)| (model.dofs.equation(component), weight);
+    let equation = |&(component, weight): &(usize, f64)| (model.dofs.equation[component], weight);
     terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
 }
 
@@ -57,10 +47,10 @@ pub(super) struct Row {
 
 impl Row {
     /// Makes the row of a functional; `displacements` are those of all components when the run began [m].
-    pub(super) fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
+    pub(super) fn new(model: &Model, functional: &[(usize, f64)], displacements: &[f64]) -> Row {
         Row {
-            terms: free_terms(model, &functional.0),
-            start: functional.0.iter().map(|&(component, weight)| weight * displacements[component]).sum(),
+            terms: free_terms(model, functional),
+            start: functional.iter().map(|&(component, weight)| weight * displacements[component]).sum(),
         }
     }
 
@@ -91,7 +81,7 @@ pub(super) struct Rows {
     /// Solutions for the patterns that load more than [`WIDE_PATTERN`] equations; `None` for the others.
     wide_solutions: Vec<Option<Vec<f64>>>,
     /// Equations at which solutions are needed: those that rows read, and those that the other patterns load.
-    needed: Asked,
+    needed: Vec<bool>,
 }
 
 /// A pattern that loads more equations than this is solved for by itself. The `H` of the others is read from the solutions of the

@@ -8,7 +8,6 @@ use super::hourglass::HourglassBound;
 use super::parts::Part;
 use super::spring_check::SpringCheck;
 use crate::fem::factor::Block;
-use crate::fem::joint::PairMemory;
 use crate::fem::model::Model;
 use crate::wide::wide;
 
@@ -23,50 +22,31 @@ pub(super) struct Screening {
 /// How a part is tested.
 #[derive(Debug)]
 enum Test {
-    Spring(SpringData),
+    /// With the ranges of its two openings among the terms.
+    Spring(SpringCheck, [[u32; 2]; 2]),
     Quad(HourglassBound),
     /// Nothing is proven of it: its law has to be evaluated.
     Unproven,
 }
 
-/// What [`SpringCheck`] needs.
-#[derive(Debug)]
-struct SpringData {
-    /// Ranges of its two openings among the terms.
-    openings: [[u32; 2]; 2],
-    /// Normal and tangential opening when the run began [m].
-    base: [f64; 2],
-    /// Area that the spring stands for, per metre of width [m].
-    area: f64,
-    /// Number of its law in the model.
-    kind: u32,
-    memory: PairMemory,
-}
-
 impl Screening {
     /// Collects the tests of parts with the memory that they have now.
     pub(super) fn new(model: &Model, parts: &[Part]) -> Screening {
-        let mut screening = Screening::default();
+        let mut terms: Vec<(u32, f64)> = Vec::new();
+        let mut range = |opening: &[(u32, f64)]| {
+            let start = terms.len() as u32;
+            terms.extend_from_slice(opening);
+            [start, terms.len() as u32]
+        };
+        let mut tests = Vec::with_capacity(parts.len());
         for part in parts {
-            let test = match (part.quad_check(model), part.spring_check(model)) {
+            tests.push(match (part.quad_check(model), part.spring_check(model)) {
                 (Some(quad), _) => HourglassBound::new(&quad).map_or(Test::Unproven, Test::Quad),
-                (None, Some((kind, spring))) => screening.spring_test(kind, &spring),
+                (None, Some(spring)) => Test::Spring(spring, part.openings().map(&mut range)),
                 (None, None) => Test::Unproven,
-            };
-            screening.parts.push(test);
+            });
         }
-        screening
-    }
-
-    /// Stores the data of a spring's test.
-    fn spring_test(&mut self, kind: usize, spring: &SpringCheck<'_>) -> Test {
-        let openings = spring.openings.map(|terms| {
-            let start = self.terms.len() as u32;
-            self.terms.extend_from_slice(terms);
-            [start, self.terms.len() as u32]
-        });
-        let SpringCheck { base, area, memory, .. } = *spring;
-        Test::Spring(SpringData { openings, base, area, kind: kind as u32, memory: *memory })
+        Screening { parts: tests, terms }
     }
 
     /// Finds the parts that are not proven linear in all of the first solutions of `block`, in ascending order; passes over those
@@ -99,12 +79,9 @@ impl Screening {
     fn proves_linear<const FUSED: bool>(&self, index: usize, model: &Model, block: &Block, solutions: usize) -> bool {
         match &self.parts[index] {
             Test::Quad(quad) => quad.proves_linear::<FUSED>(block, solutions),
-            Test::Spring(spring) => {
-                let [[a, b], [c, d]] = spring.openings.map(|range| range.map(|end| end as usize));
-                let openings = [&self.terms[a..b], &self.terms[c..d]];
-                let law = &model.joints[spring.kind as usize];
-                let SpringData { base, area, memory, .. } = spring;
-                SpringCheck { law, area: *area, memory, base: *base, openings }.proves_linear(block, solutions)
+            Test::Spring(spring, openings) => {
+                let [[a, b], [c, d]] = openings.map(|range| range.map(|end| end as usize));
+                spring.proves_linear(model, [&self.terms[a..b], &self.terms[c..d]], block, solutions)
             }
             Test::Unproven => false,
         }

@@ -9,7 +9,7 @@
 
 use super::parts::{Committed, Kind, Part};
 use super::passage::Visited;
-use super::rows::{LoadPattern, Row, Rows, dot};
+use super::rows::{LoadPattern, Row, Rows, dot, on_equations};
 use super::tangent::{StiffnessEntry, Tangent};
 use super::{Condensed, CondensedError, Equilibrium};
 use crate::fem::many::WIDEST;
@@ -171,7 +171,7 @@ impl Condensed {
     fn pattern_derivatives(&self, perturbed: &PerturbedModel<'_>) -> Vec<Vec<(u32, f64)>> {
         let of = |(own, other): (&Vec<(u32, f64)>, &LoadPattern)| {
             let mut more: Vec<(u32, f64)> = own.iter().map(|&(equation, force)| (equation, -force)).collect();
-            more.extend(other.on_equations(&self.model));
+            more.extend(on_equations(&self.model, other));
             more.sort_unstable_by_key(|(equation, _)| *equation);
             let mut merged: Vec<(u32, f64)> = Vec::new();
             for (equation, force) in more {

@@ -1,6 +1,5 @@
 //! Drucker-Prager: a cone about the hydrostatic axis.
 
-use super::close::{flowed, softened};
 use super::elastic::Elastic;
 use super::principal::Principal;
 use super::response::{Four, Law, Memory, Response};
@@ -83,14 +82,14 @@ impl Law for DruckerPrager {
                 let principal = Principal::of(&trial);
                 let (stress, tangent) = self.cut_off(&principal.stress, cutoff);
                 let (stress, tangent) = principal.back(&self.elastic, &stress, &tangent);
-                return softened(&self.elastic, strain, old, stress, tangent);
+                return self.elastic.softened(strain, old, stress, tangent);
             }
         }
         match on_cone {
             None => self.elastic.holds(trial, old),
             // At the apex.
-            Some((stress, tangent)) if tangent[3][3] == 0.0 => softened(&self.elastic, strain, old, stress, tangent),
-            Some((stress, tangent)) => flowed(&self.elastic, strain, old, stress, tangent),
+            Some((stress, tangent)) if tangent[3][3] == 0.0 => self.elastic.softened(strain, old, stress, tangent),
+            Some((stress, tangent)) => self.elastic.flowed(strain, old, stress, tangent),
         }
     }
 }

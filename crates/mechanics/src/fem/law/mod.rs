@@ -5,7 +5,6 @@
 //! Every law answers the *total* strain, from the plastic strain at the end of the last step that was kept: what is asked in
 //! between leaves no trace, and an iteration may go wrong and come back.
 
-mod close;
 mod cone;
 mod drucker_prager;
 mod elastic;

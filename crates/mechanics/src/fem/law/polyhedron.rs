@@ -4,7 +4,6 @@
 //! closest point in the energy of elastic strain, and there is exactly one. Where flow is not associated, corners draw in what no
 //! face or edge takes, as in Clausen, Damkilde, Andersen (2006).
 
-use super::close::softened;
 use super::elastic::Elastic;
 use super::principal::Principal;
 use super::response::{Four, Memory, Response};
@@ -38,7 +37,7 @@ pub(super) fn respond(elastic: &Elastic, strain: &Four, old: &Memory, faces: &[F
     let principal = Principal::of(&trial);
     let Some(returned) = back(elastic, &principal.stress, faces) else { return elastic.holds(trial, old) };
     let (stress, tangent) = principal.back(elastic, &returned.stress, &returned.tangent);
-    softened(elastic, strain, old, stress, tangent)
+    elastic.softened(strain, old, stress, tangent)
 }
 
 /// Where the way back ends.

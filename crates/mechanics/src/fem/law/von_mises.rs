@@ -1,6 +1,5 @@
 //! Von Mises: a strength in shear that knows no pressure.
 
-use super::close::flowed;
 use super::cone;
 use super::elastic::Elastic;
 use super::response::{Four, Law, Memory, Response};
@@ -28,7 +27,7 @@ impl Law for VonMises {
         let trial = self.elastic.trial(strain, old);
         match cone::back(&self.elastic, &trial, 0.0, 0.0, self.strength) {
             None => self.elastic.holds(trial, old),
-            Some((stress, tangent)) => flowed(&self.elastic, strain, old, stress, tangent),
+            Some((stress, tangent)) => self.elastic.flowed(strain, old, stress, tangent),
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Both bounds, on meshes that are refined where they differ.
 
 use super::conic::Ending;
-use super::flow::{Flow, flow};
 use super::lower::{Ends, Stresses, lower, push, share_carried};
 use super::mesh::Mesh;
 use super::report::{Pressure, of_blocks, pressures};
@@ -10,8 +9,7 @@ use super::sideways::{Sideways, linear};
 use super::triangulate::{MeshError, triangulate};
 use super::upper::{Motion, jumps, share, strain_rates, upper};
 use crate::ids::{BlockId, Table};
-use crate::limit::outcome::{Outcome, Status};
-use crate::limit::settings::Friction;
+use crate::limit::outcome::Outcome;
 use crate::plane::Vec2;
 use crate::watch::CancelToken;
 
@@ -35,7 +33,7 @@ impl Default for Wanted {
 }
 
 /// How bounds ended. All of these are answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BoundsStatus {
     /// Both bounds were found; whether they are as close as wanted is seen from them.
     Bounded,
@@ -46,6 +44,7 @@ pub enum BoundsStatus {
     /// The loads can grow without end.
     Locks,
     /// One program or both were not solved on any mesh.
+    #[default]
     NotConverged,
     /// It was stopped before both were.
     Cancelled,
@@ -70,7 +69,7 @@ impl Round {
 }
 
 /// What was found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bounds {
     /// How it ended.
     pub status: BoundsStatus,
@@ -107,21 +106,8 @@ impl Bounds {
 
     /// Nothing found yet.
     pub(super) fn begun(setting: &Setting<'_>, mesh: Mesh) -> Bounds {
-        let interfaces = setting.interfaces.clone();
-        Bounds {
-            status: BoundsStatus::NotConverged,
-            lower: None,
-            upper: None,
-            mesh,
-            coarser: None,
-            gaps: Vec::new(),
-            share: None,
-            carried: None,
-            rounds: Vec::new(),
-            blocks: Outcome::without_numbers(Status::NotConverged, Friction::Associated, interfaces, 0),
-            motions: Table::default(),
-            pressures: Vec::new(),
-        }
+        let blocks = Outcome { interfaces: setting.interfaces.clone(), ..Outcome::default() };
+        Bounds { mesh, blocks, ..Bounds::default() }
     }
 
     fn take(&mut self, setting: &Setting<'_>, mesh: Mesh, below: Stresses, above: Motion) {
@@ -278,11 +264,6 @@ pub fn bound_on(which: Which, setting: &Setting<'_>, mesh: &Mesh, token: &Cancel
     }
 }
 
-/// Flow that dilates by an angle [rad], found by iteration on a mesh that is given; none where a program was not solved.
-pub fn flow_on(dilatancy: f64, setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Option<Flow> {
-    flow(setting, mesh, dilatancy, token).ok()
-}
-
 /// What is known where one program or both were not solved on a mesh.
 fn unsolved(setting: &Setting<'_>, mesh: Mesh, mut bounds: Bounds, token: &CancelToken) -> Bounds {
     if bounds.lower.is_none() {
@@ -344,7 +325,7 @@ fn gaps(setting: &Setting<'_>, mesh: &Mesh, below: &Stresses, above: &Motion) ->
 fn gaps_beside(setting: &Setting<'_>, mesh: &Mesh, below: &Stresses, above: &Motion, gaps: &mut [f64]) {
     for (t, pressures) in below.sideways.iter().enumerate() {
         let Some(held) = Sideways::of(setting, mesh, t, &setting.soil_of(mesh, t)) else { continue };
-        let ([slide, tilt], weights) = (above.panels[held.panel], linear(mesh, t, &setting.panels()[held.panel]));
+        let ([slide, tilt], weights) = (above.panels[held.panel], linear(mesh, t, &setting.soil.panels[held.panel]));
         gaps[t] +=
             pressures.iter().zip(weights).map(|(p, [area, moment])| p * (slide * area + tilt * moment)).sum::<f64>();
     }

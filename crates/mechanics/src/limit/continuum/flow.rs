@@ -6,7 +6,6 @@
 //! and of Krabbenhoft et al. 2012 for soil). The program is that of the lower bound. Once the mean stress no longer changes, the
 //! stresses are in equilibrium within the true strength, and what they flow by is psi. There may be several such states, or none that is found.
 
-use super::conic::Ending;
 use super::lower::{Ends, Stresses, check, push, within};
 use super::mesh::Mesh;
 use super::model::{Contact, Soil};
@@ -39,15 +38,15 @@ const TAKEN: f64 = 0.7;
 /// Least cohesion of a corner, as a share of the unit of stress: a fluid could be torn.
 const LEAST: f64 = 1e-7;
 
-/// Follows the iteration on a mesh, for a dilatancy angle [rad].
-pub(super) fn flow(setting: &Setting<'_>, mesh: &Mesh, dilatancy: f64, token: &CancelToken) -> Result<Flow, Ending> {
+/// Flow that dilates by an angle [rad], found by iteration on a mesh that is given; none where a program was not solved.
+pub fn flow_on(dilatancy: f64, setting: &Setting<'_>, mesh: &Mesh, token: &CancelToken) -> Option<Flow> {
     let whole = Strengths::of(setting, mesh);
-    let mut field = within(setting, mesh, &whole.reduced(dilatancy), Question::Factor, token)?;
+    let mut field = within(setting, mesh, &whole.reduced(dilatancy), Question::Factor, token).ok()?;
     let mut means = Means::of(setting, mesh, &field);
     let mut found = Flow { factor: field.factor, change: f64::INFINITY, excess: 0.0, rounds: 1, settled: false };
     let mut calm = 0;
     while found.rounds < ROUNDS && calm < 2 {
-        field = within(setting, mesh, &means.strengths(setting, &whole, dilatancy), Question::Factor, token)?;
+        field = within(setting, mesh, &means.strengths(setting, &whole, dilatancy), Question::Factor, token).ok()?;
         found.change = (field.factor / found.factor - 1.0).abs();
         (found.factor, found.rounds) = (field.factor, found.rounds + 1);
         calm = if found.change < SETTLED { calm + 1 } else { 0 };
@@ -55,7 +54,7 @@ pub(super) fn flow(setting: &Setting<'_>, mesh: &Mesh, dilatancy: f64, token: &C
     }
     found.excess = check(setting, mesh, &whole, &field, [1.0, field.factor]).1;
     found.settled = calm >= 2;
-    Ok(found)
+    Some(found)
 }
 
 /// Effective mean stresses that strengths are taken from [Pa]: the sum of both principal ones at corners, tension positive; the pressure on

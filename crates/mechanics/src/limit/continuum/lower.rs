@@ -80,7 +80,7 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
     let base = setting.begin(&mut program, question);
     let [permanent, variable] = &base.loads;
     let unit = setting.force;
-    let panels = setting.panels();
+    let panels = &setting.soil.panels;
     let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
     let mut own = Vec::with_capacity(mesh.triangles.len());
     let stresses: Vec<[[Affine; 3]; 3]> = (0..mesh.triangles.len())
@@ -241,7 +241,7 @@ pub(super) fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
 
 /// By how much pressures out of the plane exceed what panels bear, and stresses what these pressures allow [N/m].
 fn beyond_panels(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, field: &Stresses, share: f64) -> f64 {
-    let panels = setting.panels();
+    let panels = &setting.soil.panels;
     let mut borne = vec![[0.0; 2]; panels.len()];
     let mut beyond = 0.0f64;
     for (t, sideways) in strengths.sideways.iter().enumerate() {

@@ -25,15 +25,13 @@ mod triangulate;
 mod upper;
 mod yielding;
 
-pub use bounds::{
-    Bounds, BoundsStatus, FIRST, Round, Wanted, Which, bound_on, closer_bounds, collapse_bounds, flow_on,
-};
+pub use bounds::{Bounds, BoundsStatus, FIRST, Round, Wanted, Which, bound_on, closer_bounds, collapse_bounds};
 pub use elsewhere::bound_elsewhere;
-pub use flow::Flow;
+pub use flow::{Flow, flow_on};
 pub use like::{Like, lower_like, upper_like};
 pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
-pub use model::{Bears, Confinement, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};
+pub use model::{Bears, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};
 pub use report::Pressure;
 pub use setting::Setting;
 pub use triangulate::MeshError;

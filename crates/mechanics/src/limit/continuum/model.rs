@@ -14,17 +14,10 @@ pub struct Continuum {
     pub sides: Vec<Side>,
     /// Water in the pores, if there is any.
     pub water: Option<Water>,
-    /// What bounds the stress out of the plane, if anything does.
-    pub confinement: Option<Confinement>,
-}
-
-/// What holds the soil out of its plane. In plane strain the stress out of the plane lies between the two principal stresses in it, whatever
-/// holds it. Where panels hold no more than they can, the larger stress in the plane may not exceed what Mohr and Coulomb allow beside the
-/// pressure `s` on the panel: `N s + 2 c sqrt(N)` with `N = (1 + sin phi) / (1 - sin phi)` (after Cavicchi and Gambarotta 2007, who bound `s` alone). How
-/// the pressure is distributed over a panel is for the soil to decide.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Confinement {
-    /// Panels side by side. Soil beside none is held by whatever it needs.
+    /// What holds the soil out of its plane, side by side; soil beside none is held by whatever it needs. In plane strain the stress out of the plane
+    /// lies between the two principal stresses in it, whatever holds it. Where panels hold no more than they can, the larger stress in the plane may
+    /// not exceed what Mohr and Coulomb allow beside the pressure `s` on the panel: `N s + 2 c sqrt(N)` with `N = (1 + sin phi) / (1 - sin phi)` (after
+    /// Cavicchi and Gambarotta 2007, who bound `s` alone). How the pressure is distributed over a panel is for the soil to decide.
     pub panels: Vec<Panel>,
 }
 
@@ -39,13 +32,6 @@ pub struct Panel {
     pub force: f64,
     /// Largest moment of the pressures about its foot [N m].
     pub moment: f64,
-}
-
-impl Confinement {
-    /// The panel beside a place.
-    pub(super) fn beside(&self, x: f64) -> Option<usize> {
-        self.panels.iter().position(|panel| panel.ends[0] <= x && x < panel.ends[1])
-    }
 }
 
 /// A region of one soil.

@@ -9,7 +9,6 @@ use crate::ids::BlockId;
 use crate::limit::collapse::{joint_forces, resultants};
 use crate::limit::mechanism::mechanism;
 use crate::limit::outcome::{Outcome, Status};
-use crate::limit::settings::Friction;
 use crate::plane::Vec2;
 
 /// What soil exerts on a straight stretch of a block.
@@ -31,6 +30,9 @@ pub(super) fn of_blocks(setting: &Setting<'_>, below: &Stresses, above: &Motion)
     let scaled: Vec<f64> = below.forces.iter().map(|f| f / eq.force).collect();
     let forces = joint_forces(eq, &scaled);
     Outcome {
+        status: Status::Solved,
+        interfaces: setting.interfaces.clone(),
+        iterations: below.iterations + above.iterations,
         factor: Some(below.factor),
         lower_bound: Some(below.factor),
         upper_bound: Some(above.factor),
@@ -41,12 +43,7 @@ pub(super) fn of_blocks(setting: &Setting<'_>, below: &Stresses, above: &Motion)
         forces,
         mechanism: mechanism(setting.model, eq, &above.blocks),
         associated_factor: Some(below.factor),
-        ..Outcome::without_numbers(
-            Status::Solved,
-            Friction::Associated,
-            setting.interfaces.clone(),
-            below.iterations + above.iterations,
-        )
+        ..Outcome::default()
     }
 }
 

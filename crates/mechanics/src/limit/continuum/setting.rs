@@ -2,13 +2,12 @@
 
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
-use super::model::{Bears, Contact, Continuum, Panel, Soil};
-use super::triangulate::area;
+use super::model::{Bears, Contact, Continuum, Soil};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use crate::ids::BlockId;
 use crate::limit::equilibrium::Equilibrium;
 use crate::limit::settings::Settings;
-use crate::plane::{Vec2, vec2};
+use crate::plane::{Vec2, area, vec2};
 
 /// Blocks, soil, loads and units: what bounds are asked of, the same for every mesh.
 pub struct Setting<'a> {
@@ -177,11 +176,6 @@ impl<'a> Setting<'a> {
     /// The soil of a triangle.
     pub(super) fn soil_of(&self, mesh: &Mesh, triangle: usize) -> Soil {
         self.soil.regions[mesh.regions[triangle]].soil
-    }
-
-    /// What holds the soil out of its plane.
-    pub(super) fn panels(&self) -> &[Panel] {
-        self.soil.confinement.as_ref().map_or(&[], |confinement| &confinement.panels)
     }
 
     /// Pore pressure at a point [Pa].

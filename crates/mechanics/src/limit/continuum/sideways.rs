@@ -28,7 +28,8 @@ impl Sideways {
     pub(super) fn of(setting: &Setting<'_>, mesh: &Mesh, triangle: usize, soil: &Soil) -> Option<Sideways> {
         let corners = mesh.corners(triangle);
         let middle = corners.iter().map(|p| p.x).sum::<f64>() / 3.0;
-        let panel = setting.soil.confinement.as_ref()?.beside(middle)?;
+        let is_beside = |panel: &Panel| panel.ends[0] <= middle && middle < panel.ends[1];
+        let panel = setting.soil.panels.iter().position(is_beside)?;
         Some(Sideways { panel, ratio: 1.0, cohesive: 0.0 }.with(soil))
     }
 

@@ -1,8 +1,8 @@
 //! The first mesh: a constrained Delaunay triangulation of the regions, refined to a least angle and a largest area.
 
 use super::mesh::Mesh;
-use super::model::{Continuum, Region};
-use crate::plane::{Vec2, vec2};
+use super::model::Continuum;
+use crate::plane::{Vec2, area, edges, holds, vec2};
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation};
 use thiserror::Error;
 
@@ -65,7 +65,7 @@ pub(super) fn triangulate(model: &Continuum, elements: usize) -> Result<Mesh, Me
     for face in net.inner_faces() {
         let corners = face.vertices().map(|v| v.fix().index());
         let centre = corners.iter().fold(Vec2::ZERO, |sum, &i| sum + vertices[i]) * (1.0 / 3.0);
-        if let Some(region) = model.regions.iter().position(|r| holds(r, centre)) {
+        if let Some(region) = model.regions.iter().position(|r| holds(&r.outline, centre)) {
             triangles.push(corners);
             regions.push(region);
         }
@@ -133,22 +133,4 @@ fn used(points: Vec<Vec2>, mut triangles: Vec<[usize; 3]>) -> (Vec<Vec2>, Vec<[u
         });
     }
     (kept, triangles)
-}
-
-/// Whether a point lies inside: a ray to the right crosses the outline an odd number of times.
-fn holds(region: &Region, point: Vec2) -> bool {
-    let crosses = |(a, b): &(Vec2, Vec2)| {
-        (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    };
-    edges(&region.outline).filter(crosses).count() % 2 == 1
-}
-
-/// Area of a polygon [m^2]; negative where it is clockwise.
-pub(super) fn area(outline: &[Vec2]) -> f64 {
-    0.5 * edges(outline).map(|(a, b)| a.cross(b)).sum::<f64>()
-}
-
-/// From each corner to the next.
-fn edges(outline: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> {
-    outline.iter().copied().zip(outline.iter().copied().cycle().skip(1))
 }

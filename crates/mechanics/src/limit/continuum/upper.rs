@@ -104,7 +104,7 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> A
     let unit = setting.force;
     // Two equations for each node, after what slacks have added: their numbers are kept.
     let rows: Vec<usize> = (0..2 * mesh.nodes()).map(|_| program.equation(0.0)).collect();
-    let panels = setting.panels();
+    let panels = &setting.soil.panels;
     let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
     for t in 0..mesh.triangles.len() {
         let soil = setting.soil_of(mesh, t);
@@ -264,7 +264,7 @@ pub(super) fn work(
             let (power, wrong) = match &beside {
                 None => soil.dissipation(rates, pore),
                 Some(sideways) => {
-                    let ([slide, tilt], foot) = (panels[sideways.panel], setting.panels()[sideways.panel].foot);
+                    let ([slide, tilt], foot) = (panels[sideways.panel], setting.soil.panels[sideways.panel].foot);
                     soil.dissipation_beside(rates, pore, sideways, slide + tilt * (at.y - foot))
                 }
             };
@@ -298,7 +298,7 @@ pub(super) fn work(
     violation = violation.max(joints.violation);
     variable += eq.variable.iter().zip(&blocks).map(|(p, u)| p * u).sum::<f64>() * eq.force / eq.factor_scale;
     let resisted = |(panel, [slide, tilt]): (&Panel, &[f64; 2])| panel.force * slide + panel.moment * tilt;
-    let held: f64 = setting.panels().iter().zip(&panels).map(resisted).sum();
+    let held: f64 = setting.soil.panels.iter().zip(&panels).map(resisted).sum();
     let total = dissipation.iter().sum::<f64>() + held + joints.factor * eq.force - permanent;
     let motion = Motion {
         factor: total / variable,

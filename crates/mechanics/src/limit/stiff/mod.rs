@@ -37,14 +37,17 @@ pub(super) struct Stood {
     elastic: f64,
 }
 
-/// What a growing load comes to.
-pub(super) enum Grown {
-    /// A mechanism, with the largest factor on the way to it; or, where the load comes and goes, the motion at the least since then.
-    GivesWay { solution: Solution, most: f64, comes_and_goes: bool },
-    /// It is carried far beyond all permanent loads.
-    Carried,
+/// What is carried where sliding does not dilate.
+pub(super) enum WithoutDilation {
+    /// A load: the mechanism in which blocks give way, the scaled factors there and of the largest load on the way to it, and whether it comes and goes:
+    /// the motion is then that at the least since the largest.
+    Load { solution: Solution, spread: [f64; 2], comes_and_goes: bool },
+    /// Every load, as far as blocks are followed.
+    Locks,
+    /// What blocks carry depends on how hard they are jammed, which no way tells.
+    Jammed,
     /// The way has no end.
-    Lost,
+    Unsettled,
 }
 
 /// Puts the permanent loads on; none where blocks move without end under them, or where the way to rest has no end.
@@ -76,7 +79,7 @@ pub(super) fn stood(equilibrium: &Equilibrium) -> Option<Stood> {
 
 impl Stood {
     /// Lets the variable loads grow.
-    pub(super) fn under(&self, equilibrium: &Equilibrium, carried: f64) -> Grown {
+    pub(super) fn under(&self, equilibrium: &Equilibrium, carried: f64) -> WithoutDilation {
         let system = &self.system;
         let weight = system.ordered(&equilibrium.permanent);
         let growing = system.ordered(&equilibrium.variable);
@@ -91,12 +94,12 @@ impl Stood {
         };
         let way = follow(system, self.state.clone(), &load, &equilibrium.token);
         match way.end {
-            End::Far if way.state.factor > carried => Grown::Carried,
+            End::Far if way.state.factor > carried => WithoutDilation::Locks,
             End::Mechanism | End::Far | End::Wanders => {
-                let (most, comes_and_goes) = (way.most, way.end == End::Wanders);
-                Grown::GivesWay { most, solution: self.solution(equilibrium, &way), comes_and_goes }
+                let (spread, comes_and_goes) = ([way.state.factor, way.most], way.end == End::Wanders);
+                WithoutDilation::Load { solution: self.solution(equilibrium, &way), spread, comes_and_goes }
             }
-            End::Reached | End::Lost => Grown::Lost,
+            End::Reached | End::Lost => WithoutDilation::Unsettled,
         }
     }
 

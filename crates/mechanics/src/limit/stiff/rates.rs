@@ -22,7 +22,7 @@ pub(super) struct Rate {
 }
 
 /// `K + sum a b^T` of one change after the other.
-struct Change {
+pub(super) struct Change {
     /// `K^-1 a`.
     solved: Vec<f64>,
     /// `b`, over the equations of an element.
@@ -41,7 +41,8 @@ pub(super) struct Tangent<'a> {
     growing: Vec<f64>,
     factors: Banded,
     shifted: bool,
-    changes: Vec<Change>,
+    /// Since the whole was factorised.
+    pub changes: Vec<Change>,
     /// `I + b^T K^-1 a`, row by row.
     coupling: Vec<Vec<f64>>,
     /// `K^-1` of the loads.
@@ -243,11 +244,6 @@ impl<'a> Tangent<'a> {
         self.factors.solve(&mut solved);
         self.corrected(&mut solved);
         solved
-    }
-
-    /// Whether nothing was changed since the whole was factorised.
-    pub(super) fn is_new(&self) -> bool {
-        self.changes.is_empty()
     }
 }
 

@@ -198,7 +198,7 @@ impl Follower<'_> {
             let by_sign =
                 (most <= self.load.rigid()).then(|| self.oriented.map_or(1.0, |oriented| oriented * rate.sign));
             let by_limit = self.by_limit(&rate.displacements, most);
-            if by_sign.zip(by_limit).is_some_and(|(a, b)| a != b) && !self.tangent.is_new() {
+            if by_sign.zip(by_limit).is_some_and(|(a, b)| a != b) && !self.tangent.changes.is_empty() {
                 self.tangent.anew(&self.state.pieces);
                 continue;
             }

@@ -6,7 +6,7 @@ use crate::discretise::{DiscretiseError, Discretised};
 use bridge::FillEnds;
 use mechanics::blocks::{Block, Held, Loading, PointForce};
 use mechanics::ids::GroupId;
-use mechanics::limit::continuum::{Bears, Confinement, Contact, Continuum, Region, Side, Soil};
+use mechanics::limit::continuum::{Bears, Contact, Continuum, Region, Side, Soil};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 /// Height of the plate under a load [m], for drawings.
@@ -78,8 +78,7 @@ impl Earth {
             }
             regions.push(Region { outline, soil: self.soil(piece.material, strength) });
         }
-        let confinement = (!self.panels.is_empty()).then(|| Confinement { panels: self.panels.clone() });
-        let continuum = Continuum { regions, sides, water: self.water, confinement };
+        let continuum = Continuum { regions, sides, water: self.water, panels: self.panels.clone() };
         Ok(LoadedEarth { continuum, model, loading, left_out: plates.left_out })
     }
 

@@ -59,7 +59,7 @@ impl Beside<'_> {
     /// The lower bound where nothing bounds the stress out of the plane [N/m].
     fn in_plane_strain(&self, strength: Strength) -> Result<Option<f64>, AnalysisError> {
         let mut other = self.earth.loaded(self.d, strength, self.strips)?;
-        other.continuum.confinement = None;
+        other.continuum.panels.clear();
         let setting = setting(&other, &self.settings)?;
         let found = bound_on(Which::Lower, &setting, &self.bounds.mesh, self.token);
         Ok(found.map(|factor| self.d.load(factor)))

@@ -50,7 +50,7 @@ pub fn collapse_filled(
             if rested.outcome.status != dem::Status::StableToLastLoad {
                 return Ok(not_at_rest(bridge, &d, &region, &grains, &rested));
             }
-            let (lifts, iterations) = (lifts(&d, &rested.frame()), rested.outcome.iterations);
+            let (lifts, iterations) = (lifts(&d, &rested.frame()), rested.outcome.state.steps);
             (Some(rested), lifts, iterations, None)
         }
     };

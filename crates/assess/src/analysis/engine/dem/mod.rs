@@ -280,7 +280,7 @@ fn snapshot(d: &Discretised, frame: &dem::Frame, load: &dyn Fn(f64) -> f64) -> S
                 normal: point(c.normal),
                 compression: c.compression,
                 shear: c.shear,
-                stress: c.compressive_stress(),
+                stress: c.compression / c.length,
                 sliding: c.sliding,
             })
             .collect(),
@@ -305,7 +305,7 @@ fn particle_force(c: &dem::ParticleContact) -> ParticleForce {
         normal: point(c.normal),
         compression: c.compression,
         shear: c.shear,
-        stress: c.compressive_stress(),
+        stress: c.compression / c.length,
         sliding: c.sliding,
     }
 }

@@ -55,7 +55,7 @@ fn contacts(ring: &RingMesh, model: &Model, state: &State) -> Vec<ContactForce> 
         model.mesh.nodes[node] + vec2(state.displacements[k], state.displacements[k + 1])
     };
     let mut all = Vec::new();
-    for (spring, bond) in model.springs().iter().zip(&state.bonds) {
+    for (spring, bond) in model.springs.iter().zip(&state.bonds) {
         if bond.state == PairState::Open || bond.traction[0] >= 0.0 {
             continue;
         }

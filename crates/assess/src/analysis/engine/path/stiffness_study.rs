@@ -58,5 +58,5 @@ fn scaled(
     let ground = Ground::new(&model, &d.loading, settings, watch)?;
     let program = Program { increment: FIRST_STEP * rigid, ..program.clone() };
     let found = ground.sweeper().carried(&d.loading.variable, (&program, &[]), watch);
-    Ok(found.factor.filter(|_| matches!(found.status, Status::LimitPoint | Status::Bifurcation)))
+    Ok(found.last_stable_factor.filter(|_| matches!(found.status, Status::LimitPoint | Status::Bifurcation)))
 }

@@ -5,7 +5,9 @@ use crate::analysis::AnalysisError;
 use crate::analysis::parallel::Retold;
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
-use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Reached, Run, Snapshot, Visited};
+use mechanics::fem::condensed::{
+    Condensed, CondensedError, Functional, LoadPattern, Reached, Run, Snapshot, Visited, load_pattern,
+};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Influence, Part, PassageStatus, StepLog};
@@ -15,8 +17,8 @@ use std::sync::Arc;
 pub(super) fn loads(setup: &Setup, weight: &[f64]) -> Vec<LoadPattern> {
     let surface = &setup.meshed.sets.surface;
     let down = |&(node, share): &(usize, f64)| (2 * surface[node].index() + 1, -share);
-    let sleepers = setup.loads.patterns.iter().map(|pattern| LoadPattern(pattern.iter().map(down).collect()));
-    std::iter::once(LoadPattern::from_forces(weight)).chain(sleepers).collect()
+    let sleepers = setup.loads.patterns.iter().map(|pattern| pattern.iter().map(down).collect());
+    std::iter::once(load_pattern(weight)).chain(sleepers).collect()
 }
 
 /// What the path keeps from one position to the next. The weight is the first pattern, brought on in the load steps of the file and
@@ -44,8 +46,8 @@ impl Way {
         let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
         let loads = loads(setup, &rest.weight);
         let model = Arc::clone(&rest.model);
-        let condensed = Condensed::new(model, State::new(&rest.model), &loads, &observed).map_err(failed)?;
-        let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
+        let mut condensed = Condensed::new(model, State::new(&rest.model), &loads, &observed).map_err(failed)?;
+        condensed.iterations = setup.plan.iterations as u32;
         if !condensed.retain_parts(expected, watch) {
             solution.status = PassageStatus::Cancelled;
         } else if stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)?.is_none() {
@@ -211,7 +213,7 @@ pub(super) fn stand(
 ) -> Result<Option<Vec<Visited>>, CondensedError> {
     let steps = setup.plan.load_steps.max(1);
     let share = |step: usize| (step + 1) as f64 / steps as f64;
-    let patterns = condensed.pattern_count();
+    let patterns = 1 + setup.loads.patterns.len();
     let under = |step: usize| {
         let mut amplitudes = vec![0.0; patterns];
         amplitudes[0] = share(step);

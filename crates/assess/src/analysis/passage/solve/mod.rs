@@ -306,7 +306,7 @@ fn functional(reading: &Reading) -> Option<Functional> {
             let of = |(node, [x, y]): &(mechanics::ids::NodeId, [f64; 2])| {
                 [(2 * node.index(), *x), (2 * node.index() + 1, *y)]
             };
-            Some(Functional(terms.iter().flat_map(of).filter(|(_, factor)| *factor != 0.0).collect()))
+            Some(terms.iter().flat_map(of).filter(|(_, factor)| *factor != 0.0).collect())
         }
         Reading::Stress { .. } => None,
     }

@@ -40,7 +40,7 @@ fn rows(setup: &Setup, model: &Model, state: &State) -> Vec<Row> {
         };
         rows.push(Row { kind, pairs: Vec::new() });
     }
-    for (spring, bond) in model.springs().iter().zip(&state.bonds) {
+    for (spring, bond) in model.springs.iter().zip(&state.bonds) {
         let state = match bond.state {
             joint::PairState::Closed => PairState::Closed,
             joint::PairState::Open => PairState::Open,

@@ -44,11 +44,9 @@ pub fn slices(
     let loads = loads(setup, &weight);
     let model = Arc::new(model);
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
-    let condensed = Condensed::new(Arc::clone(&model), State::new(&model), &loads, &observed).map_err(failed)?;
-    let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
-    if !wanted.neighbours.is_empty() {
-        condensed = condensed.with_equilibria();
-    }
+    let mut condensed = Condensed::new(Arc::clone(&model), State::new(&model), &loads, &observed).map_err(failed)?;
+    condensed.iterations = setup.plan.iterations as u32;
+    condensed.keeps_equilibria = !wanted.neighbours.is_empty();
     let mut found =
         Solution { status: PassageStatus::Completed, values: vec![Vec::new(); observed.len()], ..Solution::default() };
     if !condensed.retain_parts(wanted.expected, watch) {

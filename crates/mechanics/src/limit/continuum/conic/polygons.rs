@@ -122,7 +122,7 @@ fn touching(a: Vec2, b: Vec2, block: Option<usize>, contact: Contact) -> Side {
 }
 
 fn earth(outline: Vec<Vec2>, soil: Soil, sides: Vec<Side>) -> Continuum {
-    Continuum { regions: vec![Region { outline, soil }], sides, water: None, confinement: None }
+    Continuum { regions: vec![Region { outline, soil }], sides, water: None, panels: Vec::new() }
 }
 
 const SMOOTH: Contact = Contact { friction: 0.0, cohesion: 0.0, tension: f64::INFINITY };
