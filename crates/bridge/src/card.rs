@@ -278,7 +278,8 @@ pub(crate) const fn joined<const N: usize>(lists: &[&[Field]]) -> [Field; N] {
 }
 
 /// The same cards, none of which must be there.
-pub(crate) const fn each_optional<const N: usize>(mut fields: [Field; N], meaning: &'static str) -> [Field; N] {
+pub(crate) const fn each_optional<const N: usize>(fields: &[Field], meaning: &'static str) -> [Field; N] {
+    let mut fields = joined::<N>(&[fields]);
     let mut k = 0;
     while k < N {
         fields[k] = fields[k].optional(meaning);

@@ -5,6 +5,7 @@
 mod asked;
 pub mod assess;
 pub mod blocks;
+mod calibration;
 mod card;
 mod cards;
 pub mod case;
@@ -44,10 +45,10 @@ pub mod whereabouts;
 pub use ::findings::Severity;
 pub use diagnostic::{Diagnostic, TextRange};
 pub use fields::sweep::DOUBTFUL_SKEW;
-pub use fields::update::UPDATE_SECTIONS;
 pub use model::*;
 pub use service::*;
 pub use text::Position;
+pub use update::UPDATE_SECTIONS;
 
 use findings::Findings;
 use plain::{LONGEST, not_toml, read_sound, read_text, readable};
@@ -169,8 +170,8 @@ fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -
         asked::vary::check(&document, &vary, findings);
     }
     let update = asked::update::update(text, file, bridge.as_ref(), findings);
-    let assess = fields::assess::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
+    let assess = assess::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
     let cases = asked::case::cases(text, file, bridge.as_ref().map(|bridge| &bridge.loads[..]), errors, findings);
-    let document = fields::document::document(file, findings);
+    let document = document::document(file, findings);
     Read { bridge, vary, cases, document, update, assess, diagnostics: Vec::new() }
 }

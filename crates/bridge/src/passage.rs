@@ -1,8 +1,11 @@
 //! What a bridge file says of a train that crosses: the train, the track under it, the analysis, and what is measured.
 
+use crate::cards::*;
 use crate::choice::choice;
+use crate::findings::Findings;
 pub use crate::sensor::*;
 use crate::train::Train;
+use crate::tree::{At, Table};
 use crate::values::of_keys;
 
 /// A train that crosses.
@@ -22,58 +25,72 @@ of_keys! {
     /// Rails on sleepers on ballast, on the fill.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Track {
-        /// Bending stiffness of one rail about its horizontal axis [N m^2].
-        pub rail_bending_stiffness: f64,
-        /// Stiffness of what bears one rail, per metre of rail [N/m per m].
-        pub track_modulus: f64,
-        /// Distance between the middles of sleepers [m].
-        pub sleeper_spacing: f64,
-        /// Size of a sleeper along the bridge [m].
-        pub sleeper_breadth: f64,
-        /// Size of a sleeper across the bridge [m].
-        pub sleeper_length: f64,
-        /// Depth of ballast below the sleepers, down to the top of the fill [m].
-        pub ballast_depth: f64,
-        /// Slope at which pressure spreads through it, vertical to one horizontal.
-        pub ballast_slope: f64,
-        /// Weight of rails and sleepers on the fill [Pa]; that of ballast is part of it only where no layer of the cover is ballast.
-        pub dead_load: f64,
-        /// Width of the bridge that carries an axle [m]; the barrel's where the file gives none.
-        pub effective_width: Option<f64>,
+        pub rail_bending_stiffness: f64 =
+            bending_stiffness("bending stiffness E I of one rail about its horizontal axis", "4.47 MNm^2")
+                .between(1e2, 1e9),
+        pub track_modulus: f64 = stress(
+            "stiffness of the support of one rail, per metre of rail (force per length and settlement)",
+            "30 MPa",
+        )
+        .between(1e4, 1e12),
+        pub sleeper_spacing: f64 = length("distance between the middles of two sleepers", "0.60 m").between(0.1, 5.0),
+        pub sleeper_breadth: f64 = length("size of a sleeper along the bridge", "0.25 m").between(0.01, 5.0),
+        pub sleeper_length: f64 = length("size of a sleeper across the bridge", "2.75 m").between(0.1, 10.0),
+        pub ballast_depth: f64 =
+            length("depth of ballast below the sleepers, down to the top of the fill", "0.25 m").between(0.0, 20.0),
+        pub ballast_slope: f64 =
+            slope("slope at which pressure spreads through the ballast, vertical to horizontal", "2:1")
+                .between(0.1, 1000.0),
+        pub dead_load: f64 = stress(
+            "weight of rails and sleepers on the fill (and of ballast where no [[cover]] layer is ballast); a part of the self-weight",
+            "3 kPa",
+        )
+        .between(0.0, 1e6),
+        pub effective_width: Option<f64> = length("width of the bridge that carries an axle", "4.5 m")
+            .at_least(0.1)
+            .optional("the width of the barrel"),
     }
 }
 
-/// How a train crosses, and how that is analysed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PassagePlan {
-    /// Speed [m/s].
-    pub speed: f64,
-    /// Time from one position to the next [s].
-    pub time_step: f64,
-    /// Where the first axle stands at the start [m], from the left springing of the first span; where the mesh begins if the
-    /// file does not say.
-    pub from: Option<f64>,
-    /// Where it stands at the end [m]; where the last axle has left the mesh if the file does not say.
-    pub to: Option<f64>,
-    /// Whether masses take part.
-    pub analysis: PassageAnalysis,
-    /// Rayleigh damping, where there is some.
-    pub damping: Option<Rayleigh>,
-    /// Share of numerical damping in time integration: 0 is Newmark's average acceleration, up to 1/3 Hilber, Hughes and
-    /// Taylor's method.
-    pub numerical_damping: f64,
-    /// Whether displacements and rotations are large.
-    pub kinematics: PassageKinematics,
-    /// Load steps of the self-weight.
-    pub load_steps: usize,
-    /// Most iterations of one load step.
-    pub iterations: usize,
-    /// Out-of-balance force at which a step has converged, relative to the applied forces.
-    pub tolerance: f64,
-    /// How positions are solved.
-    pub path: PassagePath,
-    /// Positions of the first axle [m] for which pictures are made; the peaks of the channels where the file gives none.
-    pub pictures: Vec<f64>,
+of_keys! {
+    /// How a train crosses, and how that is analysed.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct PassagePlan {
+        pub speed: f64 = speed("speed of the train", "45 km/h").at_least(0.01),
+        pub time_step: f64 = time("time from one position to the next", "0.005 s").at_least(1e-5).default("0.005 s"),
+        pub from: Option<f64> =
+            length("position of the first axle at the start, from the left springing of the first span", "-10 m")
+                .optional("where the mesh begins"),
+        pub to: Option<f64> =
+            length("position of the first axle at the end", "60 m").optional("where the last axle leaves the mesh"),
+        pub analysis: PassageAnalysis =
+            word::<PassageAnalysis>("whether inertia is included", "static").default(PassageAnalysis::Static.word()),
+        pub numerical_damping: f64 = number(
+            "numerical damping of time integration: 0 is Newmark's average acceleration, larger values are the method \
+             of Hilber, Hughes and Taylor",
+            "0.05",
+        )
+        .between(0.0, 1.0 / 3.0)
+        .default("0.0"),
+        pub kinematics: PassageKinematics =
+            word::<PassageKinematics>("whether displacements and rotations are large", "small")
+                .default(PassageKinematics::Small.word()),
+        pub load_steps: usize =
+            count("load steps in which the self-weight is applied", "10").between(1.0, 10_000.0).default("10"),
+        pub iterations: usize = count("most iterations of one step", "100").between(1.0, 100_000.0).default("100"),
+        pub tolerance: f64 =
+            number("out-of-balance force of a step that has converged, relative to the applied forces", "1e-6")
+                .between(1e-12, 0.1)
+                .default("1e-6"),
+        pub path: PassagePath =
+            word::<PassagePath>("how positions are solved", "condensed").default(PassagePath::Condensed.word()),
+        pub pictures: Vec<f64> =
+            lengths("positions of the first axle for which pictures are made", r#"["3.0 m", "9.5 m"]"#)
+                .optional("the peak of every channel"),
+    } and {
+        /// Rayleigh damping, where there is some.
+        pub damping: Option<Rayleigh> => damping,
+    }
 }
 
 choice! {
@@ -93,6 +110,27 @@ pub struct Rayleigh {
     pub ratio: f64,
     /// The two frequencies [Hz], the lower first.
     pub frequencies: [f64; 2],
+}
+
+/// Rayleigh damping: a ratio, and the two frequencies at which it holds.
+fn damping(table: &Table<'_>, findings: &mut Findings) -> Option<Option<Rayleigh>> {
+    let ratio: Option<Option<f64>> = table.read("damping_ratio", findings);
+    let frequencies: Option<Option<At<Vec<f64>>>> = table.read("damping_frequencies", findings);
+    if table.has("damping_ratio") != table.has("damping_frequencies") {
+        return table.need(if table.has("damping_ratio") { "damping_frequencies" } else { "damping_ratio" }, findings);
+    }
+    let Some(ratio) = ratio? else { return Some(None) };
+    let frequencies = frequencies??;
+    match frequencies.value[..] {
+        [low, high] if low < high => Some(Some(Rayleigh { ratio, frequencies: [low, high] })),
+        _ => findings.refuse(
+            "B654",
+            frequencies.range,
+            "Rayleigh damping takes two frequencies, the lower first",
+            "the damping ratio holds at both, is less in between and more outside",
+            r#"write damping_frequencies = ["8 Hz", "40 Hz"]: about the lowest, and the highest that matters"#,
+        ),
+    }
 }
 
 choice! {

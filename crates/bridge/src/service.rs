@@ -1,6 +1,7 @@
 //! What the finite element model needs beyond what collapse asks for: mesh, soils, mortar and the contact of fill with masonry.
 //! What a file leaves out stays `None` here; whoever computes says what is missing.
 
+use crate::cards::*;
 use crate::choice::choice;
 use crate::model::{Backing, Masonry};
 use crate::values::of_keys;
@@ -70,40 +71,49 @@ impl Service {
     }
 }
 
-/// How fine the mesh is and how far it reaches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeshPlan {
-    /// Length of an element near the rings and the surface [m]; none: half the thickness of the rings.
-    pub size: Option<f64>,
-    /// Nodes across the depth of a ring: springs of a joint.
-    pub ring_nodes: usize,
-    /// Distance from the back of an abutment to the boundary [m]; none: twice the height from the lowest foundation to the
-    /// surface.
-    pub side_distance: Option<f64>,
+of_keys! {
+    /// How fine the mesh is and how far it reaches.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct MeshPlan {
+        pub size: Option<f64> = length(
+            "length of an element near the rings and the surface; elements grow towards the boundaries",
+            "0.20 m",
+        )
+        .between(0.005, 10.0)
+        .optional("half the thickness of the thinnest ring"),
+        pub ring_nodes: usize =
+            count("nodes across the depth of a ring, and springs across a joint", "7").between(2.0, 100.0).default("7"),
+        pub side_distance: Option<f64> = length("distance from the back of an abutment to the side boundary", "15 m")
+            .positive_up_to(1000.0)
+            .optional("twice the height from the lowest foundation to the surface"),
+    }
 }
 
 of_keys! {
     /// A soil: granular fill, or what behaves like it.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Soil {
-        /// Young's modulus [Pa].
-        pub elastic_modulus: Option<f64>,
-        /// Poisson's ratio.
-        pub poisson_ratio: Option<f64>,
-        /// Mass density [kg/m^3].
-        pub density: Option<f64>,
-        /// Friction angle [rad].
-        pub friction_angle: Option<f64>,
-        /// Cohesion [Pa].
-        pub cohesion: Option<f64>,
-        /// Dilatancy angle [rad].
-        pub dilatancy_angle: f64,
-        /// Largest tension [Pa]; none: what cohesion and friction leave.
-        pub tension_cutoff: Option<f64>,
-        /// Where its cone meets the pyramid of Mohr and Coulomb.
-        pub cone: Cone,
-        /// When it yields.
-        pub law: SoilLaw,
+        pub elastic_modulus: Option<f64> =
+            stress("Young's modulus of the fill", "110 MPa").positive().optional("unknown; `respond` needs it"),
+        pub poisson_ratio: Option<f64> =
+            number("Poisson's ratio of the fill", "0.19").between(0.0, 0.4999).optional("unknown; `respond` needs it"),
+        pub density: Option<f64> = density("mass density of the fill", "1800 kg/m^3")
+            .positive()
+            .optional("that of the lowest layer of [[cover]]"),
+        pub friction_angle: Option<f64> = angle("angle of friction of the fill", "30 deg")
+            .between(0.0, 1.2)
+            .optional("unknown; `respond` needs it unless the fill is elastic"),
+        pub cohesion: Option<f64> = stress("cohesion of the fill", "10 kPa")
+            .at_least(0.0)
+            .optional("unknown; `respond` needs it unless the fill is elastic"),
+        pub dilatancy_angle: f64 = angle("angle of dilatancy of the fill", "0 deg").between(0.0, 1.2).default("0 deg"),
+        pub tension_cutoff: Option<f64> = stress("largest tension in the fill", "0 kPa")
+            .at_least(0.0)
+            .optional("no limit except the apex of cone or pyramid"),
+        pub cone: Cone = word::<Cone>("how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner")
+            .default(Cone::PlaneStrain.word()),
+        pub law: SoilLaw =
+            word::<SoilLaw>("yield criterion of the fill", "mohr-coulomb").default(SoilLaw::DruckerPrager.word()),
     }
 }
 
@@ -184,19 +194,22 @@ pub struct AbutmentFill {
     pub soil: Soil,
 }
 
-/// Mortar of joints.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mortar {
-    /// Young's modulus [Pa].
-    pub elastic_modulus: Option<f64>,
-    /// Thickness of a joint [m].
-    pub thickness: Option<f64>,
-    /// Force at which a spring across a joint lifts off, per metre of width [N/m].
-    pub lift_off: f64,
-    /// Shear strength [Pa].
-    pub shear_strength: Option<f64>,
-    /// How the stress across a joint is summed.
-    pub springs: Springs,
+of_keys! {
+    /// Mortar of joints.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Mortar {
+        pub elastic_modulus: Option<f64> =
+            stress("Young's modulus of the mortar", "1.25 GPa").positive().optional("unknown; `respond` needs it"),
+        pub thickness: Option<f64> =
+            length("thickness of a joint", "12.5 mm").positive_up_to(1.0).optional("unknown; `respond` needs it"),
+        pub lift_off: f64 = force("tension at which a spring lifts off, in a strip one metre wide", "1 kN")
+            .at_least(0.0)
+            .default("0 kN"),
+        pub shear_strength: Option<f64> =
+            stress("shear strength of the mortar", "1 MPa").at_least(0.0).optional("friction and cohesion of [joint]"),
+        pub springs: Springs =
+            word::<Springs>("how the stress across a joint is summed", "interface").default(Springs::Equal.word()),
+    }
 }
 
 choice! {
@@ -211,15 +224,17 @@ choice! {
     }
 }
 
-/// Contact of fill with masonry.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FillContact {
-    /// Coefficient of friction.
-    pub friction_coefficient: Option<f64>,
-    /// Whether fill and masonry may part.
-    pub separation: bool,
-    /// Normal stiffness [Pa/m]; none: from the fill's modulus and the size of its elements.
-    pub stiffness: Option<f64>,
+of_keys! {
+    /// Contact of fill with masonry.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct FillContact {
+        pub friction_coefficient: Option<f64> =
+            number("coefficient of friction", "0.4").between(0.0, 10.0).optional("unknown; `respond` needs it"),
+        pub separation: bool = flag("whether fill and masonry may separate", "false").default("true"),
+        pub stiffness: Option<f64> = joint_stiffness("normal stiffness per area of the contact", "1 GPa/m")
+            .positive()
+            .optional("from the fill's modulus and the size of its elements"),
+    }
 }
 
 #[cfg(test)]

@@ -70,21 +70,45 @@ macro_rules! read {
 }
 pub(crate) use read;
 
-/// A struct whose fields are the keys of a table. A key of another name than its field stands behind it.
+/// A struct whose fields are keys of a table, each with its card behind it: what it is, an example, and what else the card says; the
+/// documentation of the field is made from it. A key of another name than its field stands in brackets. A function behind an arrow reads what
+/// is not the value as it is written. Fields without a card of their own follow after `and`, with the functions that make them from the table.
 macro_rules! of_keys {
-    ($(#[$meta:meta])* $vis:vis struct $name:ident {
-        $($(#[$about:meta])* $of:vis $field:ident: $type:ty $(= $key:literal)?,)+
-    }) => {
+    ($(#[$meta:meta])* $vis:vis struct $name:ident { $(
+        $(#[$about:meta])* $of:vis $field:ident $(($key:literal))?: $type:ty
+            = $kind:ident $(::<$choice:ty>)? ($doc:literal, $example:expr $(,)?) $(.$method:ident($($argument:tt)*))*
+            $(=> $read:expr)?,
+    )+ } $(and { $($(#[$more:meta])* $with:vis $beside:ident: $other:ty => $make:expr,)+ })?) => {
         $(#[$meta])*
-        $vis struct $name { $($(#[$about])* $of $field: $type,)+ }
+        $vis struct $name {
+            $(
+                #[doc = concat!($doc, $crate::cards::unit!($kind), ".")]
+                $(#[doc = $crate::values::of_keys!(@about $method $($argument)*)])*
+                $(#[$about])*
+                $of $field: $type,
+            )+
+            $($($(#[$more])* $with $beside: $other,)+)?
+        }
 
         impl $name {
+            /// Cards of its keys, in the order of the reference.
+            pub(crate) const CARDS: &'static [$crate::card::Field] = &[$(
+                $kind $(::<$choice>)? ([$($key,)? stringify!($field)][0], $doc, $example) $(.$method($($argument)*))*
+            ),+];
+
             /// What a table says.
             pub(crate) fn of(table: &$crate::tree::Table<'_>, findings: &mut $crate::findings::Findings) -> Option<$name> {
-                $crate::values::read!(table, findings, $name { $($field $(= $key)?),+ })
+                $(let $field: Option<$type> =
+                    $crate::values::of_keys!(@read table, [$($key,)? stringify!($field)][0], findings $(, $read)?);)+
+                $($(let $beside: Option<$other> = $make(table, findings);)+)?
+                Some($name { $($field: $field?,)+ $($($beside: $beside?,)+)? })
             }
         }
     };
+    (@about optional $meaning:literal $(,)?) => { concat!("Where missing: ", $meaning, ".") };
+    (@about $method:ident $($argument:tt)*) => { "" };
+    (@read $table:ident, $key:expr, $findings:ident) => { $table.read($key, $findings) };
+    (@read $table:ident, $key:expr, $findings:ident, $read:expr) => { $read($table, $key, $findings) };
 }
 pub(crate) use of_keys;
 
@@ -159,6 +183,17 @@ fn words(field: &Field, text: String, range: TextRange, findings: &mut Findings)
         return findings.refuse("B113", range, message, field.doc, "write what it rests on, or leave the line out");
     }
     Some(text)
+}
+
+/// The words of a list, without quotes.
+pub(crate) fn bare_words(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<Vec<String>> {
+    let list: Vec<String> = table.read(key, findings)?;
+    Some(list.into_iter().map(|word| word.trim_matches(['"', '\'']).to_owned()).collect())
+}
+
+/// A number; none where a word stands for it.
+pub(crate) fn finite(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<Option<f64>> {
+    Some(table.read::<Option<f64>>(key, findings)?.filter(|value| value.is_finite()))
 }
 
 impl Value for bool {

@@ -2,13 +2,11 @@
 
 use crate::card::Kind;
 use crate::edit::Document;
-use crate::fields::update::{AlignedBy, Spacing, UPDATE_SECTIONS};
 use crate::findings::Findings;
 use crate::model::Bridge;
 use crate::passage::default_sensors;
 use crate::tree::Table;
-use crate::update::{Channel, Parameter, Plan, Records, Update};
-use crate::values::read;
+use crate::update::{Channel, Parameter, Plan, Records, Spacing, UPDATE_SECTIONS, Update};
 use crate::vary::{self, find, settle};
 
 /// Most parameters: surfaces grow with their square, identifiability with the power of two.
@@ -44,22 +42,7 @@ fn sensors(bridge: Option<&Bridge>) -> Option<Vec<String>> {
 
 fn records(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) -> Option<Records> {
     let table = &file.table("records", findings)?;
-    let by = table.read("align_by", findings);
-    let records = read!(
-        table,
-        findings,
-        Records {
-            place,
-            zero,
-            drift,
-            low_pass,
-            align;
-            by_axles: match by? {
-                AlignedBy::Model => false,
-                AlignedBy::Axles => true,
-            },
-        }
-    )?;
+    let records = Records::of(table, findings)?;
     if let (Some(align), Some(names)) = (&records.align, names)
         && !names.contains(align)
     {

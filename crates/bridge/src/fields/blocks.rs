@@ -1,6 +1,6 @@
 //! The block model file: bodies that are drawn or listed, instead of a bridge that is described.
 
-use super::material::{JOINT_FIELDS, MASONRY_FIELDS};
+use super::material::JOINT_FIELDS;
 use super::structure::General;
 use super::{material, plan};
 use crate::blocks::{
@@ -10,9 +10,8 @@ use crate::card::{Field, Kind, Section, joined};
 use crate::cards::*;
 use crate::choice::choice;
 use crate::findings::Findings;
-use crate::model::{Analysis, JointStiffness, Method};
+use crate::model::{Analysis, JointStiffness, Masonry, Method};
 use crate::quantity;
-use crate::quantity::Dimension::Acceleration;
 use crate::tree::{At, Table, nearest};
 use crate::values::read;
 
@@ -60,9 +59,7 @@ static MODEL: Section = Section {
         length("width", "width that forces over the whole width are spread over", "8.30 m")
             .positive_up_to(100.0)
             .default("1 m"),
-        Field::new("gravity", Kind::Quantity(Acceleration), "acceleration of gravity", "9.81 m/s^2")
-            .positive_up_to(30.0)
-            .default("9.81 m/s^2"),
+        acceleration("gravity", "acceleration of gravity", "9.81 m/s^2").positive_up_to(30.0).default("9.81 m/s^2"),
     ],
 };
 
@@ -97,7 +94,7 @@ static DRAWING: Section = Section {
 static MATERIAL: Section = Section {
     path: "material",
     doc: "A material of blocks or particles.",
-    fields: &joined::<6>(&[&[text("name", "name that layers, blocks and joints use", "sandstone")], MASONRY_FIELDS]),
+    fields: &joined::<6>(&[&[text("name", "name that layers, blocks and joints use", "sandstone")], Masonry::CARDS]),
 };
 
 static JOINT: Section = Section {
@@ -276,7 +273,7 @@ fn materials(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Material>>
     let mut rows: Vec<Option<Material>> = Vec::new();
     for table in file.tables("material", findings) {
         let name: Option<At<String>> = table.read("name", findings);
-        let masonry = material::masonry(&table, findings);
+        let masonry = Masonry::of(&table, findings);
         if let Some(name) = &name
             && rows.iter().flatten().any(|known| known.name == name.value)
         {

@@ -1,14 +1,10 @@
 //! Fill and backing that yield as a continuum, and whether layers and backing fit together then.
 
 use crate::card::Section;
-use crate::cards::*;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Backing, BackingBody, Confinement, ContinuumPlan, Cover, FillEnds, Layer};
+use crate::model::{Backing, BackingBody, Confinement, ContinuumPlan, Cover, Layer};
 use crate::tree::Table;
-
-/// Share of the strength of soil that is mobilised, where the file says nothing.
-const MOBILISED_SHARE: &str = "1.0";
 
 /// Least depth of a continuum over the crown [m]: loads stand on it.
 const LEAST_DEPTH: f64 = 0.01;
@@ -18,47 +14,7 @@ pub(super) static CONTINUUM: Section = Section {
     doc: "How layers and backing that are a continuum (as = \"continuum\") are modelled: soil in plane strain that yields by \
           Mohr-Coulomb's law, in limit analysis of strip \"fill\". Loads act on its upper face and do not disperse: the soil \
           carries them to the rings.",
-    fields: &[
-        number(
-            "mobilised_share",
-            "share of cohesion and of the tangent of the friction angle that is mobilised at collapse",
-            "0.6",
-        )
-        .positive_up_to(1.0)
-        .default(MOBILISED_SHARE),
-        angle(
-            "dilatancy_angle",
-            "angle by which soil dilates when it shears; less than the friction angle lowers the strength after Davis",
-            "0 deg",
-        )
-        .between(0.0, 1.5)
-        .default("0 deg"),
-        angle(
-            "interface_friction_angle",
-            "angle of friction between soil and masonry; never more than that of the soil",
-            "20 deg",
-        )
-        .between(0.0, 1.5)
-        .optional("two thirds of the soil's friction angle; backing is bonded to masonry with its own strength"),
-        stress("interface_cohesion", "cohesion between soil and masonry; never more than that of the soil", "0 kPa")
-            .at_least(0.0)
-            .default("0 kPa"),
-        word::<FillEnds>("ends", "what stands at the far ends of the fill", "slide").default(FillEnds::Slide.word()),
-        length("extent", "how far the fill reaches behind each outer springing, from the springing's extrados", "8 m")
-            .positive()
-            .optional(
-                "the larger of the abutment's `top_width` and twice the height from that springing to the top of the continuum",
-            ),
-        length("water_level", "level of the water in the pores above the springings; negative below them", "-0.5 m")
-            .optional("the fill is dry"),
-        word::<Confinement>("confinement", "what holds the fill sideways, out of the plane", "spandrel-walls")
-            .default(Confinement::PlaneStrain.word()),
-        number("bound_ratio", "wanted ratio of the upper bound to the lower bound of the load", "1.05")
-            .above(1.0)
-            .at_most(10.0)
-            .default("1.05"),
-        count("elements", "most triangles of the mesh", "4000").between(50.0, 100_000.0).default("4000"),
-    ],
+    fields: ContinuumPlan::CARDS,
 };
 
 /// How the continuum is modelled; none inside where no layer is one.

@@ -1,7 +1,7 @@
 //! What lies above the rings: layers and backing.
 
 use super::{continuum, spandrel};
-use crate::card::Section;
+use crate::card::{Section, joined};
 use crate::cards::*;
 use crate::choice::choice;
 use crate::diagnostic::TextRange;
@@ -72,48 +72,17 @@ pub(super) static COVER: Section = Section {
 pub(super) static BACKING: Section = Section {
     path: "backing",
     doc: "Solid backing above the haunches, up to a level.",
-    fields: &[
-        length("height", "level of the backing's upper face above the springings", "1.5 m").positive(),
-        density("density", "mass density of the backing", "2000 kg/m^3").positive(),
-        number(
-            "width_share",
-            "share of the bridge's width that it fills: haunching between internal walls, or under a part of the width",
-            "0.4",
-        )
-        .positive_up_to(1.0)
-        .default("1"),
-        density(
+    fields: &joined::<11>(&[
+        Backing::CARDS.split_at(3).0,
+        &[density(
             "between_density",
             "mass density of what fills the rest of the width beside it; 0 for voids",
             "0 kg/m^3",
         )
         .at_least(0.0)
-        .optional("as the lowest layer of the cover"),
-        stress("elastic_modulus", "Young's modulus of the backing", "3 GPa")
-            .positive()
-            .optional("not needed for collapse"),
-        number("poisson_ratio", "Poisson's ratio of the backing", "0.2")
-            .between(0.0, 0.4999)
-            .optional("not needed for collapse"),
-        word::<BackingBody>("as", "what the backing is in limit analysis and in the discrete element method", "blocks")
-            .default(BackingBody::Weight.word()),
-        angle("friction_angle", "angle of friction between its particles, or of backing that yields", "40 deg")
-            .between(0.0, 1.5)
-            .only("as", &["particles", "continuum"])
-            .optional("particles: as [particle_joint] says; a continuum needs it"),
-        stress("cohesion", "cohesion between its particles, or of backing that yields", "50 kPa")
-            .at_least(0.0)
-            .only("as", &["particles", "continuum"])
-            .optional("particles: as [particle_joint] says; a continuum needs it"),
-        stress("tensile_strength", "tensile strength of backing that yields", "0 kPa")
-            .at_least(0.0)
-            .only("as", &["continuum"])
-            .optional("backing carries no tension"),
-        stress("compressive_strength", "compressive strength of backing that yields", "2 MPa")
-            .positive()
-            .only("as", &["continuum"])
-            .optional("backing does not crush"),
-    ],
+        .optional("as the lowest layer of the cover")],
+        Backing::CARDS.split_at(3).1,
+    ]),
 };
 
 pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Cover> {
@@ -164,17 +133,13 @@ pub(super) static WATER: Section = Section {
     path: "water",
     doc: "Water that stands in the pores of the lowest layer of [[cover]]. Below its level the layer has its saturated density, and the water \
           presses on the backs of the rings as well; grains press with what is left of the weight. docs/theory/water.md.",
-    fields: &[
-        length("level", "level of the water above the left springing of the first span", "1.2 m"),
-        density("saturated_density", "density of the lowest layer with its pores full", "2050 kg/m^3").at_least(1000.0),
-    ],
+    fields: PoreWater::CARDS,
 };
 
 /// Water in the pores of the lowest layer.
 fn water(table: &Table<'_>, layers: &[Layer], findings: &mut Findings) -> Option<PoreWater> {
-    let level = table.read("level", findings);
-    let saturated: Option<f64> = table.read("saturated_density", findings);
-    let (level, saturated_density) = (level?, saturated?);
+    let water = PoreWater::of(table, findings)?;
+    let saturated_density = water.saturated_density;
     let (key, message, help) = match layers.first() {
         None => {
             let message = "there is no cover whose pores could hold water".to_owned();
@@ -190,7 +155,7 @@ fn water(table: &Table<'_>, layers: &[Layer], findings: &mut Findings) -> Option
             format!("saturated fill of {saturated_density} kg/m^3 is lighter than the fill above the water"),
             "write the density with pores full: no less than `density` of the lowest [[cover]]",
         ),
-        Some(_) => return Some(PoreWater { level, saturated_density }),
+        Some(_) => return Some(water),
     };
     findings.refuse("B240", table.place(key), message, "water stands in the pores of the lowest layer", help)
 }

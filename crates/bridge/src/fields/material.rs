@@ -1,10 +1,9 @@
 //! Masonry and joints.
 
-use crate::card::{Field, Kind, Section, joined};
+use crate::card::{Field, Section, joined};
 use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{Joint, JointContact, JointStiffness, Masonry};
-use crate::quantity::Dimension::Stress;
 use crate::tree::Table;
 use crate::values::read;
 
@@ -12,28 +11,7 @@ use crate::values::read;
 const STEEPEST: f64 = 89.0 / 180.0 * std::f64::consts::PI;
 
 pub(super) static MASONRY: Section =
-    Section { path: "masonry", doc: "Masonry of rings and piers.", fields: MASONRY_FIELDS };
-
-pub(super) const MASONRY_FIELDS: &[Field] = &[
-    density("density", "mass density of the masonry", "2100 kg/m^3").positive(),
-    stress("elastic_modulus", "Young's modulus of the masonry units", "15 GPa")
-        .positive()
-        .optional("unknown; needed for `mortar_…_stiffness`"),
-    number("poisson_ratio", "Poisson's ratio of the masonry units", "0.2")
-        .between(0.0, 0.4999)
-        .optional("unknown; needed for `mortar_shear_stiffness`"),
-    Field::new(
-        "compressive_strength",
-        Kind::QuantityOr(Stress, "unlimited"),
-        "compressive strength of the masonry, or \"unlimited\"",
-        "10 MPa",
-    )
-    .positive()
-    .optional("crushing is not considered, and a warning says so"),
-    length("rounding", "radius of the blocks' rounded corners; contact points lie this far inside the edges", "10 mm")
-        .at_least(0.0)
-        .default("0 mm"),
-];
+    Section { path: "masonry", doc: "Masonry of rings and piers.", fields: Masonry::CARDS };
 
 pub(super) const JOINT_FIELDS: &[Field] = &[
     joint_stiffness(
@@ -117,14 +95,6 @@ pub(super) static RING_JOINT: Section = Section {
     doc: "Joints between the rings of a span, with the same keys as [joint].",
     fields: JOINT_FIELDS,
 };
-
-/// The material that a table describes.
-pub(crate) fn masonry(table: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
-    let masonry =
-        read!(table, findings, Masonry { density, elastic_modulus, poisson_ratio, compressive_strength, rounding })?;
-    let compressive_strength = masonry.compressive_strength.filter(|value| value.is_finite());
-    Some(Masonry { compressive_strength, ..masonry })
-}
 
 pub(crate) fn joint(file: &Table<'_>, name: &str, findings: &mut Findings) -> Option<Joint> {
     joint_of(&file.table(name, findings)?, findings)

@@ -1,14 +1,11 @@
 //! Field cards: one table of everything a bridge file may say (`card.rs` has what a card is). Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
-pub(crate) mod assess;
 pub mod blocks;
-pub(crate) mod calibration;
 pub(crate) mod case;
 pub(crate) mod continuum;
 pub(crate) mod cover;
 pub(crate) mod defect;
-pub(crate) mod document;
 pub(crate) mod loading;
 pub(crate) mod material;
 pub(crate) mod particles;
@@ -21,7 +18,6 @@ pub(crate) mod structure;
 pub(crate) mod support;
 pub(crate) mod sweep;
 pub(crate) mod train;
-pub(crate) mod update;
 pub(crate) mod vary;
 pub(crate) mod wall;
 
@@ -56,7 +52,7 @@ pub static FILE: Section = Section {
             .optional("no layer is modelled as particles"),
         table("particle_block_joint", &material::PARTICLE_BLOCK_JOINT, "Contacts of particles with blocks.")
             .optional("as contacts between particles"),
-        table("calibration", &calibration::CALIBRATION, "How the contact stiffness of particles is found.")
+        table("calibration", &crate::calibration::CALIBRATION, "How the contact stiffness of particles is found.")
             .optional("the defaults"),
         tables("cover", &cover::COVER, "Layers above the rings, from the extrados up.")
             .at_most(50.0)
@@ -115,19 +111,21 @@ pub static FILE: Section = Section {
         ),
         tables("vary", &vary::VARY, "What `extrados vary` changes, and over which values.")
             .optional("nothing is varied"),
-        table("records", &update::RECORDS, "Records that `extrados update` compares with.")
+        table("records", &crate::update::RECORDS, "Records that `extrados update` compares with.")
             .optional("possible only without parameters"),
-        tables("channel", &update::CHANNEL, "What is known of the records' channels.")
+        tables("channel", &crate::update::CHANNEL, "What is known of the records' channels.")
             .optional("all sensors are compared, by their names"),
-        tables("parameter", &update::PARAMETER, "What `extrados update` searches for.").optional("there is no search"),
-        table("update", &update::UPDATE, "How `extrados update` searches for it.").optional("the defaults"),
-        table("assess", &assess::ASSESS, "Limits that `extrados assess` compares with.")
+        tables("parameter", &crate::update::PARAMETER, "What `extrados update` searches for.")
+            .optional("there is no search"),
+        table("update", &crate::update::UPDATE, "How `extrados update` searches for it.").optional("the defaults"),
+        table("assess", &crate::assess::ASSESS, "Limits that `extrados assess` compares with.")
             .optional("checks that need a limit are not made"),
-        tables("service_load", &assess::SERVICE_LOAD, "Loads in service.").optional("the train as it is"),
-        table("mexe", &assess::MEXE, "Factors of the modified MEXE method.").optional("the MEXE check is not made"),
-        tables("expected", &assess::EXPECTED, "Where identified parameters are expected.")
+        tables("service_load", &crate::assess::SERVICE_LOAD, "Loads in service.").optional("the train as it is"),
+        table("mexe", &crate::assess::MEXE, "Factors of the modified MEXE method.")
+            .optional("the MEXE check is not made"),
+        tables("expected", &crate::assess::EXPECTED, "Where identified parameters are expected.")
             .optional("identified parameters are listed without a verdict"),
-        table("document", &document::DOCUMENT, "Identification, revisions and signatures of the report.")
+        table("document", &crate::document::DOCUMENT, "Identification, revisions and signatures of the report.")
             .optional("the report has blank fields to fill in"),
     ],
 };
@@ -146,7 +144,7 @@ pub(crate) fn by_cards<T>(read: impl FnOnce(&Table<'_>, &mut Findings) -> Option
 
 impl Default for Calibration {
     fn default() -> Calibration {
-        by_cards(calibration::calibration)
+        by_cards(crate::calibration::calibration)
     }
 }
 

@@ -4,63 +4,23 @@ use crate::card::{Field, Section, each_optional, joined};
 use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::Cover;
-use crate::service::{AbutmentFill, Cone, FillContact, HaunchFill, MeshPlan, Mortar, Service, Soil, SoilLaw, Springs};
+use crate::service::{AbutmentFill, FillContact, HaunchFill, MeshPlan, Mortar, Service, Soil};
 use crate::tree::Table;
 use crate::values::read;
 
 pub(super) static MESH: Section = Section {
     path: "mesh",
     doc: "How fine the finite element mesh is and how far it reaches.",
-    fields: &[
-        length(
-            "size",
-            "length of an element near the rings and the surface; elements grow towards the boundaries",
-            "0.20 m",
-        )
-        .between(0.005, 10.0)
-        .optional("half the thickness of the thinnest ring"),
-        count("ring_nodes", "nodes across the depth of a ring, and springs across a joint", "7")
-            .between(2.0, 100.0)
-            .default("7"),
-        length("side_distance", "distance from the back of an abutment to the side boundary", "15 m")
-            .positive_up_to(1000.0)
-            .optional("twice the height from the lowest foundation to the surface"),
-    ],
+    fields: MeshPlan::CARDS,
 };
 
-/// Keys of a soil, each left out as its card says.
-const SOIL: [Field; 9] = [
-    stress("elastic_modulus", "Young's modulus of the fill", "110 MPa")
-        .positive()
-        .optional("unknown; `respond` needs it"),
-    number("poisson_ratio", "Poisson's ratio of the fill", "0.19")
-        .between(0.0, 0.4999)
-        .optional("unknown; `respond` needs it"),
-    density("density", "mass density of the fill", "1800 kg/m^3")
-        .positive()
-        .optional("that of the lowest layer of [[cover]]"),
-    angle("friction_angle", "angle of friction of the fill", "30 deg")
-        .between(0.0, 1.2)
-        .optional("unknown; `respond` needs it unless the fill is elastic"),
-    stress("cohesion", "cohesion of the fill", "10 kPa")
-        .at_least(0.0)
-        .optional("unknown; `respond` needs it unless the fill is elastic"),
-    angle("dilatancy_angle", "angle of dilatancy of the fill", "0 deg").between(0.0, 1.2).default("0 deg"),
-    stress("tension_cutoff", "largest tension in the fill", "0 kPa")
-        .at_least(0.0)
-        .optional("no limit except the apex of cone or pyramid"),
-    word::<Cone>("cone", "how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner")
-        .default(Cone::PlaneStrain.word()),
-    word::<SoilLaw>("law", "yield criterion of the fill", "mohr-coulomb").default(SoilLaw::DruckerPrager.word()),
-];
-
 /// Those of another soil, which are as [fill] says where they are left out.
-const OTHER_SOIL: &[Field] = &each_optional(SOIL, "as [fill] says");
+const OTHER_SOIL: &[Field] = &each_optional::<9>(Soil::CARDS, "as [fill] says");
 
 pub(super) static FILL: Section = Section {
     path: "fill",
     doc: "Fill between the rings and the surface, in the finite element model.",
-    fields: &SOIL,
+    fields: Soil::CARDS,
 };
 
 pub(super) static HAUNCH_FILL: Section = Section {
@@ -86,41 +46,18 @@ pub(super) static ABUTMENT_FILL: Section = Section {
 pub(super) static MORTAR: Section = Section {
     path: "mortar",
     doc: "Mortar between voussoirs and at the springings, in the finite element model.",
-    fields: &[
-        stress("elastic_modulus", "Young's modulus of the mortar", "1.25 GPa")
-            .positive()
-            .optional("unknown; `respond` needs it"),
-        length("thickness", "thickness of a joint", "12.5 mm")
-            .positive_up_to(1.0)
-            .optional("unknown; `respond` needs it"),
-        force("lift_off", "tension at which a spring lifts off, in a strip one metre wide", "1 kN")
-            .at_least(0.0)
-            .default("0 kN"),
-        stress("shear_strength", "shear strength of the mortar", "1 MPa")
-            .at_least(0.0)
-            .optional("friction and cohesion of [joint]"),
-        word::<Springs>("springs", "how the stress across a joint is summed", "interface")
-            .default(Springs::Equal.word()),
-    ],
+    fields: Mortar::CARDS,
 };
 
 pub(super) static FILL_CONTACT: Section = Section {
     path: "fill_contact",
     doc: "Contact of fill with rings, piers and abutments, in the finite element model.",
-    fields: &[
-        number("friction_coefficient", "coefficient of friction", "0.4")
-            .between(0.0, 10.0)
-            .optional("unknown; `respond` needs it"),
-        flag("separation", "whether fill and masonry may separate", "false").default("true"),
-        joint_stiffness("stiffness", "normal stiffness per area of the contact", "1 GPa/m")
-            .positive()
-            .optional("from the fill's modulus and the size of its elements"),
-    ],
+    fields: FillContact::CARDS,
 };
 
 /// Everything; a file that says nothing of it has the defaults.
 pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Service> {
-    let mesh = file.part("mesh", findings, |t, f| read!(t, f, MeshPlan { size, ring_nodes, side_distance }));
+    let mesh = file.part("mesh", findings, MeshPlan::of);
     let lowest = cover.and_then(|cover| cover.layers.first()).map(|layer| layer.density);
     let density = lowest.filter(|density| *density > 0.0);
     let fill = file.part("fill", findings, |t, f| soil(t, density, f));
@@ -134,12 +71,8 @@ pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Fi
         let soil = soil(&table.over(&usual), density, findings);
         read!(table, findings, AbutmentFill { extent; soil: soil? })
     });
-    let mortar = file.part("mortar", findings, |table, findings| {
-        read!(table, findings, Mortar { elastic_modulus, thickness, lift_off, shear_strength, springs })
-    });
-    let fill_contact = file.part("fill_contact", findings, |table, findings| {
-        read!(table, findings, FillContact { friction_coefficient, separation, stiffness })
-    });
+    let mortar = file.part("mortar", findings, Mortar::of);
+    let fill_contact = file.part("fill_contact", findings, FillContact::of);
     Some(Service {
         mesh: mesh?,
         fill: fill?,

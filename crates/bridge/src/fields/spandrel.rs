@@ -5,21 +5,26 @@ use crate::cards::*;
 use crate::findings::Findings;
 use crate::model::{InternalWalls, Void};
 use crate::tree::Table;
-use crate::values::read;
+use crate::values::of_keys;
 
 pub(super) static INTERNAL_WALLS: Section = Section {
     path: "internal_walls",
     doc: "Internal spandrel walls: walls along the bridge between the outer ones, up to a level, with voids or fill between them. In a plane model \
           they are weight with their mean density over the width, docs/theory/spandrels.md.",
-    fields: &[
-        length("thickness", "thickness of all of them together across the bridge", "1.4 m").positive_up_to(100.0),
-        length("height", "level of their tops above the springings", "2.4 m").positive_up_to(200.0),
-        density("density", "mass density of the walls", "2100 kg/m^3").positive(),
-        density("between_density", "mass density of what lies between them; 0 for voids", "0 kg/m^3")
+    fields: Written::CARDS,
+};
+
+of_keys! {
+    /// What a table says of internal walls.
+    struct Written {
+        thickness: f64 = length("thickness of all of them together across the bridge", "1.4 m").positive_up_to(100.0),
+        height: f64 = length("level of their tops above the springings", "2.4 m").positive_up_to(200.0),
+        density: f64 = density("mass density of the walls", "2100 kg/m^3").positive(),
+        between_density: f64 = density("mass density of what lies between them; 0 for voids", "0 kg/m^3")
             .at_least(0.0)
             .default("0 kg/m^3"),
-    ],
-};
+    }
+}
 
 pub(super) static VOID: Section = Section {
     path: "void",
@@ -42,14 +47,7 @@ pub(super) static VOID: Section = Section {
 };
 
 pub(crate) fn internal_walls(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<InternalWalls> {
-    struct Written {
-        thickness: f64,
-        height: f64,
-        density: f64,
-        between_density: f64,
-    }
-    let Written { thickness, height, density, between_density } =
-        read!(table, findings, Written { thickness, height, density, between_density })?;
+    let Written { thickness, height, density, between_density } = Written::of(table, findings)?;
     let width = width?;
     if thickness > width {
         return findings.refuse(

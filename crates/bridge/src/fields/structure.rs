@@ -1,28 +1,17 @@
 //! The structure: bridge, spans, rings.
 
 use super::sweep;
-use crate::card::{Field, Kind, Section, joined, total};
+use crate::card::{Field, Section, joined, total};
 use crate::cards::*;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Pier, Ring, Span};
-use crate::quantity::Dimension::Acceleration;
 use crate::ring;
 use crate::ring::{Intrados, OWN_KEYS, Shape, Size, WITH_RISE, WITH_SPAN};
 use crate::tree::{At, Table};
-use crate::values::read;
+use crate::values::of_keys;
 
-pub(super) static BRIDGE: Section = Section {
-    path: "bridge",
-    doc: "The bridge as a whole.",
-    fields: &[
-        text("name", "name of the bridge, for titles", "Bridgemill"),
-        length("width", "width of the barrel, which carries the loads", "8.30 m").positive_up_to(100.0),
-        Field::new("gravity", Kind::Quantity(Acceleration), "acceleration of gravity", "9.81 m/s^2")
-            .positive_up_to(30.0)
-            .default("9.81 m/s^2"),
-    ],
-};
+pub(super) static BRIDGE: Section = Section { path: "bridge", doc: "The bridge as a whole.", fields: General::CARDS };
 
 pub(super) static SPAN: Section = Section {
     path: "span",
@@ -107,11 +96,14 @@ pub(super) static RING: Section = Section {
     ],
 };
 
-/// Name, width and gravity.
-pub(crate) struct General {
-    pub(crate) name: String,
-    pub(crate) width: f64,
-    pub(crate) gravity: f64,
+of_keys! {
+    /// Name, width and gravity.
+    pub(crate) struct General {
+        pub(crate) name: String = text("name of the bridge, for titles", "Bridgemill"),
+        pub(crate) width: f64 = length("width of the barrel, which carries the loads", "8.30 m").positive_up_to(100.0),
+        pub(crate) gravity: f64 =
+            acceleration("acceleration of gravity", "9.81 m/s^2").positive_up_to(30.0).default("9.81 m/s^2"),
+    }
 }
 
 /// A span and where its parts stand in the file.
@@ -133,7 +125,7 @@ const MOST_SPANS: u64 = 200;
 const MOST_BLOCKS: usize = 100_000;
 
 pub(crate) fn general(file: &Table<'_>, findings: &mut Findings) -> Option<General> {
-    read!(&file.table("bridge", findings)?, findings, General { name, width, gravity })
+    General::of(&file.table("bridge", findings)?, findings)
 }
 
 pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<PlacedSpan>> {

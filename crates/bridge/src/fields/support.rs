@@ -51,13 +51,7 @@ pub(super) static PIER: Section = Section {
 pub(super) static FOOTING: Section = Section {
     path: "pier.footing",
     doc: "A step of a footing under a pier, centred under its bottom: a course of its own that can slide and tilt.",
-    fields: &[
-        length("width", "width along the road", "2.2 m").positive_up_to(100.0),
-        length("height", "height of the step", "0.5 m").positive_up_to(50.0),
-        length("across", "width across the bridge", "11.0 m")
-            .positive_up_to(200.0)
-            .optional("as the pier's bottom, cutwaters by their area"),
-    ],
+    fields: Footing::CARDS,
 };
 
 pub(super) static ABUTMENT: Section = Section {
@@ -65,8 +59,12 @@ pub(super) static ABUTMENT: Section = Section {
     doc: "Both abutments: what holds the outer springings. Fixed, their size is used for drawings and limits what can rest on them; as blocks \
           they stand on the ground by friction, with the soil behind them, and can slide and overturn: docs/theory/supports.md.",
     fields: &joined::<10>(&[
-        &[KEYS[0].default("2 m"), KEYS[1].default("2 m"), KEYS[2].default(AbutmentKind::Fixed.word())],
-        KEYS.split_at(3).1,
+        &[
+            Written::CARDS[0].default("2 m"),
+            Written::CARDS[1].default("2 m"),
+            Written::CARDS[2].default(AbutmentKind::Fixed.word()),
+        ],
+        Written::CARDS.split_at(3).1,
         &[
             table("left", &ABUTMENT_LEFT, "Where the left abutment differs.").optional("like the other"),
             table("right", &ABUTMENT_RIGHT, "Where the right abutment differs.").optional("like the other"),
@@ -74,32 +72,8 @@ pub(super) static ABUTMENT: Section = Section {
     ]),
 };
 
-/// Keys of an abutment: its size, whether it can move, and what it needs then.
-const KEYS: [Field; 8] = [
-    length("top_width", "length of the upper face behind the springing", "2.0 m").positive(),
-    length("height", "height of the block, from its springing down", "2.0 m").positive(),
-    word::<AbutmentKind>("as", "whether it is fixed or can move", "blocks"),
-    length("base_width", "as blocks: width of the bottom, from the plumb front face back", "3.0 m")
-        .positive_up_to(200.0)
-        .optional("as wide as the top: the back is plumb"),
-    count("courses", "as blocks: number of courses", "4").between(1.0, 1000.0).optional("one block"),
-    angle("ground_friction_angle", "as blocks: angle of friction between the bottom and the ground", "30 deg")
-        .between(0.0, 1.5)
-        .optional("needed as blocks"),
-    number(
-        "earth_coefficient",
-        "as blocks: horizontal over vertical stress of the soil behind it; 1 - sin phi at rest, (1 - sin phi) / (1 + sin phi) active",
-        "0.33",
-    )
-    .between(0.0, 1.0)
-    .optional("needed as blocks; 0 where nothing may be counted on"),
-    density("earth_density", "as blocks: mass density of that soil", "1900 kg/m^3")
-        .positive()
-        .optional("as the lowest layer of the cover"),
-];
-
 /// Those of one side, which are as for both where they are left out.
-const SIDE: &[Field] = &each_optional(KEYS, "as [abutment] says");
+const SIDE: &[Field] = &each_optional::<8>(Written::CARDS, "as [abutment] says");
 
 static ABUTMENT_LEFT: Section =
     Section { path: "abutment.left", doc: "The left abutment, where it differs.", fields: SIDE };
@@ -113,8 +87,7 @@ pub(crate) fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findin
         ["base_width", "across", "base_across", "cutwater_length"].map(|key| table.read::<Option<f64>>(key, findings));
     let shape: Option<Cutwater> = table.read("cutwater_shape", findings);
     let ends: Option<u64> = table.read("cutwaters", findings);
-    let footings =
-        table.all("footing", findings, |table, findings| read!(table, findings, Footing { width, height, across }));
+    let footings = table.all("footing", findings, Footing::of);
     let pier = read!(table, findings, Pier {
         width, height, courses, step;
         base_width: width, base_offset: 0.0, across: None, cutwaters: None, footings: Vec::new()
@@ -160,16 +133,28 @@ pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Ab
 }
 
 of_keys! {
-    /// What a table says of an abutment.
+    /// What a table says of an abutment: its size, whether it can move, and what it needs then.
     struct Written {
-        top_width: f64,
-        height: f64,
-        kind: AbutmentKind = "as",
-        base_width: Option<f64>,
-        courses: Option<usize>,
-        friction: Option<f64> = "ground_friction_angle",
-        coefficient: Option<f64> = "earth_coefficient",
-        earth_density: Option<f64>,
+        top_width: f64 = length("length of the upper face behind the springing", "2.0 m").positive(),
+        height: f64 = length("height of the block, from its springing down", "2.0 m").positive(),
+        kind ("as"): AbutmentKind = word::<AbutmentKind>("whether it is fixed or can move", "blocks"),
+        base_width: Option<f64> = length("as blocks: width of the bottom, from the plumb front face back", "3.0 m")
+            .positive_up_to(200.0)
+            .optional("as wide as the top: the back is plumb"),
+        courses: Option<usize> = count("as blocks: number of courses", "4").between(1.0, 1000.0).optional("one block"),
+        friction ("ground_friction_angle"): Option<f64> =
+            angle("as blocks: angle of friction between the bottom and the ground", "30 deg")
+                .between(0.0, 1.5)
+                .optional("needed as blocks"),
+        coefficient ("earth_coefficient"): Option<f64> = number(
+            "as blocks: horizontal over vertical stress of the soil behind it; 1 - sin phi at rest, (1 - sin phi) / (1 + sin phi) active",
+            "0.33",
+        )
+        .between(0.0, 1.0)
+        .optional("needed as blocks; 0 where nothing may be counted on"),
+        earth_density: Option<f64> = density("as blocks: mass density of that soil", "1900 kg/m^3")
+            .positive()
+            .optional("as the lowest layer of the cover"),
     }
 }
 

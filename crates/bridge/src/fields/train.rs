@@ -1,10 +1,9 @@
 //! Trains, and the track under them.
 
-use crate::card::{Field, Kind, Section};
+use crate::card::Section;
 use crate::cards::*;
 use crate::findings::Findings;
 use crate::passage::Track;
-use crate::quantity::Dimension::BendingStiffness;
 use crate::train::{AxleLoads, LIBRARY, MOST_AXLES, Train, Vehicle, built_in, read_toml};
 use crate::tree::{At, Table};
 use findings::words::counted;
@@ -70,37 +69,7 @@ pub(super) static TRACK: Section = Section {
     path: "track",
     doc: "How an axle load reaches the fill: half of it bears on each rail, a beam on the springs under its sleepers; \
           each sleeper's share spreads through the ballast and presses on the top of the fill.",
-    fields: &[
-        Field::new(
-            "rail_bending_stiffness",
-            Kind::Quantity(BendingStiffness),
-            "bending stiffness E I of one rail about its horizontal axis",
-            "4.47 MNm^2",
-        )
-        .between(1e2, 1e9),
-        stress(
-            "track_modulus",
-            "stiffness of the support of one rail, per metre of rail (force per length and settlement)",
-            "30 MPa",
-        )
-        .between(1e4, 1e12),
-        length("sleeper_spacing", "distance between the middles of two sleepers", "0.60 m").between(0.1, 5.0),
-        length("sleeper_breadth", "size of a sleeper along the bridge", "0.25 m").between(0.01, 5.0),
-        length("sleeper_length", "size of a sleeper across the bridge", "2.75 m").between(0.1, 10.0),
-        length("ballast_depth", "depth of ballast below the sleepers, down to the top of the fill", "0.25 m")
-            .between(0.0, 20.0),
-        slope("ballast_slope", "slope at which pressure spreads through the ballast, vertical to horizontal", "2:1")
-            .between(0.1, 1000.0),
-        stress(
-            "dead_load",
-            "weight of rails and sleepers on the fill (and of ballast where no [[cover]] layer is ballast); a part of the self-weight",
-            "3 kPa",
-        )
-        .between(0.0, 1e6),
-        length("effective_width", "width of the bridge that carries an axle", "4.5 m")
-            .at_least(0.1)
-            .optional("the width of the barrel"),
-    ],
+    fields: Track::CARDS,
 };
 
 /// The train: of the library, of a file that somebody else reads, or of vehicles written here.

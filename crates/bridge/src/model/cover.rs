@@ -1,10 +1,10 @@
 //! What lies over the rings: layers, particles, voids, backing, fill that yields or presses.
 
 use super::Joint;
+use crate::cards::*;
 use crate::choice::choice;
 use crate::road::Road;
 use crate::values::of_keys;
-use serde::{Deserialize, Serialize};
 
 /// What lies above the extrados.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,13 +26,15 @@ pub struct Cover {
     pub water: Option<PoreWater>,
 }
 
-/// Water that stands in the pores of the lowest layer.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PoreWater {
-    /// Its level above the left springing of the first span [m]; in the layer it reaches no higher than the layer's upper face.
-    pub level: f64,
-    /// Mass density of the layer below it, pores full [kg/m^3].
-    pub saturated_density: f64,
+of_keys! {
+    /// Water that stands in the pores of the lowest layer.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct PoreWater {
+        /// In the layer it reaches no higher than the layer's upper face.
+        pub level: f64 = length("level of the water above the left springing of the first span", "1.2 m"),
+        pub saturated_density: f64 =
+            density("density of the lowest layer with its pores full", "2050 kg/m^3").at_least(1000.0),
+    }
 }
 
 /// A layer of the cover, from the extrados up. The lowest fills the haunches.
@@ -114,56 +116,6 @@ pub enum Packing {
     SolidFraction(f64),
 }
 
-of_keys! {
-    /// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
-    /// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
-    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-    pub struct Calibration {
-        /// Modulus that the fill is to have [Pa].
-        pub wanted_modulus: Option<f64>,
-        /// Which modulus is compared with it.
-        pub modulus: Modulus,
-        /// Side of the square samples [m].
-        pub sample_size: f64,
-        /// Weight of the block that presses [N/m].
-        pub block_weight: f64,
-        /// Increment of the load on it [N/m].
-        pub load_step: f64,
-        /// Number of load steps.
-        pub steps: usize,
-        /// First load steps that the later secant leaves out.
-        pub ignored_steps: usize,
-        /// Multiples of the particles' contact stiffness at which moduli are measured.
-        pub multiples: Vec<f64>,
-        /// Moduli from elsewhere at these multiples [Pa]; empty where there are none.
-        pub compare_with: Vec<f64>,
-        /// How many packings samples are cut from.
-        pub seeds: u64,
-        /// The wanted modulus is met within this share.
-        pub tolerance: f64,
-        /// Smallest replacement of a cut particle over the smallest particle of the packing.
-        pub least_replacement: f64,
-        /// Friction angle that the fill is to have [rad].
-        pub wanted_friction_angle: Option<f64>,
-        /// Cohesion that the fill is to have [Pa].
-        pub wanted_cohesion: Option<f64>,
-        /// Pressures on the sides of the samples that are sheared [Pa].
-        pub confining_pressures: Vec<f64>,
-        /// How many squares are sheared.
-        pub sheared_samples: usize,
-    }
-}
-
-choice! {
-    /// A modulus of a stress-strain curve.
-    pub enum Modulus {
-        /// mean of the slopes of all load steps
-        Tangent = "tangent",
-        /// slope from the first result to the last
-        Secant = "secant",
-    }
-}
-
 choice! {
     /// The four words for what lies above an arch.
     pub enum LayerKind {
@@ -204,27 +156,40 @@ of_keys! {
     /// Solid backing above the haunches, up to a level.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Backing {
-        /// Level of its upper face above the springings [m].
-        pub height: f64,
-        /// Mass density [kg/m^3], the mean over the width where it fills a share of it.
-        pub density: f64,
-        /// Share of the width that it fills.
-        pub width_share: f64,
-        /// Young's modulus [Pa], times the share of the width.
-        pub elastic_modulus: Option<f64>,
-        /// Poisson's ratio.
-        pub poisson_ratio: Option<f64>,
-        /// How it is modelled.
-        pub body: BackingBody = "as",
-        /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all; of the backing itself where
-        /// it is a continuum, which always has both.
-        pub friction_angle: Option<f64>,
-        /// See above.
-        pub cohesion: Option<f64>,
-        /// Tensile strength of a continuum [Pa]; none: it carries no tension.
-        pub tensile_strength: Option<f64>,
-        /// Compressive strength of a continuum [Pa]; none: unlimited.
-        pub compressive_strength: Option<f64>,
+        pub height: f64 = length("level of the backing's upper face above the springings", "1.5 m").positive(),
+        /// The mean over the width where it fills a share of it.
+        pub density: f64 = density("mass density of the backing", "2000 kg/m^3").positive(),
+        pub width_share: f64 = number(
+            "share of the bridge's width that it fills: haunching between internal walls, or under a part of the width",
+            "0.4",
+        )
+        .positive_up_to(1.0)
+        .default("1"),
+        /// Times the share of the width.
+        pub elastic_modulus: Option<f64> =
+            stress("Young's modulus of the backing", "3 GPa").positive().optional("not needed for collapse"),
+        pub poisson_ratio: Option<f64> =
+            number("Poisson's ratio of the backing", "0.2").between(0.0, 0.4999).optional("not needed for collapse"),
+        pub body ("as"): BackingBody =
+            word::<BackingBody>("what the backing is in limit analysis and in the discrete element method", "blocks")
+                .default(BackingBody::Weight.word()),
+        pub friction_angle: Option<f64> =
+            angle("angle of friction between its particles, or of backing that yields", "40 deg")
+                .between(0.0, 1.5)
+                .only("as", &["particles", "continuum"])
+                .optional("particles: as [particle_joint] says; a continuum needs it"),
+        pub cohesion: Option<f64> = stress("cohesion between its particles, or of backing that yields", "50 kPa")
+            .at_least(0.0)
+            .only("as", &["particles", "continuum"])
+            .optional("particles: as [particle_joint] says; a continuum needs it"),
+        pub tensile_strength: Option<f64> = stress("tensile strength of backing that yields", "0 kPa")
+            .at_least(0.0)
+            .only("as", &["continuum"])
+            .optional("backing carries no tension"),
+        pub compressive_strength: Option<f64> = stress("compressive strength of backing that yields", "2 MPa")
+            .positive()
+            .only("as", &["continuum"])
+            .optional("backing does not crush"),
     }
 }
 
@@ -232,27 +197,43 @@ of_keys! {
     /// How layers and backing that are a continuum are modelled: plane strain, limit analysis.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ContinuumPlan {
-        /// Share of cohesion and of the tangent of the friction angle that is mobilised.
-        pub mobilised_share: f64,
-        /// Dilatancy angle [rad].
-        pub dilatancy_angle: f64,
-        /// Friction angle between soil and masonry [rad]; none: two thirds of the soil's.
-        pub interface_friction_angle: Option<f64>,
-        /// Cohesion between soil and masonry [Pa].
-        pub interface_cohesion: f64,
-        /// What stands at the far ends.
-        pub ends: FillEnds,
-        /// How far it reaches behind the outer springings at the extrados [m]; none: the larger of the abutment's upper face and twice
-        /// the height above that springing.
-        pub extent: Option<f64>,
-        /// Level of the water in the pores above the springings [m]; none: dry.
-        pub water_level: Option<f64>,
-        /// What holds the fill out of the plane.
-        pub confinement: Confinement,
-        /// Wanted ratio of the upper bound to the lower bound of the load.
-        pub bound_ratio: f64,
-        /// Most triangles of the mesh.
-        pub elements: usize,
+        pub mobilised_share: f64 =
+            number("share of cohesion and of the tangent of the friction angle that is mobilised at collapse", "0.6")
+                .positive_up_to(1.0)
+                .default("1.0"),
+        pub dilatancy_angle: f64 = angle(
+            "angle by which soil dilates when it shears; less than the friction angle lowers the strength after Davis",
+            "0 deg",
+        )
+        .between(0.0, 1.5)
+        .default("0 deg"),
+        pub interface_friction_angle: Option<f64> =
+            angle("angle of friction between soil and masonry; never more than that of the soil", "20 deg")
+                .between(0.0, 1.5)
+                .optional("two thirds of the soil's friction angle; backing is bonded to masonry with its own strength"),
+        pub interface_cohesion: f64 =
+            stress("cohesion between soil and masonry; never more than that of the soil", "0 kPa")
+                .at_least(0.0)
+                .default("0 kPa"),
+        pub ends: FillEnds =
+            word::<FillEnds>("what stands at the far ends of the fill", "slide").default(FillEnds::Slide.word()),
+        pub extent: Option<f64> =
+            length("how far the fill reaches behind each outer springing, from the springing's extrados", "8 m")
+                .positive()
+                .optional(
+                    "the larger of the abutment's `top_width` and twice the height from that springing to the top of the continuum",
+                ),
+        pub water_level: Option<f64> =
+            length("level of the water in the pores above the springings; negative below them", "-0.5 m")
+                .optional("the fill is dry"),
+        pub confinement: Confinement =
+            word::<Confinement>("what holds the fill sideways, out of the plane", "spandrel-walls")
+                .default(Confinement::PlaneStrain.word()),
+        pub bound_ratio: f64 = number("wanted ratio of the upper bound to the lower bound of the load", "1.05")
+            .above(1.0)
+            .at_most(10.0)
+            .default("1.05"),
+        pub elements: usize = count("most triangles of the mesh", "4000").between(50.0, 100_000.0).default("4000"),
     }
 }
 
@@ -297,20 +278,24 @@ of_keys! {
     /// Horizontal pressure of the fill on backs that move against it, for limit analysis and for the equilibrium path.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct FillPressure {
-        /// Whether it acts.
-        pub applies: bool,
-        /// Friction angle of the fill [rad].
-        pub friction_angle: f64,
-        /// Cohesion of the fill [Pa].
-        pub cohesion: f64,
-        /// Share of Rankine's passive pressure of friction that movement mobilises.
-        pub mobilisation: f64,
-        /// The same for the part of cohesion.
-        pub cohesion_mobilisation: f64,
-        /// Pressure that is there whatever moves.
-        pub least: LeastPressure,
-        /// Movement at which half of what movement mobilises is there, as a share of the depth below the top of the fill.
-        pub half_movement: f64,
+        pub applies: bool = flag("whether it acts", "true").default("true"),
+        pub friction_angle: f64 = angle("angle of friction of the fill", "30 deg").between(0.0, 1.2),
+        pub cohesion: f64 = stress("cohesion of the fill", "5 kPa").at_least(0.0).default("0 kPa"),
+        pub mobilisation: f64 = number("share of the passive pressure of friction that movement mobilises", "0.5")
+            .between(0.0, 1.0)
+            .default("0.5"),
+        pub cohesion_mobilisation: f64 =
+            number("share of the passive pressure of cohesion", "0.05").between(0.0, 1.0).default("0.05"),
+        pub least: LeastPressure =
+            word::<LeastPressure>("pressure on backs that do not move against the fill", "at-rest")
+                .default(LeastPressure::AtRest.word()),
+        pub half_movement: f64 = number(
+            "movement of a back against the fill at which half of what movement mobilises is there, as a share of the depth \
+             below the top of the fill; method \"path\"",
+            "0.01",
+        )
+        .positive_up_to(1.0)
+        .default("0.02"),
     }
 }
 

@@ -1,20 +1,31 @@
 //! Masonry, its joints, walls over the rings.
 
+use crate::cards::*;
 use crate::choice::choice;
+use crate::values::{finite, of_keys};
 
-/// Masonry of rings and piers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Masonry {
-    /// Mass density [kg/m^3].
-    pub density: f64,
-    /// Young's modulus [Pa].
-    pub elastic_modulus: Option<f64>,
-    /// Poisson's ratio.
-    pub poisson_ratio: Option<f64>,
-    /// Compressive strength [Pa]; none: unlimited.
-    pub compressive_strength: Option<f64>,
-    /// Radius of the blocks' rounded corners [m] (half of the published rounding parameter d_r).
-    pub rounding: f64,
+of_keys! {
+    /// Masonry of rings and piers.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Masonry {
+        pub density: f64 = density("mass density of the masonry", "2100 kg/m^3").positive(),
+        pub elastic_modulus: Option<f64> = stress("Young's modulus of the masonry units", "15 GPa")
+            .positive()
+            .optional("unknown; needed for `mortar_…_stiffness`"),
+        pub poisson_ratio: Option<f64> = number("Poisson's ratio of the masonry units", "0.2")
+            .between(0.0, 0.4999)
+            .optional("unknown; needed for `mortar_shear_stiffness`"),
+        /// None where it is unlimited.
+        pub compressive_strength: Option<f64> =
+            stress_or_unlimited("compressive strength of the masonry, or \"unlimited\"", "10 MPa")
+                .positive()
+                .optional("crushing is not considered, and a warning says so") => finite,
+        /// Half of the published rounding parameter d_r.
+        pub rounding: f64 =
+            length("radius of the blocks' rounded corners; contact points lie this far inside the edges", "10 mm")
+                .at_least(0.0)
+                .default("0 mm"),
+    }
 }
 
 /// A stiffness per unit area [Pa/m]: given, or from the series rule with the modulus of the blocks.

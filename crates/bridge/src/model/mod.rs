@@ -7,6 +7,7 @@ mod plan;
 mod span;
 mod sweep;
 
+pub use crate::calibration::{Calibration, Modulus};
 pub use cover::*;
 pub use load::*;
 pub use masonry::*;

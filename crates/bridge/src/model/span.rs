@@ -1,8 +1,10 @@
 //! Spans, piers and abutments.
 
+use crate::cards::*;
 use crate::choice::choice;
 use crate::defect::Defect;
 use crate::ring::{Intrados, Misfit, Profile};
+use crate::values::of_keys;
 
 /// One span.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,15 +130,16 @@ impl Cutwater {
     }
 }
 
-/// A step of a pier's footing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Footing {
-    /// Width along the bridge [m].
-    pub width: f64,
-    /// Height [m].
-    pub height: f64,
-    /// Width across the bridge [m]; that of the pier's bottom where the file gives none.
-    pub across: Option<f64>,
+of_keys! {
+    /// A step of a pier's footing.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Footing {
+        pub width: f64 = length("width along the road", "2.2 m").positive_up_to(100.0),
+        pub height: f64 = length("height of the step", "0.5 m").positive_up_to(50.0),
+        pub across: Option<f64> = length("width across the bridge", "11.0 m")
+            .positive_up_to(200.0)
+            .optional("as the pier's bottom, cutwaters by their area"),
+    }
 }
 
 /// An abutment: a fixed springing, or blocks that stand on the ground.

@@ -1,53 +1,126 @@
 //! Loads and vehicles that move, and the width that they share.
 
+use crate::cards::*;
 use crate::choice::choice;
+use crate::findings::Findings;
+use crate::tree::Table;
+use crate::values::{bare_words, of_keys};
 
-/// Vehicles that are moved over the bridge by limit analysis.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SweepPlan {
-    /// The rule of the library, unless a file is given.
-    pub rule: String,
-    /// A file with a rule, relative to the bridge file.
-    pub rule_file: Option<String>,
-    /// Vehicles, load models or trains of the library, by their codes; empty for all.
-    pub vehicles: Vec<String>,
-    /// Files of vehicles, relative to the bridge file.
-    pub vehicle_files: Vec<String>,
-    /// Distance between positions [m]; from the spans where the file gives none.
-    pub step: Option<f64>,
-    /// Which ways vehicles drive.
-    pub directions: Directions,
-    /// Whether every run of neighbouring axles is tried.
-    pub subsets: bool,
-    /// Whether loads spread by the file's [dispersal] in place of the rule's.
-    pub own_dispersal: bool,
-    /// Force along the bridge as a share of each axle and uniform load, to the right and to the left: braking and traction.
-    pub braking: f64,
-    /// Whether the file writes that share, be it 0.
-    pub braking_given: bool,
-    /// Why it is what it is, as the file says.
-    pub braking_reason: Option<String>,
-    /// Whether the governing case is made by discrete elements too.
-    pub discrete_elements: bool,
-    /// Names and texts of the files, the rule's first; empty until somebody reads them.
-    pub texts: Vec<(String, String)>,
+of_keys! {
+    /// Vehicles that are moved over the bridge by limit analysis.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct SweepPlan {
+        pub braking: f64 = number(
+            "braking and traction: force along the bridge as a share of every axle and uniform load, tried to the right, to the left and not at all",
+            "0.25",
+        )
+        .between(0.0, 1.0)
+        .default("0"),
+        pub braking_reason: Option<String> = text(
+            "why braking has this share; a rule that asks for braking gives no verdict where it is less than 0.15 without a reason",
+            "ballasted track runs 40 m beyond both abutments",
+        )
+        .optional("no reason"),
+        pub rule: String = text("rule of the library: factors, dispersal, impact", "cs-454")
+            .optional(
+                "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
+            ) => rule,
+        pub rule_file: Option<String> =
+            text("file with a rule, relative to the bridge file", "our-rule.toml").optional("a rule of the library"),
+        /// Here without quotes.
+        pub vehicles: Vec<String> = values(
+            "codes of vehicles, load models or trains of the library, or of `vehicle_files`",
+            "[\"hb-45\", \"cs-454\"]",
+        )
+        .optional("all of the library, and of `vehicle_files`") => bare_words,
+        pub vehicle_files: Vec<String> =
+            values("files with vehicles, relative to the bridge file", "[\"our-crane.toml\"]")
+                .optional("none") => bare_words,
+        pub step: Option<f64> = length("distance between positions", "0.25 m")
+            .at_least(LEAST_STEP)
+            .optional("a sixtieth of the shortest span; the worst position between steps is then found"),
+        pub directions: Directions =
+            word::<Directions>("directions in which vehicles travel", "both").default(Directions::Both.word()),
+        pub subsets: bool = flag("whether every group of neighbouring axles is tried", "true").default("true"),
+        /// Here whether they spread by the file's [dispersal] in place of the rule's.
+        pub own_dispersal ("dispersal"): bool =
+            word::<Spread>("how axles spread through the cover", "rule").default(Spread::Rule.word()) => by_the_file,
+        pub discrete_elements: bool =
+            flag("whether the governing case is also analysed by discrete elements; the smaller number counts", "true")
+                .default("false") => discrete_elements,
+    } and {
+        /// Whether the file writes that share, be it 0.
+        pub braking_given: bool => braking_given,
+        /// Names and texts of the files, the rule's first; empty until somebody reads them.
+        pub texts: Vec<(String, String)> => no_texts,
+    }
 }
 
-/// Where vehicles may stand across the bridge, and what divides its barrel.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Carriageway {
-    /// How many vehicles may stand abreast: lanes of a road, tracks of a railway.
-    pub lanes: Option<usize>,
-    /// Distance between the middles of two of them [m].
-    pub lane_width: Option<f64>,
-    /// Distance from an edge of the barrel to the middle of the nearest wheel or rail [m].
-    pub edge_distance: Option<f64>,
-    /// Angle between the bridge's axis and the normal of its springings [rad], of spans that give none of their own: 0 for a square bridge.
-    pub skew: Option<f64>,
-    /// Distances of longitudinal cracks through the barrel from one of its edges, from the least [m].
-    pub cracks: Vec<f64>,
-    /// What moves the resultant of a vehicle sideways.
-    pub sideways: Sideways,
+choice! {
+    /// How axles spread through the cover.
+    enum Spread {
+        /// as in the rule, with the rule's footprint
+        Rule = "rule",
+        /// as in [dispersal], with each vehicle's footprint
+        File = "file",
+    }
+}
+
+/// The rule where the file names none.
+const USUAL_RULE: &str = "characteristic";
+
+/// The rule of the library that the file names; the usual one where it names none.
+fn rule(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<String> {
+    Some(table.read::<Option<String>>(key, findings)?.unwrap_or_else(|| USUAL_RULE.to_owned()))
+}
+
+fn by_the_file(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<bool> {
+    Some(match table.read(key, findings)? {
+        Spread::Rule => false,
+        Spread::File => true,
+    })
+}
+
+/// The key, or its former name.
+fn discrete_elements(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<bool> {
+    let [own, former] = [key, "confirm"].map(|key| table.read(key, findings));
+    if table.has(key) { own } else { former }
+}
+
+fn braking_given(table: &Table<'_>, _: &mut Findings) -> Option<bool> {
+    Some(table.has("braking"))
+}
+
+fn no_texts(_: &Table<'_>, _: &mut Findings) -> Option<Vec<(String, String)>> {
+    Some(Vec::new())
+}
+
+of_keys! {
+    /// Where vehicles may stand across the bridge, and what divides its barrel.
+    #[derive(Debug, Clone, PartialEq, Default)]
+    pub struct Carriageway {
+        pub lanes: Option<usize> =
+            count("how many vehicles may stand abreast: lanes of a road, tracks of a railway", "2")
+                .between(1.0, 20.0)
+                .optional("road: two where two of 2.5 m fit on the barrel, else one; railway: one"),
+        pub lane_width: Option<f64> = length("distance between the middles of two vehicles abreast", "2.5 m")
+            .positive()
+            .optional("2.5 m on roads, 3.4 m on railways"),
+        pub edge_distance: Option<f64> =
+            length("distance from an edge of the barrel to the middle of the nearest wheel or rail", "0.8 m")
+                .at_least(0.0)
+                .optional("vehicles stand in the middle of the barrel"),
+        pub skew: Option<f64> = angle("angle of skew of spans without their own: 0 for a square bridge", "15 deg")
+            .between(0.0, 1.31)
+            .optional("taken as square; the model is square in any case"),
+        pub cracks: Vec<f64> =
+            lengths("longitudinal cracks through the barrel: their distances from one of its edges", "[\"0.75 m\"]")
+                .positive()
+                .optional("the barrel carries as a whole"),
+    } and {
+        /// What moves the resultant of a vehicle sideways.
+        pub sideways: Sideways => sideways,
+    }
 }
 
 /// What moves the resultant of a vehicle away from the middle between its wheels or rails.
@@ -90,6 +163,47 @@ impl Sideways {
         if moving > standing { (moving, true) } else { (standing, false) }
     }
 }
+
+/// What moves the resultant of vehicles sideways; it stays between the rails.
+fn sideways(table: &Table<'_>, findings: &mut Findings) -> Option<Sideways> {
+    let radius: Option<Option<f64>> = table.read("curve_radius", findings);
+    let speed: Option<Option<f64>> = table.read("speed", findings);
+    let mut or = |key, usual: f64| {
+        let given: Option<Option<f64>> = table.read(key, findings);
+        given.map(|given| given.unwrap_or(usual))
+    };
+    let gauge = or("track_gauge", GAUGE);
+    let (cant, side_force) = (or("cant", 0.0), or("side_force", 0.0));
+    let height = or("side_force_height", GRAVITY_HEIGHT);
+    let (radius, speed) = (radius?, speed?);
+    if radius.is_some() && speed.is_none() {
+        return table.need("speed", findings);
+    }
+    if speed.is_some() && radius.is_none() {
+        return table.need("curve_radius", findings);
+    }
+    let (cant, gauge) = (cant?, gauge?);
+    let found = Sideways { curve: radius.zip(speed), cant, side_force: side_force?, height: height?, gauge };
+    let (shift, moving) = found.eccentricity(GRAVITY);
+    if shift >= 0.5 * gauge {
+        let key = match (moving, found.curve) {
+            (true, Some(_)) => "speed",
+            _ if found.cant > 0.0 => "cant",
+            _ => "side_force",
+        };
+        return findings.refuse(
+            "B242",
+            table.place(key),
+            format!("the resultant of a vehicle lies {shift:.2} m beside the middle of its track"),
+            format!("beyond {:.2} m, half of `track_gauge`, it overturns", 0.5 * gauge),
+            "check radius, speed, cant and side force, and the height at which they act",
+        );
+    }
+    Some(found)
+}
+
+/// Gravity of the check that a vehicle does not overturn [m/s^2].
+const GRAVITY: f64 = 9.81;
 
 /// The strips that longitudinal cracks leave of a barrel so wide, from one edge to the other [m]; cracks from the least distance on.
 pub fn strips(width: f64, cracks: &[f64]) -> Vec<[f64; 2]> {

@@ -4,7 +4,7 @@ mod geometry;
 
 use crate::fields::*;
 use crate::findings::Findings;
-use crate::model::Bridge;
+use crate::model::{Bridge, Masonry};
 use crate::plausible;
 use crate::tree::Table;
 
@@ -18,7 +18,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let width = general.as_ref().map(|general| general.width);
     let piers = file.all("pier", findings, |table, findings| support::pier(table, width, findings));
     let abutments = support::abutments(file, findings);
-    let masonry = file.table("masonry", findings).and_then(|table| material::masonry(&table, findings));
+    let masonry = file.table("masonry", findings).and_then(|table| Masonry::of(&table, findings));
     let joint = material::joint(file, "joint", findings);
     let ring_joint = if file.has("ring_joint") { material::joint(file, "ring_joint", findings) } else { joint };
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
@@ -28,7 +28,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let continuum = continuum::continuum(file, cover.as_ref(), findings);
     let service = service::service(file, cover.as_ref(), findings);
     let particles = particles::particles(file, cover.as_ref(), findings);
-    let calibration = calibration::calibration(file, findings);
+    let calibration = crate::calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| Layout::new(spans, piers));
     let carriageway =
