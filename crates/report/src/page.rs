@@ -11,6 +11,7 @@ use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::checked::governing;
+use outcome::collapse::Collapse;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -326,8 +327,9 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
         put("positions without a result", Some(facts.positions_not_converged as f64), "");
     }
     put("worst position of the first load or axle", facts.position_m, "m");
-    put("load carried there, per metre of width", facts.last_stable_load_kn_per_m, "kN/m");
-    put("load at collapse there, per metre of width", facts.collapse_load_kn_per_m, "kN/m");
+    let load = |of: fn(&Collapse) -> Option<f64>| Some(of(facts.collapse.as_deref()?)? / 1e3);
+    put("load carried there, per metre of width", load(|found| found.last_stable_load), "kN/m");
+    put("load at collapse there, per metre of width", load(|found| found.collapse_load), "kN/m");
     put("loads of the file, per metre of width", Some(facts.reference_load_kn_per_m), "kN/m");
     rows
 }
@@ -336,7 +338,8 @@ fn movement(a: &Assessment) -> Vec<[String; 2]> {
     let Some(facts) = a.facts.movement.made() else { return Vec::new() };
     let told = [["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.to_string()]];
     let stood = measured("last movement at which the bridge stood", facts.last_stable_mm, "mm");
-    let fell = measured("movement at which it fell", facts.collapse_mm, "mm");
+    let fell = a.facts.moved().and_then(|found| found.support()?.collapse).map(|moved| 1e3 * moved);
+    let fell = measured("movement at which it fell", fell, "mm");
     told.into_iter().chain(stood).chain(fell).collect()
 }
 
