@@ -21,7 +21,7 @@ pub(crate) fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
         let Some(&middle) = mark.line.get(mark.line.len() / 2) else { continue };
         // Numbers of defects at one place stand beside one another, below the ring.
         let before = picture.defects[..index].iter().filter_map(|other| other.line.get(other.line.len() / 2));
-        let near = before.filter(|at| (at[0] - middle[0]).abs() * view.scale() < 2.0 * RADIUS).count();
+        let near = before.filter(|at| (at[0] - middle[0]).abs() * view.scale < 2.0 * RADIUS).count();
         let ([x, y], lowest) = (view.spot(middle), view.spot([middle[0], under(picture, middle)])[1]);
         let at = [x, lowest.max(y) + 20.0 + 2.4 * RADIUS * near as f64];
         sheet.line([x, y], [at[0], at[1] - RADIUS], Pen::line(COLOUR, HAIR));

@@ -30,7 +30,7 @@ pub(crate) fn outline_width(shapes: &[Shape], view: &View) -> f64 {
         .iter()
         .filter(|s| !s.held)
         .filter_map(|s| Extent::of(s.outline.iter().copied()))
-        .map(|e| view.scale() * e.size()[0].min(e.size()[1]))
+        .map(|e| view.scale * e.size()[0].min(e.size()[1]))
         .collect();
     sizes.sort_by(f64::total_cmp);
     let middle = sizes.get(sizes.len() / 2).copied().unwrap_or(20.0);
@@ -96,7 +96,7 @@ pub(crate) fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
     sheet.open("surface-loads");
     for &(middle, length) in &picture.surface_loads {
         let spot = view.spot([middle[0], foot(picture, middle)]);
-        load_bar(sheet, spot, 0.5 * length.max(0.0) * view.scale());
+        load_bar(sheet, spot, 0.5 * length.max(0.0) * view.scale);
     }
     sheet.close();
 }
@@ -158,8 +158,8 @@ pub(crate) fn carried(shapes: &[Shape], motions: &[Motion], scale: f64, point: P
 
 /// A bar of a round length at the left end of a line; returns the y below it.
 pub(crate) fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
-    let length = crate::geometry::round_down(0.25 * (WIDTH - 2.0 * MARGIN) / view.scale());
-    let (left, right, y) = (MARGIN, MARGIN + length * view.scale(), top + 6.0);
+    let length = crate::geometry::round_down(0.25 * (WIDTH - 2.0 * MARGIN) / view.scale);
+    let (left, right, y) = (MARGIN, MARGIN + length * view.scale, top + 6.0);
     sheet.open("scale-bar");
     let middle = 0.5 * (left + right);
     let bar = |a: f64, b: f64| Area { left: a, right: b, top: y, bottom: y + 5.0 };

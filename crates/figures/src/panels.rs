@@ -20,7 +20,7 @@ pub(crate) fn panel(
 ) -> f64 {
     let (area, view) = draw::fit(extent, top, TALLEST);
     // The frame hugs a bridge that is narrower than the sheet.
-    let half = 0.5 * view.scale() * extent.size()[0];
+    let half = 0.5 * view.scale * extent.size()[0];
     let middle = 0.5 * (area.left + area.right);
     let area = Area { left: middle - half, right: middle + half, ..area };
     sheet.open_clipped("panel", name, area);
@@ -29,11 +29,6 @@ pub(crate) fn panel(
     sheet.rectangle(area, Pen::line("#9a9a9a", HAIR));
     let style = Style::small();
     sheet.paragraph(MARGIN, area.bottom + 3.0, WIDTH - 2.0 * MARGIN, text, style) + 6.0
-}
-
-/// The blocks where they are in a state; those whose role is "block" only where wanted.
-pub(crate) fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
-    draw::blocks(sheet, view, &picture.shapes, |k| outline(picture, state, k));
 }
 
 /// The blocks where they are in a state, each free one of its colour, asked for in their order.

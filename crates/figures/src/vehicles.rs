@@ -6,17 +6,12 @@ use outcome::vehicles::{Direction, EnvelopePoint, Swept, VehicleSweep};
 
 /// Names and drawings of a sweep of vehicles.
 pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
-    let mut drawings = Vec::new();
-    if let Some(svg) = adequacy(found) {
-        drawings.push(("adequacy", svg));
-    }
-    if let Some(v) = found.governing.and_then(|k| found.vehicles.get(k))
-        && let title = format!("{}: {}", found.bridge, v.title)
-        && let Some(svg) = envelope(&title, Ordinate::Adequacy, &curves(v), governing_case(found).as_deref())
-    {
-        drawings.push(("envelope", svg));
-    }
-    drawings
+    let governing = found.governing.and_then(|k| found.vehicles.get(k)).and_then(|v| {
+        let title = format!("{}: {}", found.bridge, v.title);
+        envelope(&title, Ordinate::Adequacy, &curves(v), governing_case(found).as_deref())
+    });
+    let all = [("adequacy", adequacy(found)), ("envelope", governing)];
+    all.into_iter().filter_map(|(name, svg)| Some((name, svg?))).collect()
 }
 
 /// What governs, in words, and what the axis of places means.
