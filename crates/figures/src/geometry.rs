@@ -15,13 +15,8 @@ pub(crate) struct Extent {
 impl Extent {
     /// Around points; points that are not finite do not count.
     pub(crate) fn of(points: impl IntoIterator<Item = Point>) -> Option<Extent> {
-        points.into_iter().filter(|p| p[0].is_finite() && p[1].is_finite()).fold(None, |extent, p| {
-            let e = extent.unwrap_or(Extent { low: p, high: p });
-            Some(Extent {
-                low: [e.low[0].min(p[0]), e.low[1].min(p[1])],
-                high: [e.high[0].max(p[0]), e.high[1].max(p[1])],
-            })
-        })
+        let finite = points.into_iter().filter(|p| p[0].is_finite() && p[1].is_finite());
+        finite.map(|p| Extent { low: p, high: p }).reduce(|extent, p| extent.with(p))
     }
     /// Width and height [m].
     pub(crate) fn size(&self) -> Point {

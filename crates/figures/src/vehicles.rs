@@ -8,18 +8,12 @@ use outcome::vehicles::{Direction, EnvelopePoint, Swept, VehicleSweep};
 pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
     let governing = found.governing.and_then(|k| found.vehicles.get(k)).and_then(|v| {
         let title = format!("{}: {}", found.bridge, v.title);
-        envelope(&title, Ordinate::Adequacy, &curves(v), governing_case(found).as_deref())
+        let case = found.collapse.as_ref().and_then(|collapse| collapse.picture.case.as_ref());
+        let note = case.map(|case| format!("Governing: {case} The first axle is the foremost of the whole vehicle, whether it stands on the bridge or has passed it."));
+        envelope(&title, Ordinate::Adequacy, &curves(v), note.as_deref())
     });
     let all = [("adequacy", adequacy(found)), ("envelope", governing)];
     all.into_iter().filter_map(|(name, svg)| Some((name, svg?))).collect()
-}
-
-/// What governs, in words, and what the axis of places means.
-fn governing_case(found: &VehicleSweep) -> Option<String> {
-    let case = found.collapse.as_ref()?.picture.case.as_ref()?;
-    Some(format!(
-        "Governing: {case} The first axle is the foremost of the whole vehicle, whether it stands on the bridge or has passed it."
-    ))
 }
 
 /// One of the factors at a position.

@@ -56,14 +56,12 @@ impl Area {
     }
     /// The smallest rectangle around points.
     pub(crate) fn around(points: &[Spot]) -> Option<Area> {
-        let first = points.first()?;
-        let start = Area { left: first[0], right: first[0], top: first[1], bottom: first[1] };
-        Some(points.iter().fold(start, |a, p| Area {
-            left: a.left.min(p[0]),
-            right: a.right.max(p[0]),
-            top: a.top.min(p[1]),
-            bottom: a.bottom.max(p[1]),
-        }))
+        points.iter().map(|p| Area::about(*p, 0.0)).reduce(|a, p| Area {
+            left: a.left.min(p.left),
+            right: a.right.max(p.right),
+            top: a.top.min(p.top),
+            bottom: a.bottom.max(p.bottom),
+        })
     }
     /// A square around a spot, so far to each side.
     pub(crate) fn about(at: Spot, by: f64) -> Area {
