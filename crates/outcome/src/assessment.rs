@@ -1,6 +1,6 @@
 //! An assessment: the facts of every stage, the checks that read them, and the verdict. Reports read nothing else.
 
-use crate::checked::{Checked, Verdict, governing};
+use crate::checked::{self, Checked, Verdict};
 use crate::collapse::Collapse;
 use crate::condition::Condition;
 use crate::facts::{CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, VehicleFacts};
@@ -189,8 +189,7 @@ published! {
 impl Assessment {
     /// The stage whose check governs: that of the file's loads at collapse or of its vehicles; none where another does.
     pub fn governing_stage(&self) -> Option<&'static str> {
-        let (check, _) = governing(&self.checked)?;
-        match self.checked[check].code.as_str() {
+        match checked::worst(&self.checked)?.0.code.as_str() {
             "C201" | "C202" => Some("collapse"),
             "C204" => Some("vehicles"),
             _ => None,

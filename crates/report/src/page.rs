@@ -10,7 +10,7 @@ use base64::engine::general_purpose::STANDARD;
 use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
-use outcome::checked::governing;
+use outcome::checked::worst;
 use outcome::collapse::Collapse;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
@@ -259,9 +259,7 @@ fn page<'a>(material: &Material<'a>) -> Page<'a> {
              analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
              {}: compare the rows with the first of the two.",
             facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, percent(facts.utilisation),
-            governing(&a.checked)
-                .and_then(|(check, k)| a.checked[check].outcome.as_ref().ok()?.get(k))
-                .map_or_else(|| "nothing".to_owned(), |finding| percent(finding.utilisation)),
+            worst(&a.checked).map_or_else(|| "nothing".to_owned(), |(_, finding)| percent(finding.utilisation)),
             match facts.code.as_str() {
                 "C204" => "counts discrete elements, which carry less than limit analysis",
                 _ => "saw what the shortened analysis leaves out (earlier axles, other positions)",
