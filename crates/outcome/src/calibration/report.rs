@@ -13,12 +13,6 @@ impl CalibrationReport {
         CalibrationReport { bridge, plan, seeds: seeds.to_vec(), ..CalibrationReport::default() }
     }
 
-    /// Stopped by the onlooker.
-    pub fn cancelled(mut self) -> CalibrationReport {
-        self.verdict = Ended::Cancelled;
-        self
-    }
-
     /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
     pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
