@@ -95,7 +95,7 @@ fn lines(sheet: &mut Sheet, of: impl Iterator<Item = ([Spot; 2], f64)>, widest: 
 fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: &Snapshot) {
     sheet.open("blocks");
     for (k, shape) in picture.shapes.iter().enumerate() {
-        let spots = view.spots(&outline(picture, Some(state), k));
+        let spots = view.spots(&outline(picture, Some(state), k, 1.0));
         if shape.held {
             sheet.hatched(&spots, Pen::line(INK, HAIR).class("support"));
         } else {

@@ -53,7 +53,7 @@ pub fn packing(picture: &Picture) -> Option<String> {
         let state = &picture.snapshots[0];
         let (frame, view) = draw::fit(extent, y, TALLEST);
         discs::by_layer(&mut sheet, &view, picture, Some(state));
-        draw::blocks(&mut sheet, &view, &picture.shapes, |k| outline(picture, Some(state), k));
+        draw::blocks(&mut sheet, &view, &picture.shapes, |k| outline(picture, Some(state), k, 1.0));
         draw::surface(&mut sheet, &view, picture, draw::SURFACE);
         let sunk = picture.particles.iter().zip(&state.particles).map(|(d, now)| d.centre[1] - now.centre[1]);
         let mean = sunk.sum::<f64>() / picture.particles.len() as f64;
