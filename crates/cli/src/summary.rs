@@ -8,7 +8,7 @@ mod validation;
 mod vary;
 mod vehicles;
 
-pub(crate) use self::assess::{assessment, governs};
+pub(crate) use self::assess::assessment;
 pub(crate) use passage::passage;
 pub(crate) use records::records;
 pub(crate) use update::update;

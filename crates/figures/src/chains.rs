@@ -7,8 +7,8 @@ use crate::elevation::{self as draw, FAINT, INK, Sign, THRUST};
 use crate::geometry::{View, round_down};
 use crate::panels::{outline, shown};
 use crate::sheet::{HAIR, Pen, Sheet, Spot};
-use crate::words;
-use outcome::picture::{ParticleForce, Partner, Picture, Point, Snapshot};
+use crate::{thrust, words};
+use outcome::picture::{ParticleForce, Partner, Picture, Snapshot};
 
 /// Contacts that carry more than the mean.
 const STRONG: &str = "#7a1020";
@@ -30,7 +30,7 @@ pub fn force_chains(picture: &Picture) -> Option<String> {
     let second = format!("Force chains in the fill at {}", crate::panels::load(picture, at));
     let (mut sheet, top) = Sheet::titled("chains", &picture.title, &second);
     let (frame, view) = draw::fit(extent, top, draw::TALLEST);
-    let diameter = 2.0 * discs::mean_radius(picture) * view.scale();
+    let diameter = 2.0 * discs::mean_radius(picture) * view.scale;
     // All but the strongest chains are at most half a particle wide, and those no wider than one and a half.
     let scale = (0.5 * diameter / quantile(forces.iter().map(size), 0.98)).min(1.5 * diameter / largest);
 
@@ -43,12 +43,7 @@ pub fn force_chains(picture: &Picture) -> Option<String> {
         lines(&mut sheet, some.map(|f| (branch(&view, picture, state, f), scale * f.compression)), scale * largest);
         sheet.close();
     }
-    sheet.open("thrust-lines");
-    for line in &picture.thrust_lines {
-        let points: Vec<Point> = line.iter().map(|t| t.point).collect();
-        sheet.polyline(&view.spots(&points), Pen::line(THRUST, 1.5).dashed("6 3").class("thrust"));
-    }
-    sheet.close();
+    thrust::plain(&mut sheet, &view, &picture.thrust_lines, Pen::line(THRUST, 1.5).dashed("6 3"));
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 8.0);
     y = widths(&mut sheet, y + 4.0, scale, largest);
@@ -100,7 +95,7 @@ fn lines(sheet: &mut Sheet, of: impl Iterator<Item = ([Spot; 2], f64)>, widest: 
 fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: &Snapshot) {
     sheet.open("blocks");
     for (k, shape) in picture.shapes.iter().enumerate() {
-        let spots = view.spots(&outline(picture, Some(state), k));
+        let spots = view.spots(&outline(picture, Some(state), k, 1.0));
         if shape.held {
             sheet.hatched(&spots, Pen::line(INK, HAIR).class("support"));
         } else {

@@ -1,5 +1,6 @@
 //! Defects of the rings: numbered lines on the drawing, and what they are.
 
+use crate::elevation::blocks_at;
 use crate::geometry::View;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style};
 use outcome::picture::Picture;
@@ -21,8 +22,10 @@ pub(crate) fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
         let Some(&middle) = mark.line.get(mark.line.len() / 2) else { continue };
         // Numbers of defects at one place stand beside one another, below the ring.
         let before = picture.defects[..index].iter().filter_map(|other| other.line.get(other.line.len() / 2));
-        let near = before.filter(|at| (at[0] - middle[0]).abs() * view.scale() < 2.0 * RADIUS).count();
-        let ([x, y], lowest) = (view.spot(middle), view.spot([middle[0], under(picture, middle)])[1]);
+        let near = before.filter(|at| (at[0] - middle[0]).abs() * view.scale < 2.0 * RADIUS).count();
+        // Of piers below the ring nothing counts.
+        let under = blocks_at(picture, "voussoir", middle[0]).map(|stone| stone.low[1]).fold(middle[1], f64::min);
+        let ([x, y], lowest) = (view.spot(middle), view.spot([middle[0], under])[1]);
         let at = [x, lowest.max(y) + 20.0 + 2.4 * RADIUS * near as f64];
         sheet.line([x, y], [at[0], at[1] - RADIUS], Pen::line(COLOUR, HAIR));
         number(sheet, at, index);
@@ -45,18 +48,6 @@ pub(crate) fn key(sheet: &mut Sheet, top: f64, picture: &Picture) -> f64 {
     }
     sheet.close();
     y - 8.0
-}
-
-/// The lowest level of blocks over or under a place [m].
-fn under(picture: &Picture, place: [f64; 2]) -> f64 {
-    let free = picture.shapes.iter().filter(|shape| !shape.held);
-    let here = free.filter(|shape| {
-        let xs = || shape.outline.iter().map(|p| p[0]);
-        xs().fold(f64::INFINITY, f64::min) <= place[0] && place[0] <= xs().fold(f64::NEG_INFINITY, f64::max)
-    });
-    // Of piers below the ring nothing counts.
-    let near = here.filter(|shape| shape.role == "voussoir");
-    near.flat_map(|shape| shape.outline.iter().map(|p| p[1])).fold(place[1], f64::min)
 }
 
 fn number(sheet: &mut Sheet, at: Spot, index: usize) {

@@ -57,11 +57,11 @@ pub(crate) fn draw<'c>(
     if picture.particles.len() > MANY {
         return dots(sheet, view, picture, state, colour);
     }
-    let mean = mean_radius(picture) * view.scale();
+    let mean = mean_radius(picture) * view.scale;
     let rim = if mean < OUTLINED { Pen::line("none", 0.0) } else { Pen::line(RIM, (0.06 * mean).clamp(0.15, 0.5)) };
     sheet.open_drawn("particles", rim);
     for (k, disc) in picture.particles.iter().enumerate() {
-        sheet.disc(view.spot(place(picture, state, k)), disc.radius * view.scale(), &colour(k));
+        sheet.disc(view.spot(place(picture, state, k)), disc.radius * view.scale, &colour(k));
     }
     sheet.close();
 }
@@ -76,7 +76,7 @@ fn dots<'c>(
 ) {
     let mut alike: BTreeMap<(Cow<'c, str>, u64), Vec<Spot>> = BTreeMap::new();
     for (k, disc) in picture.particles.iter().enumerate() {
-        let steps = (disc.radius * view.scale() / STEP).round().max(1.0) as u64;
+        let steps = (disc.radius * view.scale / STEP).round().max(1.0) as u64;
         alike.entry((colour(k), steps)).or_default().push(view.spot(place(picture, state, k)));
     }
     sheet.open("particles");
@@ -98,7 +98,7 @@ pub(crate) fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, state: Opt
     } else if drawable(picture) {
         sheet.open_drawn("pale-particles", Pen::line("#d5d0c6", 0.3));
         for (k, disc) in picture.particles.iter().enumerate() {
-            sheet.disc(view.spot(place(picture, state, k)), disc.radius * view.scale(), "#faf8f4");
+            sheet.disc(view.spot(place(picture, state, k)), disc.radius * view.scale, "#faf8f4");
         }
         sheet.close();
     }

@@ -1,7 +1,7 @@
 //! Results as drawings for a CAD program: the model as built, moved, and coloured by stress. Layers carry what a
 //! picture's legend would say; lengths are in metres.
 
-use crate::geometry::{Turn, as_built, block_at, centroid, displacement, largest_displacement, moved};
+use crate::geometry::{Turn, as_built, block_at, centroid, exaggerated, largest_displacement, moved};
 use crate::stress::{exaggeration, most_compressive};
 use crate::ticks::Ticks;
 use crate::{File, words};
@@ -122,16 +122,14 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
     if let Some(motions) = mechanism {
         let largest = largest_displacement(&picture.shapes, motions, Turn::Small);
         let scale = if largest > 0.0 { MECHANISM * size(picture) / largest } else { 0.0 };
-        let place = |k: usize, at: Point| {
-            let u = displacement(at, centroid(&picture.shapes[k].outline), motions[k], Turn::Small);
-            [at[0] + scale * u[0], at[1] + scale * u[1]]
-        };
         for (shape, &motion) in picture.shapes.iter().zip(motions).filter(moves) {
             outline(&mut sheet, "COLLAPSE", RED, moved(shape, motion, scale, Turn::Small));
         }
         for hinge in &picture.hinges {
             let Some(block) = block_at(&picture.shapes, hinge.point) else { continue };
-            circle(&mut sheet, "HINGES", 6, place(block, hinge.point), HINGE * size(picture));
+            let centre = centroid(&picture.shapes[block].outline);
+            let place = exaggerated(hinge.point, centre, motions[block], scale, Turn::Small);
+            circle(&mut sheet, "HINGES", 6, place, HINGE * size(picture));
         }
     }
     Some(sheet)

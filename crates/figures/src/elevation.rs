@@ -30,7 +30,7 @@ pub(crate) fn outline_width(shapes: &[Shape], view: &View) -> f64 {
         .iter()
         .filter(|s| !s.held)
         .filter_map(|s| Extent::of(s.outline.iter().copied()))
-        .map(|e| view.scale() * e.size()[0].min(e.size()[1]))
+        .map(|e| view.scale * e.size()[0].min(e.size()[1]))
         .collect();
     sizes.sort_by(f64::total_cmp);
     let middle = sizes.get(sizes.len() / 2).copied().unwrap_or(20.0);
@@ -83,20 +83,20 @@ pub(crate) fn avoid_blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], pla
     }
 }
 
-/// Level on which a load stands: the top of the loading block at its place, or the surface [m].
-fn foot(picture: &Picture, middle: Point) -> f64 {
-    let blocks = picture.shapes.iter().filter(|s| s.role == "block" && !s.held);
+/// Extents of the free blocks of a role over and under a place along the bridge [m].
+pub(crate) fn blocks_at(picture: &Picture, role: &str, x: f64) -> impl Iterator<Item = Extent> {
+    let blocks = picture.shapes.iter().filter(move |s| s.role == role && !s.held);
     let extents = blocks.filter_map(|s| Extent::of(s.outline.iter().copied()));
-    let here = extents.filter(|e| e.low[0] <= middle[0] && middle[0] <= e.high[0]);
-    here.map(|e| e.high[1]).fold(middle[1], f64::max)
+    extents.filter(move |e| e.low[0] <= x && x <= e.high[0])
 }
 
 /// Loads as they touch the surface or their loading block: a bar of their length under a row of arrows.
 pub(crate) fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
     sheet.open("surface-loads");
     for &(middle, length) in &picture.surface_loads {
-        let spot = view.spot([middle[0], foot(picture, middle)]);
-        load_bar(sheet, spot, 0.5 * length.max(0.0) * view.scale());
+        // Loads stand on the loading block at their place, or on the surface.
+        let foot = blocks_at(picture, "block", middle[0]).map(|block| block.high[1]).fold(middle[1], f64::max);
+        load_bar(sheet, view.spot([middle[0], foot]), 0.5 * length.max(0.0) * view.scale);
     }
     sheet.close();
 }
@@ -158,8 +158,8 @@ pub(crate) fn carried(shapes: &[Shape], motions: &[Motion], scale: f64, point: P
 
 /// A bar of a round length at the left end of a line; returns the y below it.
 pub(crate) fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
-    let length = crate::geometry::round_down(0.25 * (WIDTH - 2.0 * MARGIN) / view.scale());
-    let (left, right, y) = (MARGIN, MARGIN + length * view.scale(), top + 6.0);
+    let length = crate::geometry::round_down(0.25 * (WIDTH - 2.0 * MARGIN) / view.scale);
+    let (left, right, y) = (MARGIN, MARGIN + length * view.scale, top + 6.0);
     sheet.open("scale-bar");
     let middle = 0.5 * (left + right);
     let bar = |a: f64, b: f64| Area { left: a, right: b, top: y, bottom: y + 5.0 };

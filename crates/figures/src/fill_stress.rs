@@ -4,6 +4,7 @@ use crate::bar::{Scale, quantile};
 use crate::colour::{blue_for_much, red_for_much};
 use crate::discs;
 use crate::elevation as draw;
+use crate::geometry::sides;
 use crate::near::means;
 use crate::panels::{coloured, load, panel, shown};
 use crate::sheet::{MARGIN, Sheet, WIDTH};
@@ -71,8 +72,7 @@ fn scale(title: &'static str, values: impl Iterator<Item = f64> + Clone, colour:
 
 /// Share of the region that particles cover as packed; none where the region is not known.
 fn solid_share(picture: &Picture) -> Option<f64> {
-    let next = picture.fill.iter().cycle().skip(1);
-    let region: f64 = 0.5 * picture.fill.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>();
+    let region: f64 = 0.5 * sides(&picture.fill).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum::<f64>();
     let solid: f64 = picture.particles.iter().map(|d| PI * d.radius * d.radius).sum();
     (region > 0.0).then(|| solid / region)
 }

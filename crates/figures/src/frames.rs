@@ -3,6 +3,7 @@
 use crate::discs;
 use crate::elevation as draw;
 use crate::geometry::{Extent, Turn, View, as_built, largest_displacement, moved, round_down};
+use crate::panels::outline;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
 use crate::words;
 use outcome::picture::{Motion, Picture};
@@ -55,10 +56,7 @@ impl Frames {
     pub(crate) fn draw(&self, sheet: &mut Sheet, view: &View, picture: &Picture, panel: Option<usize>) {
         let state = panel.map(|k| &picture.snapshots[k]);
         discs::draw(sheet, view, picture, state, |k| discs::band_colour(picture, k).into());
-        draw::blocks(sheet, view, &picture.shapes, |k| match state {
-            Some(s) => moved(&picture.shapes[k], s.motions[k], self.scale, Turn::Finite),
-            None => picture.shapes[k].outline.clone(),
-        });
+        draw::blocks(sheet, view, &picture.shapes, |k| outline(picture, state, k, self.scale));
     }
 
     /// Whether displacements are exaggerated, in words.

@@ -15,13 +15,8 @@ pub(crate) struct Extent {
 impl Extent {
     /// Around points; points that are not finite do not count.
     pub(crate) fn of(points: impl IntoIterator<Item = Point>) -> Option<Extent> {
-        points.into_iter().filter(|p| p[0].is_finite() && p[1].is_finite()).fold(None, |extent, p| {
-            let e = extent.unwrap_or(Extent { low: p, high: p });
-            Some(Extent {
-                low: [e.low[0].min(p[0]), e.low[1].min(p[1])],
-                high: [e.high[0].max(p[0]), e.high[1].max(p[1])],
-            })
-        })
+        let finite = points.into_iter().filter(|p| p[0].is_finite() && p[1].is_finite());
+        finite.map(|p| Extent { low: p, high: p }).reduce(|extent, p| extent.with(p))
     }
     /// Width and height [m].
     pub(crate) fn size(&self) -> Point {
@@ -55,8 +50,10 @@ pub(crate) fn as_built(shapes: &[Shape]) -> Option<Extent> {
 /// From metres to the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct View {
-    scale: f64,
-    origin: Spot,
+    /// Units of the sheet per metre.
+    pub scale: f64,
+    /// Where the origin is drawn.
+    pub origin: Spot,
 }
 
 impl View {
@@ -66,14 +63,6 @@ impl View {
         let scale = ((area.right - area.left) / w).min((area.bottom - area.top) / h);
         let spare = (area.right - area.left) - scale * w;
         View { scale, origin: [area.left + 0.5 * spare - scale * extent.low[0], area.top + scale * extent.high[1]] }
-    }
-    /// With so many units of the sheet per metre, and the origin at a spot.
-    pub(crate) fn new(scale: f64, origin: Spot) -> View {
-        View { scale, origin }
-    }
-    /// Units of the sheet per metre.
-    pub(crate) fn scale(&self) -> f64 {
-        self.scale
     }
     /// Where a point is drawn.
     pub(crate) fn spot(&self, p: Point) -> Spot {
@@ -90,12 +79,16 @@ impl View {
     }
 }
 
+/// The sides of a polygon, each from corner to corner.
+pub(crate) fn sides<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 2]> {
+    corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
+}
+
 /// Centre of mass of a polygon [m]; the mean of its corners where it has no area.
 pub(crate) fn centroid(outline: &[Point]) -> Point {
     let Some(&origin) = outline.first() else { return [0.0, 0.0] };
     let (mut area, mut sum) = (0.0, [0.0, 0.0]);
-    for (k, p) in outline.iter().enumerate() {
-        let q = outline[(k + 1) % outline.len()];
+    for [p, q] in sides(outline) {
         let (a, b) = ([p[0] - origin[0], p[1] - origin[1]], [q[0] - origin[0], q[1] - origin[1]]);
         let cross = a[0] * b[1] - a[1] * b[0];
         area += cross;
@@ -178,8 +171,7 @@ pub(crate) fn round_down(x: f64) -> f64 {
 pub(crate) fn distance(point: Point, outline: &[Point]) -> f64 {
     let mut inside = true;
     let mut least = f64::INFINITY;
-    for (k, p) in outline.iter().enumerate() {
-        let q = outline[(k + 1) % outline.len()];
+    for [p, q] in sides(outline) {
         let (e, r) = ([q[0] - p[0], q[1] - p[1]], [point[0] - p[0], point[1] - p[1]]);
         inside &= e[0] * r[1] - e[1] * r[0] >= 0.0;
         let along = ((e[0] * r[0] + e[1] * r[1]) / (e[0] * e[0] + e[1] * e[1]).max(1e-300)).clamp(0.0, 1.0);
@@ -230,7 +222,7 @@ mod tests {
     fn a_view_keeps_proportions_and_fits() {
         let extent = Extent { low: [-1.0, 2.0], high: [9.0, 4.0] };
         let view = View::fit(extent, Area { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 });
-        assert_eq!(view.scale(), 10.0);
+        assert_eq!(view.scale, 10.0);
         assert_eq!(view.spot([-1.0, 4.0]), [0.0, 0.0]);
         assert_eq!(view.spot([9.0, 2.0]), [100.0, 20.0]);
     }

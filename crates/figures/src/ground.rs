@@ -96,7 +96,7 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
         if span.skew > 1e-6 && ground.spans.len() <= 6 {
             // The normal of the springings beside the road's axis.
             let centre = spot(0.5 * (span.from_to[0] + span.from_to[1]), 0.0);
-            let reach = 0.36 * ground.width * view.scale();
+            let reach = 0.36 * ground.width * view.scale;
             let (sine, cosine) = span.skew.sin_cos();
             let tip = [centre[0] + reach * cosine, centre[1] + reach * sine];
             sheet.arrow(centre, tip, Pen::line(INK, 1.0));

@@ -44,7 +44,6 @@ mod soil;
 mod stiffness;
 mod stress;
 mod study;
-mod thinned;
 mod thrust;
 mod ticks;
 mod update;

@@ -63,7 +63,8 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
     }
     panel.close();
 
-    let last_stable = last_stable(&steps);
+    // The last step that came to rest before the first one that did not.
+    let last_stable = steps.iter().position(|s| !s.at_rest).and_then(|failed| failed.checked_sub(1));
     let shown_stable = last_stable.filter(|&k| inside(&places[k]));
     if let Some(at) = shown_stable.map(|k| places[k]) {
         panel.curve([[first, at[1]], at], Pen::line(INK, 0.9).dashed("5 4").class("last-stable"));
@@ -95,10 +96,4 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
         ));
     }
     Some(chart.draw("load", &picture.title, second))
-}
-
-/// The last step that came to rest before the first one that did not.
-fn last_stable(steps: &[&Step]) -> Option<usize> {
-    let failed = steps.iter().position(|s| !s.at_rest)?;
-    failed.checked_sub(1)
 }

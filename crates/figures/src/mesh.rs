@@ -39,7 +39,7 @@ pub fn mesh(title: &str, picture: &MeshPicture) -> String {
     elements(&mut sheet, &view, picture, whole);
     base(&mut sheet, &view, picture);
     let close = close_up(picture, whole);
-    let mut y = frame.bottom.min(top + whole.size()[1] * view.scale()) + 10.0;
+    let mut y = frame.bottom.min(top + whole.size()[1] * view.scale) + 10.0;
     if let Some(part) = close {
         let outline = |e: Extent| [e.low, [e.high[0], e.low[1]], e.high, [e.low[0], e.high[1]]];
         sheet.polygon(&view.spots(&outline(part)), Pen::line(INK, MEDIUM).dashed("4 2"));
@@ -87,7 +87,7 @@ fn elements(sheet: &mut Sheet, view: &View, picture: &MeshPicture, part: Extent)
         let points: Vec<Point> = nodes.iter().map(|n| picture.nodes[*n]).collect();
         if points.iter().any(|p| inside(*p)) {
             let stroke = LINES.iter().find(|(name, ..)| name == kind).map_or(INK, |(_, stroke, _)| stroke);
-            let width = (0.02 * view.scale()).clamp(0.35, 1.6);
+            let width = (0.02 * view.scale).clamp(0.35, 1.6);
             sheet.polyline(&view.spots(&points), Pen::line(stroke, width));
         }
     }

@@ -4,7 +4,7 @@ use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
 use crate::geometry::{Extent, View};
-use crate::panels::{blocks, fits};
+use crate::panels::{fits, outline};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, HAIR, Pen, Sheet, Style};
 use crate::words;
@@ -34,7 +34,7 @@ pub fn packing(picture: &Picture) -> Option<String> {
     let first = Picture { shapes, snapshots: Vec::new(), ..picture.clone() };
     let (frame, view) = draw::fit(extent, top + 20.0, TALLEST);
     discs::by_layer(&mut sheet, &view, &first, None);
-    blocks(&mut sheet, &view, &first, None);
+    draw::blocks(&mut sheet, &view, &first.shapes, |k| first.shapes[k].outline.clone());
     lid(&mut sheet, &view, picture);
     draw::avoid_blocks(&mut sheet, &view, &first.shapes, |k| first.shapes[k].outline.clone());
     let room = Room::between(top, frame.bottom);
@@ -53,7 +53,7 @@ pub fn packing(picture: &Picture) -> Option<String> {
         let state = &picture.snapshots[0];
         let (frame, view) = draw::fit(extent, y, TALLEST);
         discs::by_layer(&mut sheet, &view, picture, Some(state));
-        blocks(&mut sheet, &view, picture, Some(state));
+        draw::blocks(&mut sheet, &view, &picture.shapes, |k| outline(picture, Some(state), k, 1.0));
         draw::surface(&mut sheet, &view, picture, draw::SURFACE);
         let sunk = picture.particles.iter().zip(&state.particles).map(|(d, now)| d.centre[1] - now.centre[1]);
         let mean = sunk.sum::<f64>() / picture.particles.len() as f64;

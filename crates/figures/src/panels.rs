@@ -1,10 +1,10 @@
 //! Elevations one below the other, each with its words.
 
 use crate::elevation::{self as draw, INK};
-use crate::geometry::{Extent, View};
+use crate::geometry::{Extent, Turn, View, moved};
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Style, WIDTH};
 use crate::words;
-use outcome::picture::{Picture, Snapshot};
+use outcome::picture::{Picture, Point, Snapshot};
 
 /// Tallest of two elevations on a sheet.
 const TALLEST: f64 = 330.0;
@@ -20,7 +20,7 @@ pub(crate) fn panel(
 ) -> f64 {
     let (area, view) = draw::fit(extent, top, TALLEST);
     // The frame hugs a bridge that is narrower than the sheet.
-    let half = 0.5 * view.scale() * extent.size()[0];
+    let half = 0.5 * view.scale * extent.size()[0];
     let middle = 0.5 * (area.left + area.right);
     let area = Area { left: middle - half, right: middle + half, ..area };
     sheet.open_clipped("panel", name, area);
@@ -29,11 +29,6 @@ pub(crate) fn panel(
     sheet.rectangle(area, Pen::line("#9a9a9a", HAIR));
     let style = Style::small();
     sheet.paragraph(MARGIN, area.bottom + 3.0, WIDTH - 2.0 * MARGIN, text, style) + 6.0
-}
-
-/// The blocks where they are in a state; those whose role is "block" only where wanted.
-pub(crate) fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
-    draw::blocks(sheet, view, &picture.shapes, |k| outline(picture, state, k));
 }
 
 /// The blocks where they are in a state, each free one of its colour, asked for in their order.
@@ -47,7 +42,7 @@ pub(crate) fn coloured(
 ) {
     let width = draw::outline_width(&picture.shapes, view);
     for (k, shape) in picture.shapes.iter().enumerate() {
-        let spots = view.spots(&outline(picture, Some(state), k));
+        let spots = view.spots(&outline(picture, Some(state), k, 1.0));
         match shape.held {
             true => sheet.hatched(&spots, Pen::line(INK, support).class("support")),
             false => sheet.polygon(&spots, Pen::shape(&colour(k), INK, width).class("block")),
@@ -55,11 +50,10 @@ pub(crate) fn coloured(
     }
 }
 
-/// Outline of a block where it is in a state, or as built [m].
-pub(crate) fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize) -> Vec<outcome::picture::Point> {
-    use crate::geometry::{Turn, moved};
+/// Outline of a block where it is in a state, its displacement drawn `scale` times as large, or as built [m].
+pub(crate) fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize, scale: f64) -> Vec<Point> {
     let shape = &picture.shapes[block];
-    state.and_then(|s| s.motions.get(block)).map_or(shape.outline.clone(), |&m| moved(shape, m, 1.0, Turn::Finite))
+    state.and_then(|s| s.motions.get(block)).map_or(shape.outline.clone(), |&m| moved(shape, m, scale, Turn::Finite))
 }
 
 /// A state's load in words, and whether it is the last stable one.

@@ -1,7 +1,7 @@
 //! Joints that slide: a pair of arrows along the joint, each on its own block and in the sense of its motion.
 
 use crate::elevation::SLIDING;
-use crate::geometry::{Extent, Turn, View, centroid, displacement, distance, exaggerated};
+use crate::geometry::{Extent, Turn, View, centroid, displacement, distance, exaggerated, sides};
 use crate::sheet::{Area, Pen, Sheet};
 use outcome::picture::{Motion, Point, Shape};
 
@@ -60,9 +60,7 @@ fn slide(shapes: &[Shape], motions: &[Motion], point: Point) -> Option<Slide> {
             let (u, v) = (of(a), of(b));
             let relative = [v[0] - u[0], v[1] - u[1]];
             for k in [a, b] {
-                let outline = &shapes[k].outline;
-                for (e, &p) in outline.iter().enumerate() {
-                    let q = outline[(e + 1) % outline.len()];
+                for [p, q] in sides(&shapes[k].outline) {
                     let length = (q[0] - p[0]).hypot(q[1] - p[1]);
                     if length == 0.0 || distance(point, &[p, q]) > reach(&shapes[k]) {
                         continue;

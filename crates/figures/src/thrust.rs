@@ -97,6 +97,16 @@ pub(crate) fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
     sheet.close();
 }
 
+/// Lines of thrust of which labels do not keep clear.
+pub(crate) fn plain(sheet: &mut Sheet, view: &View, lines: &[Vec<ThrustPoint>], pen: Pen) {
+    sheet.open("thrust-lines");
+    for line in lines {
+        let points: Vec<Point> = line.iter().map(|at| at.point).collect();
+        sheet.polyline(&view.spots(&points), pen.class("thrust"));
+    }
+    sheet.close();
+}
+
 /// Whether a line rises more than it runs: that of a pier.
 fn upright(line: &[ThrustPoint]) -> bool {
     let (a, b) = (line[0].point, line[line.len() - 1].point);

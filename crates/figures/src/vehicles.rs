@@ -6,25 +6,14 @@ use outcome::vehicles::{Direction, EnvelopePoint, Swept, VehicleSweep};
 
 /// Names and drawings of a sweep of vehicles.
 pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
-    let mut drawings = Vec::new();
-    if let Some(svg) = adequacy(found) {
-        drawings.push(("adequacy", svg));
-    }
-    if let Some(v) = found.governing.and_then(|k| found.vehicles.get(k))
-        && let title = format!("{}: {}", found.bridge, v.title)
-        && let Some(svg) = envelope(&title, Ordinate::Adequacy, &curves(v), governing_case(found).as_deref())
-    {
-        drawings.push(("envelope", svg));
-    }
-    drawings
-}
-
-/// What governs, in words, and what the axis of places means.
-fn governing_case(found: &VehicleSweep) -> Option<String> {
-    let case = found.collapse.as_ref()?.picture.case.as_ref()?;
-    Some(format!(
-        "Governing: {case} The first axle is the foremost of the whole vehicle, whether it stands on the bridge or has passed it."
-    ))
+    let governing = found.governing.and_then(|k| found.vehicles.get(k)).and_then(|v| {
+        let title = format!("{}: {}", found.bridge, v.title);
+        let case = found.collapse.as_ref().and_then(|collapse| collapse.picture.case.as_ref());
+        let note = case.map(|case| format!("Governing: {case} The first axle is the foremost of the whole vehicle, whether it stands on the bridge or has passed it."));
+        envelope(&title, Ordinate::Adequacy, &curves(v), note.as_deref())
+    });
+    let all = [("adequacy", adequacy(found)), ("envelope", governing)];
+    all.into_iter().filter_map(|(name, svg)| Some((name, svg?))).collect()
 }
 
 /// One of the factors at a position.

@@ -25,7 +25,7 @@ impl Card {
 }
 
 /// Writes the list `CARDS`, one card a line: `"D101", "title", "text";`. With a name before it, `NAME = "A101", …`, the code is a
-/// constant of that name too.
+/// constant of that name too, and the title tells what it is.
 #[macro_export]
 macro_rules! cards {
     ($($code:literal, $title:expr, $text:expr;)*) => {
@@ -33,7 +33,7 @@ macro_rules! cards {
         pub const CARDS: &[$crate::Card] = &[$($crate::Card { code: $code, title: $title, text: $text }),*];
     };
     ($($(#[$meta:meta])* $name:ident = $code:literal, $title:literal, $text:literal;)*) => {
-        $($(#[$meta])* pub const $name: &str = $code;)*
+        $($(#[$meta])* #[doc = $title] pub const $name: &str = $code;)*
         $crate::cards! { $($code, $title, $text;)* }
     };
 }

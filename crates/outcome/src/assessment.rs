@@ -1,6 +1,7 @@
 //! An assessment: the facts of every stage, the checks that read them, and the verdict. Reports read nothing else.
 
-use crate::checked::{Checked, Verdict, governing};
+use crate::checked::{self, Checked, Verdict};
+use crate::collapse::Collapse;
 use crate::condition::Condition;
 use crate::facts::{CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, VehicleFacts};
 use crate::published::assess::{checks, not_made, statics, with_sentences, worst};
@@ -100,6 +101,11 @@ impl Facts {
         stages.into_iter().flatten().map(str::to_owned).collect()
     }
 
+    /// The analysis of a support that moves.
+    pub fn moved(&self) -> Option<&Collapse> {
+        self.movement.made()?.collapse.as_deref()
+    }
+
     /// Warnings of every stage, each with the stage's name.
     pub fn warnings(&self) -> impl Iterator<Item = (&'static str, &Warning)> {
         let lists: [(&str, &[Warning]); 6] = [
@@ -108,7 +114,7 @@ impl Facts {
             ("collapse", self.ultimate.made().map_or(&[], |facts| &facts.warnings)),
             ("vehicles", self.vehicles.made().map_or(&[], |facts| &facts.warnings)),
             ("cases", self.cases.made().map_or(&[], |facts| &facts.warnings)),
-            ("support movement", self.movement.made().map_or(&[], |facts| &facts.warnings)),
+            ("support movement", self.moved().map_or(&[], |found| &found.warnings)),
         ];
         lists.into_iter().flat_map(|(stage, list)| list.iter().map(move |warning| (stage, warning)))
     }
@@ -172,7 +178,7 @@ published! {
         /// What the file's named cases carry.
         = cases?: Option<Value> = all.facts.cases.made().map(|facts| with_sentences(facts, &facts.assumptions, &facts.warnings)),
         /// The movement of a support that makes a mechanism.
-        = support_movement?: Option<Collapse> = all.facts.movement.made().and_then(|facts| facts.collapse.as_ref()),
+        = support_movement?: Option<Collapse> = all.facts.moved(),
         /// What updating found.
         = update?: Option<Update> = all.facts.update.made(),
         /// The facts of its stages.
@@ -183,8 +189,7 @@ published! {
 impl Assessment {
     /// The stage whose check governs: that of the file's loads at collapse or of its vehicles; none where another does.
     pub fn governing_stage(&self) -> Option<&'static str> {
-        let (check, _) = governing(&self.checked)?;
-        match self.checked[check].code.as_str() {
+        match checked::worst(&self.checked)?.0.code.as_str() {
             "C201" | "C202" => Some("collapse"),
             "C204" => Some("vehicles"),
             _ => None,

@@ -34,7 +34,7 @@ published! {
         = multiple_standard_error: Option<f64> = report.multiple_error(),
         = wanted_modulus: Option<f64> [MPa] = report.plan.wanted_modulus,
         /// Which modulus is compared with the wanted one.
-        = matched: String = report.matched(),
+        = matched: String = report.plan.modulus.word(),
         /// Mean of the step slopes.
         = tangent_modulus: Option<f64> [MPa] = report.tangent().map(|spread| spread.mean),
         = tangent_standard_error: Option<f64> [MPa] = report.tangent().map(|spread| spread.standard_error),

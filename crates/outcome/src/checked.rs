@@ -204,6 +204,13 @@ pub fn governing(checked: &[Checked]) -> Option<(usize, usize)> {
     worst.map(|(check, finding, _)| (check, finding))
 }
 
+/// That check and that finding.
+pub fn worst(checked: &[Checked]) -> Option<(&Checked, &Comparison)> {
+    let (check, finding) = governing(checked)?;
+    let check = &checked[check];
+    Some((check, check.outcome.as_ref().ok()?.get(finding)?))
+}
+
 published! {
     /// Whether strength was assessed.
     #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]

@@ -201,18 +201,12 @@ pub struct UltimateFacts {
     pub method: String,
     /// Least factor on the loads of the file; none where a position found no answer.
     pub load_factor: Option<f64>,
-    /// The same with fill that presses, where the file has it; `load_factor` is the lower end.
-    pub load_factor_with_fill_pressure: Option<f64>,
     /// What may help the bridge and is not counted.
     pub not_counted: NotCounted,
     /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
     pub load_factor_at_most: Option<f64>,
     /// Position of the first load or axle then [m].
     pub position_m: Option<f64>,
-    /// Load that is carried there, the lower bound [kN/m].
-    pub last_stable_load_kn_per_m: Option<f64>,
-    /// Collapse load there [kN/m].
-    pub collapse_load_kn_per_m: Option<f64>,
     /// Loads of the file [kN/m].
     pub reference_load_kn_per_m: f64,
     /// Loads at which states are first reached there that a bridge should not come to in service, where deformable joints were
@@ -446,12 +440,8 @@ pub struct MovementFacts {
     pub status: Status,
     /// Last movement at which the bridge stood [mm].
     pub last_stable_mm: Option<f64>,
-    /// Movement at which it fell [mm].
-    pub collapse_mm: Option<f64>,
     /// Which support, in words.
     pub support: String,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
     /// The whole analysis.
     pub collapse: Option<Box<Collapse>>,
 }

@@ -29,10 +29,7 @@ words! {
 impl Help {
     /// Whether it is strength: more of it never lowers a load.
     pub fn is_strength(self) -> bool {
-        match self {
-            Help::Tension | Help::Cohesion => true,
-            Help::Water | Help::Movement | Help::FillPressure | Help::Parapets | Help::LostStone => false,
-        }
+        matches!(self, Help::Tension | Help::Cohesion)
     }
 
     /// "tension of joints and water in the fill".

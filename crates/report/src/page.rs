@@ -10,7 +10,8 @@ use base64::engine::general_purpose::STANDARD;
 use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
-use outcome::checked::governing;
+use outcome::checked::worst;
+use outcome::collapse::Collapse;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -258,9 +259,7 @@ fn page<'a>(material: &Material<'a>) -> Page<'a> {
              analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
              {}: compare the rows with the first of the two.",
             facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, percent(facts.utilisation),
-            governing(&a.checked)
-                .and_then(|(check, k)| a.checked[check].outcome.as_ref().ok()?.get(k))
-                .map_or_else(|| "nothing".to_owned(), |finding| percent(finding.utilisation)),
+            worst(&a.checked).map_or_else(|| "nothing".to_owned(), |(_, finding)| percent(finding.utilisation)),
             match facts.code.as_str() {
                 "C204" => "counts discrete elements, which carry less than limit analysis",
                 _ => "saw what the shortened analysis leaves out (earlier axles, other positions)",
@@ -326,8 +325,9 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
         put("positions without a result", Some(facts.positions_not_converged as f64), "");
     }
     put("worst position of the first load or axle", facts.position_m, "m");
-    put("load carried there, per metre of width", facts.last_stable_load_kn_per_m, "kN/m");
-    put("load at collapse there, per metre of width", facts.collapse_load_kn_per_m, "kN/m");
+    let load = |of: fn(&Collapse) -> Option<f64>| Some(of(facts.collapse.as_deref()?)? / 1e3);
+    put("load carried there, per metre of width", load(|found| found.last_stable_load), "kN/m");
+    put("load at collapse there, per metre of width", load(|found| found.collapse_load), "kN/m");
     put("loads of the file, per metre of width", Some(facts.reference_load_kn_per_m), "kN/m");
     rows
 }
@@ -336,7 +336,8 @@ fn movement(a: &Assessment) -> Vec<[String; 2]> {
     let Some(facts) = a.facts.movement.made() else { return Vec::new() };
     let told = [["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.to_string()]];
     let stood = measured("last movement at which the bridge stood", facts.last_stable_mm, "mm");
-    let fell = measured("movement at which it fell", facts.collapse_mm, "mm");
+    let fell = a.facts.moved().and_then(|found| found.support()?.collapse).map(|moved| 1e3 * moved);
+    let fell = measured("movement at which it fell", fell, "mm");
     told.into_iter().chain(stood).chain(fell).collect()
 }
 

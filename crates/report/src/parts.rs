@@ -3,7 +3,7 @@
 
 use crate::numbers::{digits, maybe, percent};
 use crate::page::{Appendix, Photograph};
-use bridge::document::{Inspection, ReportDocument};
+use bridge::document::{Inspection, ReportDocument, Revision};
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::statics::{Reaction, Seat, Statics};
@@ -36,10 +36,6 @@ fn is_there<S: Serializer>(id: &Option<&'static str>, to: S) -> Result<S::Ok, S:
 }
 
 impl Part {
-    fn new(id: Option<&'static str>, title: &'static str) -> Part {
-        Part { id, title, ..Part::default() }
-    }
-
     /// Cells of a row with the heads of their columns, and whether they are numbers.
     pub(crate) fn cells<'a>(&'a self, row: &'a [String]) -> Vec<(&'static str, bool, &'a str)> {
         let head = |k: usize| self.heads.get(k).copied().unwrap_or("");
@@ -69,8 +65,7 @@ const BLANK: &str = "";
 /// Identification and revisions.
 pub(crate) fn control(document: &ReportDocument, bridge: &str, appendix: &Appendix) -> Vec<Part> {
     let text = |value: &Option<String>| value.clone().unwrap_or_default();
-    let mut table = Part::new(Some("document"), "Document control");
-    table.rows = vec![
+    let rows = vec![
         row(["structure", bridge]),
         vec!["structure number".into(), text(&document.structure_number)],
         vec!["route".into(), text(&document.route)],
@@ -81,22 +76,17 @@ pub(crate) fn control(document: &ReportDocument, bridge: &str, appendix: &Append
         vec!["category of check".into(), text(&document.check_category)],
         row(["computed", &appendix.day]),
     ];
-    let mut signatures = Part::new(None, "Signatures");
-    signatures.heads = vec!["role", "name", "signature", "date"];
-    signatures.rows =
-        [("prepared", &document.prepared_by), ("checked", &document.checked_by), ("approved", &document.approved_by)]
-            .map(|(what, name)| vec![what.to_owned(), text(name), BLANK.to_owned(), BLANK.to_owned()])
-            .to_vec();
-    let mut parts = vec![table, signatures];
+    let table = Part { id: Some("document"), title: "Document control", rows, ..Part::default() };
+    let names =
+        [("prepared", &document.prepared_by), ("checked", &document.checked_by), ("approved", &document.approved_by)];
+    let rows = names.map(|(what, name)| vec![what.to_owned(), text(name), BLANK.to_owned(), BLANK.to_owned()]).to_vec();
+    let heads = vec!["role", "name", "signature", "date"];
+    let mut parts = vec![table, Part { title: "Signatures", heads, rows, ..Part::default() }];
     if !document.revisions.is_empty() {
-        let mut revisions = Part::new(None, "Revisions");
-        revisions.heads = vec!["revision", "date", "what changed"];
-        revisions.rows = document
-            .revisions
-            .iter()
-            .map(|one| vec![one.revision.clone(), one.date.clone(), one.change.clone()])
-            .collect();
-        parts.push(revisions);
+        let revision = |one: &Revision| vec![one.revision.clone(), one.date.clone(), one.change.clone()];
+        let rows = document.revisions.iter().map(revision).collect();
+        let heads = vec!["revision", "date", "what changed"];
+        parts.push(Part { title: "Revisions", heads, rows, ..Part::default() });
     }
     parts
 }
@@ -107,7 +97,7 @@ const UNSURE: [&str; 8] =
 
 /// What is to be confirmed on site: what the file asks, and every value whose remark says that it was not measured.
 pub(crate) fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -> Part {
-    let mut part = Part::new(Some("confirm"), "To be confirmed on site");
+    let mut part = Part { id: Some("confirm"), title: "To be confirmed on site", ..Part::default() };
     part.heads = vec!["what", "as assessed", "why", "found on site", "initials, date"];
     let blank = || BLANK.to_owned();
     for words in &document.confirm {
@@ -145,7 +135,7 @@ const SITE: [&str; 1] = [outcome::warning::ACROSS_ASSUMED];
 
 /// What to do next, with the fact and the rule that each step follows from.
 pub(crate) fn next_steps(a: &Assessment) -> Part {
-    let mut part = Part::new(Some("next"), "What to do next");
+    let mut part = Part { id: Some("next"), title: "What to do next", ..Part::default() };
     if a.next.is_empty() {
         part.words.push("No rule asks for anything: no strength is short, nothing that can grow is in the file, no warning points further.".into());
         return part;
@@ -165,7 +155,7 @@ pub(crate) fn inspections(list: &[Inspection], photographs: &[Photograph]) -> Op
     if list.is_empty() {
         return None;
     }
-    let mut part = Part::new(Some("inspection"), "Inspection findings");
+    let mut part = Part { id: Some("inspection"), title: "Inspection findings", ..Part::default() };
     part.heads = vec!["date", "part", "finding", "photograph"];
     part.rows = list
         .iter()
@@ -190,14 +180,14 @@ fn kilonewtons(value: f64) -> String {
 
 /// Dead-load totals, and reactions at rest.
 pub(crate) fn statics(statics: &Statics) -> Vec<Part> {
-    let mut weights = Part::new(Some("statics"), "Dead loads and reactions at rest");
+    let mut weights = Part { id: Some("statics"), title: "Dead loads and reactions at rest", ..Part::default() };
     weights.words = outcome::note::words(&statics.assumptions);
     weights.heads = vec!["part", "per metre of width [kN/m]", "whole width [kN]"];
     weights.numbers = vec![false, true, true];
     let weight = |name: &str, force: f64| vec![name.to_owned(), kilonewtons(force), kilonewtons(force * statics.width)];
     weights.rows = statics.weights.iter().map(|one| weight(&one.part, one.force)).collect();
     weights.rows.push(weight("total", statics.total()));
-    let mut reactions = Part::new(None, "Springings and feet of piers at rest");
+    let mut reactions = Part { title: "Springings and feet of piers at rest", ..Part::default() };
     reactions.heads = vec![
         "place",
         "vertical [kN/m]",
@@ -235,7 +225,7 @@ fn reaction(one: &Reaction, width: f64) -> Vec<String> {
 /// Named cases side by side.
 pub(crate) fn cases(a: &Assessment) -> Option<Part> {
     let facts = a.facts.cases.made()?;
-    let mut part = Part::new(Some("cases"), "Named cases");
+    let mut part = Part { id: Some("cases"), title: "Named cases", ..Part::default() };
     part.words.push(
         "What all loads of a case may be multiplied by, where they stand, with its own factors on loads and weights."
             .into(),
@@ -255,7 +245,7 @@ pub(crate) fn cases(a: &Assessment) -> Option<Part> {
 /// How the width that carries each vehicle was found, and what springings and feet of piers carry under the governing one.
 pub(crate) fn vehicles(a: &Assessment) -> Vec<Part> {
     let Some(facts) = a.facts.vehicles.made() else { return Vec::new() };
-    let mut widths = Part::new(Some("widths"), "Effective widths");
+    let mut widths = Part { id: Some("widths"), title: "Effective widths", ..Part::default() };
     widths.heads = vec!["vehicles", "stand", "width that carries an axle [m]", "found as"];
     widths.numbers = vec![false, false, true, false];
     for one in &facts.vehicles {
@@ -265,7 +255,7 @@ pub(crate) fn vehicles(a: &Assessment) -> Vec<Part> {
             None => widths.rows.push([vec![one.code.clone()], told.to_vec()].concat()),
         }
     }
-    let mut thrusts = Part::new(None, "Largest thrusts under the governing vehicle");
+    let mut thrusts = Part { title: "Largest thrusts under the governing vehicle", ..Part::default() };
     thrusts.words.push(
         "Of elastic blocks whose joints open nowhere, with the rule's factors on loads and weights, each with the values that go with it. A \
          resultant outside its joint means that joints open there before. Pressure is that of the part of the joint that is centred on the \
@@ -296,8 +286,9 @@ pub(crate) fn vehicles(a: &Assessment) -> Vec<Part> {
 /// Items for whoever checks this assessment, each with what it says and room for another number. A check of category III is made without
 /// these numbers: they follow on a sheet of their own.
 pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&Statics>) -> Vec<Part> {
-    let mut part = Part::new(Some("check-sheet"), "Check sheet");
-    let (category, who) = match document.check_category.as_deref().map(str::trim) {
+    let mut part = Part { id: Some("check-sheet"), title: "Check sheet", ..Part::default() };
+    let asked = document.check_category.as_deref().map(str::trim);
+    let (category, who) = match asked {
         None => (
             String::new(),
             "For the checker: what this assessment says, and room for the number found independently, by hand or by another method.",
@@ -315,7 +306,7 @@ pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Op
     part.words.push(format!("{who}{category}"));
     part.heads = vec!["no.", "item", "this assessment", "independent value", "method", "initials, date"];
     let items = items(a, statics);
-    let withheld = matches!(document.check_category.as_deref().map(str::trim), Some("III" | "3"));
+    let withheld = matches!(asked, Some("III" | "3"));
     let numbered = |k: usize| (k + 1).to_string();
     let shown = |value: &str| if withheld { BLANK.to_owned() } else { value.to_owned() };
     part.rows = items
@@ -327,7 +318,7 @@ pub(crate) fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Op
         .collect();
     let mut parts = vec![part];
     if withheld {
-        let mut numbers = Part::new(Some("check-numbers"), "Numbers of this assessment");
+        let mut numbers = Part { id: Some("check-numbers"), title: "Numbers of this assessment", ..Part::default() };
         numbers
             .words
             .push("For comparison after the independent check; of items that are lists, the report has them.".into());

@@ -3,7 +3,7 @@
 use crate::numbers::{digits, maybe, percent, with_unit};
 use bridge::inputs::{Input, table_with};
 use outcome::assessment::{Assessment, once};
-use outcome::checked::{Checked, Columns, governing};
+use outcome::checked::{Checked, Columns};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
 use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, VehicleFacts};
@@ -45,10 +45,10 @@ pub(crate) struct OpenRow {
 
 /// Every comparison, worst of each check first within it as made.
 pub(crate) fn checks(checked: &[Checked]) -> Vec<CheckRow> {
-    let worst = governing(checked);
+    let most = outcome::checked::worst(checked);
     let mut rows = Vec::new();
-    for (c, check) in checked.iter().enumerate() {
-        for (k, finding) in check.outcome.iter().flatten().enumerate() {
+    for check in checked {
+        for finding in check.outcome.iter().flatten() {
             rows.push(CheckRow {
                 code: check.code.clone(),
                 title: check.title.clone(),
@@ -59,7 +59,7 @@ pub(crate) fn checks(checked: &[Checked]) -> Vec<CheckRow> {
                 used: percent(finding.utilisation),
                 bar: (100.0 * finding.utilisation).clamp(0.0, 100.0) as u32,
                 met: finding.met(),
-                governs: worst == Some((c, k)),
+                governs: most.is_some_and(|(_, most)| std::ptr::eq(most, finding)),
                 basis: finding.basis.clone(),
                 of: String::new(),
                 keys: check.keys.clone(),

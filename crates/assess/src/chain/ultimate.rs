@@ -7,7 +7,6 @@ use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, ShortenedFacts, UltimateFacts};
-use outcome::help::Help;
 use outcome::note::{self, Note};
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
@@ -132,8 +131,6 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     let stands = || own.loads.first().map(|load| load.position);
     facts.position_m = moved.as_ref().map(|worst| worst.position).or_else(stands);
     facts.permissible = collapse.along().map_or_else(Vec::new, |along| along.permissible.clone());
-    facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
-    facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
     let shorter = |part: &ShortenedFacts| -> Note {
         note::Moving::Shorter { load: part.name.clone(), of: part.of_m, length: part.length_m }.into()
@@ -147,7 +144,6 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     };
     facts.warnings = sweep.warnings.iter().chain(collapse.warnings.iter().filter(again)).cloned().collect();
     facts.not_counted = if moved.is_some() { &sweep.not_counted } else { &collapse.not_counted }.clone();
-    facts.load_factor_with_fill_pressure = facts.not_counted.with(Help::FillPressure).and_then(|with| with.factor);
     facts.collapse = Some(Box::new(collapse));
     Ok(Some(Ultimate { facts, sweep }))
 }
@@ -203,13 +199,10 @@ pub fn movement_facts(bridge: &Bridge, found: Collapse) -> MovementFacts {
         k if k == bridge.spans.len() => "right abutment".to_owned(),
         k => format!("pier {k}"),
     };
-    let report = found.support();
     MovementFacts {
         status: found.status,
-        last_stable_mm: report.and_then(|report| report.last_stable).map(|m| 1e3 * m),
-        collapse_mm: report.and_then(|report| report.collapse).map(|m| 1e3 * m),
+        last_stable_mm: found.support().and_then(|report| report.last_stable).map(|m| 1e3 * m),
         support: name,
-        warnings: found.warnings.clone(),
         collapse: Some(Box::new(found)),
     }
 }

@@ -5,8 +5,7 @@ use super::given::given;
 use super::{by_file, by_rule};
 use crate::evidence::Evidence;
 use findings::words::counted;
-use outcome::checked::{Checked, Comparison, Judgement, Rung, Strength};
-use outcome::checked::{Verdict, governing};
+use outcome::checked::{Checked, Comparison, Judgement, Rung, Strength, Verdict, worst};
 use outcome::warning::{self, Warning};
 
 /// Something without which strength is not shown.
@@ -138,8 +137,7 @@ fn skew(a: &Evidence) -> Option<Open> {
 
 /// What governs, in a sentence.
 fn most(checked: &[Checked]) -> String {
-    let found = governing(checked).and_then(|(c, k)| Some((&checked[c], checked[c].outcome.as_ref().ok()?.get(k)?)));
-    let words = found.map(|(check, finding)| {
+    let words = worst(checked).map(|(check, finding)| {
         let used = 100.0 * finding.utilisation.min(1e6);
         format!("{} ({}) governs: {used:.0} % of its limit is used", check.title, finding.load_model)
     });

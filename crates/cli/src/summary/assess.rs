@@ -2,7 +2,7 @@
 
 use crate::page::Page;
 use ::outcome::assessment::Assessment;
-use ::outcome::checked::{Checked, Comparison, governing, told_apart};
+use ::outcome::checked::{told_apart, worst};
 use findings::words::counted;
 use std::fmt::Write;
 use std::path::Path;
@@ -21,7 +21,7 @@ const MOST_BESIDE: usize = 5;
 fn digest(a: &Assessment) -> String {
     let verdict = &a.verdict;
     let mut text = format!("{}: {}\n\n", a.bridge, verdict.head());
-    if let Some((check, finding)) = governs(a) {
+    if let Some((check, finding)) = worst(&a.checked) {
         let [value, limit] = told_apart(finding.value, finding.limit);
         let unit = if finding.unit.word().is_empty() { String::new() } else { format!(" {}", finding.unit) };
         let needed = finding.needed.map_or(String::new(), |needed| format!(", {needed:.2} for a verdict"));
@@ -54,13 +54,6 @@ fn digest(a: &Assessment) -> String {
         let _ = writeln!(text, "  next      {}: {}", next.action, next.what);
     }
     text
-}
-
-/// The comparison that governs.
-pub(crate) fn governs(a: &Assessment) -> Option<(&Checked, &Comparison)> {
-    let (check, finding) = governing(&a.checked)?;
-    let check = &a.checked[check];
-    Some((check, check.outcome.as_ref().ok()?.get(finding)?))
 }
 
 /// The verdict, the comparisons, the condition, what is missing.

@@ -7,8 +7,7 @@ mod palette;
 use crate::discs;
 use crate::elevation as draw;
 use crate::frames::{BANDS, Frames};
-use crate::raster::{RasterError, Rasteriser};
-use crate::sheet::font::Weight;
+use crate::raster::{RasterError, options, pixels};
 use crate::sheet::{MARGIN, Sheet, Style, TITLE, WIDTH};
 use crate::words;
 use apng::Frame;
@@ -30,11 +29,11 @@ const SHOWN: [u16; 3] = [400, 160, 2500];
 /// A drawing of which no PNG can be made.
 pub fn animation(picture: &Picture) -> Result<Option<Vec<u8>>, RasterError> {
     let Some(run) = Frames::of(picture).filter(|run| run.usable.len() > 1) else { return Ok(None) };
-    let rasteriser = Rasteriser::new();
+    let options = options();
     let chosen = thinned(&run.usable, picture.last_stable);
     let mut frames = Vec::with_capacity(chosen.len());
     for (n, &k) in chosen.iter().enumerate() {
-        let pixels = rasteriser.pixels(&frame(picture, &run, k), PIXELS)?;
+        let pixels = pixels(&frame(picture, &run, k), PIXELS, &options)?;
         let falling = picture.last_stable.is_none_or(|stable| k > stable);
         let milliseconds = if n + 1 == chosen.len() { SHOWN[2] } else { SHOWN[usize::from(falling)] };
         frames.push(Frame { width: pixels.width(), height: pixels.height(), rgba: pixels.take(), milliseconds });
@@ -63,7 +62,7 @@ fn frame(picture: &Picture, run: &Frames, snapshot: usize) -> String {
     let (name, size) =
         if picture.moves_supports { ("Support movement", words::metres(load)) } else { ("Load", words::force(load)) };
     let (colour, state) = state(picture, snapshot);
-    let big = Style { size: 1.6 * TITLE, weight: Weight::Bold, ..Style::default() };
+    let big = Style { size: 1.6 * TITLE, ..Style::bold() };
     sheet.text([MARGIN, below + 20.0], name, Style::default());
     sheet.text([MARGIN, below + 50.0], &size, big);
     sheet.text([MARGIN, below + 74.0], &state, Style { colour, ..Style::default() });

@@ -61,7 +61,7 @@ pub(super) fn moduli(report: &CalibrationReport) -> Option<String> {
     for at in &compared {
         panel.mark([at.multiple, at.modulus / 1e6], Mark::Hollow, INK);
     }
-    let which = format!("{}, given for comparison", report.matched());
+    let which = format!("{}, given for comparison", report.plan.modulus.word());
     entries.push(Entry::mark(Mark::Hollow, INK, which).when(!compared.is_empty()));
     let found = report.found.as_ref().and_then(|m| m.at(report.plan.modulus));
     if let (Some(wanted), Some(at)) = (report.plan.wanted_modulus, found) {

@@ -32,7 +32,7 @@ pub(super) fn sample(report: &CalibrationReport) -> Option<String> {
     let kept = drawn.particles.len() - drawn.cuts.iter().filter(|cut| cut.replaced).count();
     for (k, title) in titles.iter().enumerate() {
         let left = MARGIN + k as f64 * panel + 0.22 * scale * drawn.size;
-        let view = View::new(scale, [left, floor]);
+        let view = View { scale, origin: [left, floor] };
         sheet.text([left + 0.5 * scale * drawn.size, top + 14.0], title, head);
         sheet.open("panel");
         match k.checked_sub(1) {
@@ -53,14 +53,14 @@ pub(super) fn sample(report: &CalibrationReport) -> Option<String> {
 fn grains(sheet: &mut Sheet, view: &View, particles: &[[f64; 3]], kept: usize) {
     for (k, &[x, y, radius]) in particles.iter().enumerate() {
         let fill = if k < kept { GRAIN } else { REPLACEMENT };
-        sheet.circle(view.spot([x, y]), view.scale() * radius, Pen::shape(fill, INK, THIN).class("grain"));
+        sheet.circle(view.spot([x, y]), view.scale * radius, Pen::shape(fill, INK, THIN).class("grain"));
     }
 }
 
 fn cut(sheet: &mut Sheet, view: &View, drawn: &Drawn, kept: usize) {
     for cut in &drawn.cuts {
         let pen = Pen::line(GONE, HAIR).dashed("3 2").class("cut");
-        sheet.circle(view.spot(cut.centre), view.scale() * cut.radius, pen);
+        sheet.circle(view.spot(cut.centre), view.scale * cut.radius, pen);
     }
     grains(sheet, view, &drawn.particles, kept);
     sheet.rectangle(view.area(Extent { low: [0.0; 2], high: [drawn.size; 2] }), Pen::line(LOAD, MEDIUM));
@@ -80,10 +80,10 @@ fn pressed(sheet: &mut Sheet, view: &View, size: f64, (state, stress): &(AtRest,
     let block = Extent { low: [0.005 * size, state.block], high: [0.995 * size, state.block + 0.15 * size] };
     sheet.rectangle(view.area(block), Pen::shape("#f2e8d5", INK, THIN).class("block"));
     let [x, y] = view.spot([0.5 * size, state.block + 0.15 * size]);
-    let long = 0.12 * size * view.scale();
+    let long = 0.12 * size * view.scale;
     if *stress > 1e4 {
         for k in [-2.0, -1.0, 0.0, 1.0, 2.0] {
-            let at = x + 0.19 * k * size * view.scale();
+            let at = x + 0.19 * k * size * view.scale;
             sheet.arrow([at, y - long], [at, y - 1.0], Pen::line(LOAD, MEDIUM).class("load"));
         }
     }

@@ -3,7 +3,6 @@
 use super::{Axes, Axis, Heading, Mark, NAME};
 use crate::sheet::place::Room;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, WIDTH};
-use crate::thinned::thinned;
 
 /// A place in the plane: a value along each axis.
 pub(crate) type PanelPoint = [f64; 2];
@@ -126,4 +125,24 @@ impl<'a> Panel<'a> {
 /// The pieces of a line between its gaps, where a value is not finite.
 pub(crate) fn runs(places: &[PanelPoint]) -> impl Iterator<Item = &[PanelPoint]> {
     places.split(|place| place.iter().any(|value| !value.is_finite())).filter(|run| !run.is_empty())
+}
+
+/// Columns of a drawing: more points than a few in each are not seen.
+const COLUMNS: f64 = 0.4;
+
+/// The least and the greatest value in each column, in their order, where there are many points.
+fn thinned(spots: &[Spot]) -> Vec<Spot> {
+    if spots.len() < 4000 {
+        return spots.to_vec();
+    }
+    let column = |spot: &Spot| (spot[0] / COLUMNS).floor();
+    let mut out: Vec<Spot> = Vec::new();
+    for part in spots.chunk_by(|a, b| column(a) == column(b)) {
+        if let Some(Area { top, bottom, .. }) = Area::around(part) {
+            let mut kept: Vec<&Spot> = part.iter().filter(|spot| spot[1] == top || spot[1] == bottom).collect();
+            kept.dedup();
+            out.extend([kept.first(), kept.last()].into_iter().flatten().map(|spot| **spot));
+        }
+    }
+    out
 }

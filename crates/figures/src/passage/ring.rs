@@ -4,10 +4,9 @@ use super::scene;
 use crate::elevation::{self as draw, INK, THRUST};
 use crate::geometry::{Extent, View};
 use crate::sheet::{HAIR, MARGIN, MEDIUM, Pen, Sheet, Spot, Style, THICK};
-use crate::words;
+use crate::{thrust, words};
 use outcome::mesh::MadeOf;
 use outcome::passage::{Moment, PairState, Passage, Row, RowKind};
-use outcome::picture::Point;
 
 /// Colours of the states, told apart in grey print by their size and fill.
 const CLOSED: &str = "#2e6b2e";
@@ -27,7 +26,7 @@ pub fn ring(passage: &Passage, index: usize) -> Option<String> {
     let window = view.area(extent).taller(2.0);
     sheet.open_clipped("bridge", "whole", window);
     stones(&mut sheet, &view, passage);
-    thrust(&mut sheet, &view, moment);
+    thrust::plain(&mut sheet, &view, &moment.thrust_lines(), Pen::line(THRUST, THICK));
     sheet.close();
     scene::draw_axles(&mut sheet, &view, moment, mesh, extent.low[0], extent.high[0]);
     let mut y = draw::scale_bar(&mut sheet, &view, window.bottom + 4.0) + 8.0;
@@ -39,7 +38,7 @@ pub fn ring(passage: &Passage, index: usize) -> Option<String> {
         let window = view.area(part).taller(2.0);
         sheet.open_clipped("span", "close", window);
         stones(&mut sheet, &view, passage);
-        thrust(&mut sheet, &view, moment);
+        thrust::plain(&mut sheet, &view, &moment.thrust_lines(), Pen::line(THRUST, THICK));
         for row in joints().filter(|row| of_span(row, span)) {
             states(&mut sheet, &view, row);
         }
@@ -107,15 +106,6 @@ fn stones(sheet: &mut Sheet, view: &View, passage: &Passage) {
     let edges: Vec<[usize; 2]> = scene::outlines(mesh).into_iter().filter(|edge| masonry(edge, &inside)).collect();
     scene::draw_outlines(sheet, view, &mesh.nodes, &edges, 0.4);
     sheet.polyline(&view.spots(&mesh.surface), Pen::line("#404040", MEDIUM).class("surface"));
-}
-
-fn thrust(sheet: &mut Sheet, view: &View, moment: &Moment) {
-    sheet.open("thrust-lines");
-    for line in moment.thrust_lines() {
-        let points: Vec<Point> = line.iter().map(|point| point.point).collect();
-        sheet.polyline(&view.spots(&points), Pen::line(THRUST, THICK).class("thrust"));
-    }
-    sheet.close();
 }
 
 /// Each point of a joint by its state; an open joint gapes towards its open face.

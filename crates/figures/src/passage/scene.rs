@@ -1,7 +1,7 @@
 //! What pictures of the bridge at one moment share: where it is drawn, its outlines, the axles above it.
 
 use crate::elevation::{INK, LOAD};
-use crate::geometry::{Extent, View};
+use crate::geometry::{Extent, View, sides};
 use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, Sheet, Spot, Style};
 use crate::words;
 use outcome::mesh::MeshPicture;
@@ -50,8 +50,7 @@ pub(super) fn outlines(mesh: &MeshPicture) -> Vec<[usize; 2]> {
     // The zone of the elements at each edge: inside where two of one zone share it.
     let mut edges: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
     for (quad, zone) in mesh.quads.iter().zip(&mesh.zone_of) {
-        for k in 0..4 {
-            let (a, b) = (quad[k], quad[(k + 1) % 4]);
+        for [a, b] in sides(quad) {
             edges.entry([a.min(b), a.max(b)]).or_default().push(*zone);
         }
     }

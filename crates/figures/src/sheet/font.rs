@@ -7,16 +7,6 @@ use ttf_parser::Face;
 /// What figures ask for; Verdana has nearly the same widths, where a viewer has no DejaVu.
 pub(crate) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
-/// Weight of a text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Weight {
-    /// Plain text.
-    #[default]
-    Regular,
-    /// Titles.
-    Bold,
-}
-
 /// The two font files, for the rasteriser.
 pub(crate) fn files() -> [&'static [u8]; 2] {
     [dejavu::sans::regular(), dejavu::sans::bold()]
@@ -33,10 +23,7 @@ static BOLD: LazyLock<Option<Face<'static>>> = LazyLock::new(|| Face::parse(deja
 impl Style {
     /// Width of a text, in the unit of its size. Kerning is left out: it would narrow a line by a few thousandths.
     pub(crate) fn width(&self, text: &str) -> f64 {
-        let face = match self.weight {
-            Weight::Regular => &REGULAR,
-            Weight::Bold => &BOLD,
-        };
+        let face = if self.bold { &BOLD } else { &REGULAR };
         let Some(face) = face.as_ref() else { return 0.7 * self.size * text.chars().count() as f64 };
         let em = f64::from(face.units_per_em());
         let advance = |c: char| {
@@ -83,7 +70,7 @@ mod tests {
     fn digits_are_equally_wide_and_bold_is_wider() {
         let plain = Style::default();
         assert_eq!(plain.width("11111"), plain.width("04826"));
-        assert!(Style { weight: Weight::Bold, ..plain }.width("springing") > plain.width("springing"));
+        assert!(Style { bold: true, ..plain }.width("springing") > plain.width("springing"));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! small arch cost (0.11 s of 0.30 s).
 
 use super::{Pen, Sheet, Spot};
+use crate::geometry::sides;
 
 /// Distance between two lines, across them, on the sheet.
 const SPACING: f64 = 7.0;
@@ -32,7 +33,7 @@ fn lines(points: &[Spot]) -> Vec<[Spot; 2]> {
     let mut found = Vec::new();
     for k in (low / step).ceil() as i64..=(high / step).floor() as i64 {
         let sum = k as f64 * step;
-        let mut crossings: Vec<f64> = edges(points)
+        let mut crossings: Vec<f64> = sides(points)
             .filter_map(|[a, b]| {
                 let (from, to) = (a[0] + a[1] - sum, b[0] + b[1] - sum);
                 ((from < 0.0) != (to < 0.0)).then(|| a[0] + (b[0] - a[0]) * from / (from - to))
@@ -47,10 +48,6 @@ fn lines(points: &[Spot]) -> Vec<[Spot; 2]> {
         }
     }
     found
-}
-
-fn edges(points: &[Spot]) -> impl Iterator<Item = [Spot; 2]> {
-    points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
 }
 
 #[cfg(test)]

@@ -9,7 +9,6 @@ mod many;
 pub(crate) mod place;
 
 use findings::visible::is_hidden;
-use font::Weight;
 use std::fmt::Write as _;
 
 /// Width of every sheet [0.2 mm].
@@ -57,14 +56,12 @@ impl Area {
     }
     /// The smallest rectangle around points.
     pub(crate) fn around(points: &[Spot]) -> Option<Area> {
-        let first = points.first()?;
-        let start = Area { left: first[0], right: first[0], top: first[1], bottom: first[1] };
-        Some(points.iter().fold(start, |a, p| Area {
-            left: a.left.min(p[0]),
-            right: a.right.max(p[0]),
-            top: a.top.min(p[1]),
-            bottom: a.bottom.max(p[1]),
-        }))
+        points.iter().map(|p| Area::about(*p, 0.0)).reduce(|a, p| Area {
+            left: a.left.min(p.left),
+            right: a.right.max(p.right),
+            top: a.top.min(p.top),
+            bottom: a.bottom.max(p.bottom),
+        })
     }
     /// A square around a spot, so far to each side.
     pub(crate) fn about(at: Spot, by: f64) -> Area {
@@ -157,7 +154,7 @@ impl Sheet {
     pub(crate) fn titled(name: &str, title: &str, second: &str) -> (Sheet, f64) {
         let mut sheet = Sheet::new(name);
         let limit = WIDTH - 2.0 * MARGIN;
-        let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
+        let bold = Style { size: TITLE, ..Style::bold() };
         let mut y = sheet.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
         if !second.is_empty() {
             y = sheet.paragraph(MARGIN, y, limit, second, Style { colour: GREY_TEXT, ..Style::default() });
@@ -272,7 +269,7 @@ impl Sheet {
             Anchor::Middle => self.body.push_str(" text-anchor=\"middle\""),
             Anchor::End => self.body.push_str(" text-anchor=\"end\""),
         }
-        if style.weight == Weight::Bold {
+        if style.bold {
             self.body.push_str(" font-weight=\"bold\"");
         }
         if style.halo {
@@ -350,7 +347,8 @@ pub(crate) const GREY_TEXT: &str = "#404040";
 pub(crate) struct Style {
     /// Font size.
     pub size: f64,
-    pub weight: Weight,
+    /// Whether it is a name or a title.
+    pub bold: bool,
     pub colour: &'static str,
     /// Which part of the text its point is.
     pub anchor: Anchor,
@@ -360,7 +358,7 @@ pub(crate) struct Style {
 
 impl Default for Style {
     fn default() -> Style {
-        Style { size: LABEL, weight: Weight::Regular, colour: "#111111", anchor: Anchor::Start, halo: false }
+        Style { size: LABEL, bold: false, colour: "#111111", anchor: Anchor::Start, halo: false }
     }
 }
 
@@ -375,7 +373,7 @@ impl Style {
     }
     /// A name.
     pub(crate) fn bold() -> Style {
-        Style { weight: Weight::Bold, ..Style::default() }
+        Style { bold: true, ..Style::default() }
     }
     /// A label set in a drawing.
     pub(crate) fn on_drawing() -> Style {

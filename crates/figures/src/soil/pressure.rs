@@ -54,7 +54,7 @@ pub fn soil_pressure(picture: &Picture) -> Option<String> {
     ];
     y = draw::key(&mut sheet, y + 2.0, &entries);
     let round = round_down(largest / 1e3);
-    y = scales(&mut sheet, y + 2.0, round, 1e3 * round * scale * view.scale());
+    y = scales(&mut sheet, y + 2.0, round, 1e3 * round * scale * view.scale);
     let mut caption = format!("Largest pressure: {} kPa.", words::three_digits(largest / 1e3));
     if shear > 0.0 {
         caption += &format!(
@@ -129,7 +129,7 @@ fn arrows(sheet: &mut Sheet, view: &View, sides: &[&SoilPressure]) {
             !follows(side, next) || a[0] * b[0] + a[1] * b[1] < 0.8
         });
         let whole: f64 = run.iter().map(|p| length(p)).sum();
-        if !turns && whole * view.scale() < APART {
+        if !turns && whole * view.scale < APART {
             continue;
         }
         let mean = |value: &dyn Fn(&SoilPressure) -> f64| run.iter().map(|p| length(p) * value(p)).sum::<f64>() / whole;

@@ -78,7 +78,7 @@ pub fn soil_stress(picture: &Picture) -> Option<String> {
     ];
     y = draw::key(&mut sheet, y + 2.0, &entries);
     y = lengths(&mut sheet, y + 2.0, largest, scale);
-    let side = words::metres(CELL / view.scale());
+    let side = words::metres(CELL / view.scale);
     let caption = format!(
         "Each cross stands for the mean stress of a square of {side}. The length of a stroke grows with the square root of the stress; the larger compression is the thicker stroke. Largest stress of a square: {} kPa.",
         words::three_digits(largest / 1e3)

@@ -1,6 +1,7 @@
 //! Bands of equal height on a grid, and the lines between them, each cell as four triangles about its middle. Written here because
 //! the crates at hand want even steps and a value everywhere: ranges may be logarithmic, and where a model failed there is a hole.
 
+use crate::geometry::sides;
 use crate::sheet::Spot;
 
 /// A grid of heights over places on the sheet.
@@ -51,8 +52,7 @@ impl Grid<'_> {
         let mut pieces = Vec::new();
         for triangle in self.triangles() {
             let mut ends = Vec::new();
-            for k in 0..3 {
-                let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
+            for [a, b] in sides(&triangle) {
                 // A corner on the level counts as above it, so that every line enters and leaves.
                 if (a.height < level) != (b.height < level) {
                     ends.push(between(a, b, (level - a.height) / (b.height - a.height)).at);
@@ -104,14 +104,13 @@ fn between(a: Corner, b: Corner, share: f64) -> Corner {
 /// The part of a convex polygon on which `inside` is not below zero.
 fn cut(polygon: &[Corner], inside: impl Fn(f64) -> f64) -> Vec<Corner> {
     let mut out = Vec::new();
-    for (k, a) in polygon.iter().enumerate() {
-        let b = &polygon[(k + 1) % polygon.len()];
+    for [a, b] in sides(polygon) {
         let (here, there) = (inside(a.height), inside(b.height));
         if here >= 0.0 {
-            out.push(*a);
+            out.push(a);
         }
         if (here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0) {
-            out.push(between(*a, *b, here / (here - there)));
+            out.push(between(a, b, here / (here - there)));
         }
     }
     out

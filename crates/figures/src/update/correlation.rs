@@ -28,7 +28,8 @@ pub(super) fn correlation(update: &Update) -> Option<String> {
     let what = "How the parameters go together in the posterior";
     let (mut sheet, top) = Sheet::titled("correlation", &update.bridge, &second_line(update, what));
     let clouds = n <= MOST_CLOUDS;
-    let left = MARGIN + names_width(parameters) + 8.0;
+    let names = parameters.iter().flat_map(|parameter| lines(parameter, WIDEST_NAME, 3));
+    let left = MARGIN + names.map(|line| Style::small().width(&line)).fold(40.0, f64::max) + 8.0;
     let side = ((WIDTH - MARGIN - left) / n as f64).min(150.0);
     let cell = |row: usize, column: usize| {
         let (x, y) = (left + side * column as f64, top + 6.0 + side * row as f64);
@@ -63,11 +64,6 @@ pub(super) fn correlation(update: &Update) -> Option<String> {
 }
 
 const WIDEST_NAME: f64 = 118.0;
-
-fn names_width(parameters: &[Parameter]) -> f64 {
-    let lines = parameters.iter().flat_map(|parameter| lines(parameter, WIDEST_NAME, 3));
-    lines.map(|line| Style::small().width(&line)).fold(40.0, f64::max)
-}
 
 /// Name of a parameter, of so many lines at most, and its unit.
 fn lines(parameter: &Parameter, limit: f64, most: usize) -> Vec<String> {

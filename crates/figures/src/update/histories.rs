@@ -1,7 +1,7 @@
 //! Measured and computed histories over one another, channel below channel (railway paper, Figs. 11 to 13).
 
 use super::style::{MEASURED, START, UPDATED};
-use super::words::{percent, second_line};
+use super::words::{second_line, signed};
 use crate::chart::{Axis, Chart, Entry, HEADING, Panel, ZERO};
 use crate::sheet::Pen;
 use crate::ticks::Ticks;
@@ -84,7 +84,7 @@ fn words(update: &Update, k: usize) -> String {
     let mut words = format!("peak of the record {} {}", three_digits(measured), channel.quantity.unit());
     for (name, peak) in [("start model", before), ("updated", after)] {
         let error = peak.map(|peak| (peak - measured) / measured).filter(|error| error.is_finite());
-        words += &error.map_or(String::new(), |error| format!("; {name} {}", percent(error)));
+        words += &error.map_or(String::new(), |error| format!("; {name} {} %", signed(100.0 * error, 1)));
     }
     words
 }

@@ -55,11 +55,6 @@ pub(super) fn errors_in(update: &Update) -> (f64, &'static str) {
     }
 }
 
-/// An error in per cent with its sign.
-pub(super) fn percent(error: f64) -> String {
-    format!("{} %", signed(100.0 * error, 1))
-}
-
 /// A number with its sign; what rounds to zero has none.
 pub(super) fn signed(value: f64, digits: usize) -> String {
     let text = format!("{value:+.digits$}");

@@ -13,12 +13,6 @@ impl CalibrationReport {
         CalibrationReport { bridge, plan, seeds: seeds.to_vec(), ..CalibrationReport::default() }
     }
 
-    /// Stopped by the onlooker.
-    pub fn cancelled(mut self) -> CalibrationReport {
-        self.verdict = Ended::Cancelled;
-        self
-    }
-
     /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
     pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
@@ -58,22 +52,6 @@ impl CalibrationReport {
         }
     }
 
-    /// The modulus that is compared with the wanted one.
-    pub fn compared(&self, measured: &Measured) -> Option<Spread> {
-        match self.plan.modulus {
-            Modulus::Tangent => measured.tangent,
-            Modulus::Secant => measured.secant,
-        }
-    }
-
-    /// The word for it.
-    pub fn matched(&self) -> &'static str {
-        match self.plan.modulus {
-            Modulus::Tangent => "tangent",
-            Modulus::Secant => "secant",
-        }
-    }
-
     /// What the result speaks of: the multiple that was found, or the stiffness of the file where nothing was looked for.
     pub fn shown(&self) -> Option<&Measured> {
         let of_file = || self.table.iter().find(|m| m.multiple == 1.0).filter(|_| self.plan.wanted_modulus.is_none());
@@ -92,7 +70,7 @@ impl CalibrationReport {
 
     /// The modulus that is compared, on other packings.
     pub(crate) fn checked(&self) -> Option<Spread> {
-        self.compared(&self.check.as_ref()?.measured)
+        self.check.as_ref()?.measured.compared(self.plan.modulus)
     }
 
     /// Everything that was measured.
@@ -115,7 +93,7 @@ impl CalibrationReport {
     /// the two rows of the table around it, in logarithms.
     pub fn multiple_error(&self) -> Option<f64> {
         let found = self.found.as_ref()?;
-        let spread = self.compared(found)?;
+        let spread = found.compared(self.plan.modulus)?;
         let mut rows: Vec<At> = self.table.iter().filter_map(|m| m.at(self.plan.modulus)).collect();
         rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
         let above = rows.iter().position(|at| at.multiple > found.multiple).unwrap_or(rows.len());
@@ -154,8 +132,15 @@ const CHECKED: f64 = 0.05;
 
 impl Measured {
     /// The modulus that is compared, where samples have one.
+    fn compared(&self, modulus: Modulus) -> Option<Spread> {
+        match modulus {
+            Modulus::Tangent => self.tangent,
+            Modulus::Secant => self.secant,
+        }
+    }
+
+    /// The same at its multiple.
     pub fn at(&self, modulus: Modulus) -> Option<At> {
-        let spread = if modulus == Modulus::Tangent { self.tangent } else { self.secant };
-        spread.map(|spread| At { multiple: self.multiple, modulus: spread.mean })
+        self.compared(modulus).map(|spread| At { multiple: self.multiple, modulus: spread.mean })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::objects::{Object, list, object};
 use super::rows::{Quoted, row};
-use crate::checked::{Checked, governing};
+use crate::checked::{self, Checked};
 use crate::note::{self, Note};
 use crate::statics::Statics;
 use crate::warning::Warning;
@@ -23,9 +23,7 @@ pub(crate) fn not_made(checked: &[Checked]) -> Vec<Object> {
 
 /// The comparison that governs.
 pub(crate) fn worst(checked: &[Checked]) -> Option<Object> {
-    let (check, finding) = governing(checked)?;
-    let check = &checked[check];
-    let finding = check.outcome.as_ref().ok()?.get(finding)?;
+    let (check, finding) = checked::worst(checked)?;
     Some(object! {
         code: check.code,
         title: check.title,

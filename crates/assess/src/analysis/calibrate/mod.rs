@@ -23,6 +23,7 @@ use crowd::Crowd;
 use halt::Halt;
 use mechanics::watch::Watch;
 use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, TargetStrength};
+use outcome::sweep::Ended;
 use press::Rig;
 use sample::Sample;
 use search::{Found, search};
@@ -44,7 +45,7 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     let mut report = CalibrationReport::blank(&bridge, &seeds);
     match calibrated(&bridge, particles, &mut report, watch) {
         Ok(()) => Ok(report),
-        Err(Halt::Stopped) => Ok(report.cancelled()),
+        Err(Halt::Stopped) => Ok(CalibrationReport { verdict: Ended::Cancelled, ..report }),
         Err(Halt::Failed(error)) => Err(error),
     }
 }

@@ -13,7 +13,6 @@ use crate::results::{self, Written};
 use crate::shards::{self, Merged};
 use crate::signs;
 use crate::status::Status;
-use crate::summary;
 use crate::watcher;
 use ::report::FleetRow;
 use extrados::shard::Shard;
@@ -237,7 +236,7 @@ fn judged(
     )?;
     let assessment = &done.assessment;
     let verdict = &assessment.verdict;
-    let worst = summary::governs(assessment);
+    let worst = ::outcome::checked::worst(&assessment.checked);
     let all = assessment.checked.iter().flat_map(|check| check.outcome.iter().flatten());
     Ok(Some(FleetRow {
         name: assessment.bridge.clone(),
