@@ -89,7 +89,7 @@ pub(crate) fn columns(
     own: &dyn Fn(&Response) -> Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, Halt> {
     let problem = evaluator.problem;
-    if evaluator.has_sensitivities(&basis.samples) {
+    if evaluator.forward.has_sensitivities(&basis.samples) {
         let response = answer(evaluator, point, &basis.request(true))?;
         return Ok(by_shares(problem.parameters(), at, own(&response)));
     }

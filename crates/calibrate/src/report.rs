@@ -88,6 +88,6 @@ pub fn verify(
         norm_in_search,
         channels: fit.channels.iter().zip(shapes).map(channel).collect(),
         wandered: strays.into_iter().map(|k| problem.channels()[k].name.clone()).collect(),
-        evaluations: evaluator.done(),
+        evaluations: evaluator.done,
     })
 }

@@ -240,7 +240,7 @@ impl Run {
             effective_samples: mixing.iter().map(|m| m.effective_samples).fold(f64::INFINITY, f64::min),
             r_hat: mixing.iter().map(|m| m.r_hat).fold(1.0, f64::max),
             steps: self.ensembles.iter().map(|ensemble| ensemble.steps).min().unwrap_or(0),
-            evaluations: evaluator.done(),
+            evaluations: evaluator.done,
             samples: points.iter().step_by(stride).cloned().collect(),
             words: Vec::new(),
             parameters: marginals,

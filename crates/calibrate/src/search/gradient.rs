@@ -57,7 +57,7 @@ impl Sought<'_, '_> {
     fn residuals(&self, shares: &[f64]) -> Result<Option<Vec<f64>>, Stopped> {
         let mut evaluator = self.evaluator.borrow_mut();
         let point = values(evaluator.problem.parameters(), shares);
-        let request = self.basis.request(evaluator.has_sensitivities(&self.basis.samples));
+        let request = self.basis.request(evaluator.forward.has_sensitivities(&self.basis.samples));
         let found = unless_failed(answer(&mut evaluator, &point, &request))?;
         Ok(found.map(|response| residuals(evaluator.problem, &self.basis.held, &response)))
     }

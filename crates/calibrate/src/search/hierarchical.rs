@@ -156,9 +156,8 @@ impl<'e, 'a> Run<'e, 'a> {
     fn vary_pair(&mut self, number: usize, primary: usize, secondary: usize) -> Result<Option<usize>, Halt> {
         let names = [primary, secondary].map(|parameter| self.ranges[parameter].name.clone());
         self.evaluator.stage(format!("pass {number}: {} with {}", names[0], names[1]));
-        let (count, trough) = (self.settings.points, self.settings.trough);
-        let pair = [primary, secondary];
-        let surface = surface(self.evaluator, &self.basis, (&self.ranges, &self.model), pair, count, &trough)?;
+        let (pair, about) = ([primary, secondary], (&self.ranges[..], &self.model[..]));
+        let surface = surface(self.evaluator, &self.basis, about, pair, self.settings.points)?;
         let Some(surface) = surface else {
             let message = format!("the model fails on the whole surface of {} and {}", names[0], names[1]);
             return Err(Halt::Failed(Failure::new("no-surface", message)));
@@ -226,8 +225,7 @@ impl<'e, 'a> Run<'e, 'a> {
     }
 
     fn sweep(&mut self, parameters: &[usize]) -> Result<Vec<Sweep>, Halt> {
-        let (count, trough) = (self.settings.points, self.settings.trough);
-        sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, count, &trough)
+        sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, self.settings.points)
     }
 
     /// Looks for the peaks' places anew, by a full passage of the model at hand; where that passage fails, the places
