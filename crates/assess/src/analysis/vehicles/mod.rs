@@ -33,7 +33,7 @@ mod weights;
 pub use across::ROAD_LANE;
 pub(super) use braking::worst_of;
 pub(super) use driven::Asked;
-pub use driven::Driven;
+pub use driven::{Carried, Driven};
 pub(super) use standing::Standing;
 
 use super::parallel::portion;
