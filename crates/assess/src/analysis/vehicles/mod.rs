@@ -17,7 +17,7 @@ mod driven;
 mod factored;
 mod limits;
 #[cfg(test)]
-mod screened;
+mod screened_tests;
 mod search;
 mod seeds;
 #[cfg(test)]
