@@ -65,9 +65,7 @@ pub(crate) fn outside<'a>(envelopes: impl Iterator<Item = &'a SectionEnvelope>) 
     note::Moving::Sections { outside: all.iter().filter(|extreme| extreme.outside).count(), of: all.len() }
 }
 
-const OF: [Of; 5] = [Of::LargestThrust, Of::SmallestThrust, Of::OutermostThrust, Of::InnermostThrust, Of::LargestShear];
-
-/// The size by which extremes are compared, in the order of [`OF`].
+/// The size by which extremes are compared, in the order of [`Of`].
 fn sizes(s: &Section) -> [f64; 5] {
     [s.compression, -s.compression, s.eccentricity, -s.eccentricity, s.shear.abs()]
 }
@@ -123,7 +121,7 @@ impl Extremes {
 
     pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&Key) -> Case) -> Vec<SectionEnvelope> {
         let each = watched.iter().zip(self.rows).map(|((_, envelope), row)| {
-            let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {
+            let told = Of::ALL.iter().zip(row).filter_map(|(&of, kept)| {
                 let (_, s, key) = kept?;
                 let (thrust, eccentricity, shear) = (s.compression, s.eccentricity, s.shear);
                 let outside = eccentricity.abs() > 0.5 * envelope.depth * (1.0 + ROUNDING);
