@@ -27,7 +27,6 @@ mod standing;
 pub(crate) mod tests;
 mod told;
 mod traffic;
-mod twins;
 mod weights;
 
 pub use across::ROAD_LANE;
@@ -141,9 +140,8 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k], &case);
-        let run = alone(bridge, &one, found.vehicles[k].is_deformable_governing(), watch)?;
+        let mut run = alone(bridge, &one, found.vehicles[k].is_deformable_governing(), watch)?;
         let capacity = found.rule.capacity_factor();
-        let mut run = run;
         match run.status {
             Status::Cancelled => {
                 let least = found.vehicles[k].factor();
