@@ -39,7 +39,7 @@ impl Basis {
     /// # Errors
     /// A stop by the onlooker, a start model without an answer, or one whose norm is no finite number.
     pub fn at(evaluator: &mut Evaluator, start: &[f64]) -> Result<Self, Halt> {
-        evaluator.stage("start model");
+        evaluator.stage = "start model".into();
         let response = full_passage(evaluator, start)?;
         let held = misfit::hold(evaluator.problem, &response);
         let fit = misfit::fit(evaluator.problem, &held, &response);

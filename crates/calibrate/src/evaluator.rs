@@ -19,7 +19,8 @@ pub struct Evaluator<'a> {
     /// All that is known.
     pub log: Log,
     keeps: bool,
-    stage: String,
+    /// What is being done now.
+    pub(crate) stage: String,
     /// Evaluations of the search at hand, each point once, those that the log knew included.
     pub done: usize,
     /// Evaluations that the model really did since this door was opened.
@@ -59,11 +60,6 @@ impl<'a> Evaluator<'a> {
     pub(crate) fn begin(&mut self, planned: Option<usize>) {
         (self.done, self.planned) = (0, planned);
         self.log.begin_search();
-    }
-
-    /// What is being done now.
-    pub(crate) fn stage(&mut self, stage: impl Into<String>) {
-        self.stage = stage.into();
     }
 
     /// Answers at many points, in their order. What the log knows is not evaluated again.

@@ -66,7 +66,7 @@ pub fn verify(
     norm_in_search: f64,
     converged: &[bool],
 ) -> Result<Found, Halt> {
-    evaluator.stage("full passage of what was found");
+    evaluator.stage = "full passage of what was found".into();
     let response = full_passage(evaluator, point)?;
     let problem = evaluator.problem;
     let fit = misfit::fit(problem, &basis.held, &response);

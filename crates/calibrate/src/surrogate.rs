@@ -91,7 +91,7 @@ pub fn build(
     seed: u64,
 ) -> Result<Surrogate, Halt> {
     evaluator.begin(Some(fitted + held_out));
-    evaluator.stage("points of the surrogate");
+    evaluator.stage = "points of the surrogate".into();
     let problem = evaluator.problem;
     let n = problem.parameters().len();
     let mut rng = ChaCha8Rng::seed_from_u64(seed);

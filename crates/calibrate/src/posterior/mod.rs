@@ -178,7 +178,7 @@ impl Run {
         loop {
             more = more.min(settings.steps.max(50) - steps);
             for (ensemble, rng) in self.ensembles.iter_mut().zip(&mut rngs) {
-                target.evaluator.stage(format!("walkers, step {steps}"));
+                target.evaluator.stage = format!("walkers, step {steps}");
                 ensemble.walk(target, rng, more)?;
             }
             steps += more;

@@ -23,7 +23,7 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, start: Start, iterations
 
 fn run(evaluator: &mut Evaluator, basis: &Basis, start: Start, iterations: u64) -> Result<Outcome, Halt> {
     evaluator.begin(None);
-    evaluator.stage("gradient search");
+    evaluator.stage = "gradient search".into();
     let parameters = evaluator.problem.parameters();
     let begin = shares(parameters, &start.point(parameters));
     let solver = Lbfgsb::<Vec<f64>>::new().with_absolute_projected_gradient_tolerance(1e-7);

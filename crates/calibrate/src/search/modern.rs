@@ -121,7 +121,7 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> 
 
 fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &mut Outcome) -> Result<(), Halt> {
     evaluator.begin(None);
-    evaluator.stage("trust region, all starts");
+    evaluator.stage = "trust region, all starts".into();
     let starts = starts(evaluator, settings);
     let slices = basis.samples != Samples::All;
     let searched = basis.corrected(evaluator, &starts[0])?;

@@ -29,7 +29,7 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, seed: u64, generations: 
 
 fn run(evaluator: &mut Evaluator, basis: &Basis, seed: u64, generations: u64) -> Result<Outcome, Halt> {
     evaluator.begin(usize::try_from(generations).ok().map(|g| g.saturating_mul(POPULATION + 1)));
-    evaluator.stage("evolution");
+    evaluator.stage = "evolution".into();
     let parameters = evaluator.problem.parameters();
     let costs = Costs::default();
     let mut all_used = BTreeSet::new();
