@@ -23,23 +23,12 @@ pub struct Coverage {
     pub level: Option<String>,
     /// Codes of load cases that apply and were left out.
     pub left_out: Vec<String>,
-    /// Factors as they act, each with how sure it is.
-    pub factors: Vec<Acted>,
+    /// Factors that act on this bridge and that nobody read in their source, each with its value.
+    pub to_confirm: Vec<String>,
     /// Vehicles whose live loads act without safety, and the factor.
     pub without_safety: Vec<(String, f64)>,
     /// What the rule asks of the file and does not find there, each as what and what to write.
     pub lacks: Vec<[String; 2]>,
-}
-
-/// A factor as it acts.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Acted {
-    /// Its name, and for which loads.
-    pub name: String,
-    /// Its value, in words.
-    pub value: String,
-    /// How sure it is.
-    pub confidence: Confidence,
 }
 
 /// The coverage of a file with a `[sweep]` that can be read.
@@ -54,7 +43,7 @@ pub fn of(a: &Evidence) -> Option<Coverage> {
         model: rule.factors.model.value,
         level: level(&vehicles),
         left_out: left_out(&a.bridge, plan, &rule, &vehicles),
-        factors: factors(&rule, &vehicles),
+        to_confirm: to_confirm(&a.bridge, &rule, &vehicles),
         without_safety: without_safety(&vehicles),
         lacks: lacks(a, plan),
     })
@@ -123,27 +112,34 @@ fn is_normal(model: &LoadModel) -> bool {
     !model.loading.is_empty() || !model.grades.is_empty()
 }
 
-/// The rule's factors, and those on the loads of its vehicles.
-fn factors(rule: &Rule, vehicles: &[Chosen]) -> Vec<Acted> {
-    let of = |name: String, factor: &Factor| Acted {
-        name,
-        value: factor.value.to_string(),
-        confidence: factor.source.confidence,
+/// Of the rule's factors and those on the loads of its vehicles those that act and that nobody read in their source.
+fn to_confirm(bridge: &Bridge, rule: &Rule, vehicles: &[Chosen]) -> Vec<String> {
+    let masonry = [&bridge.joint, &bridge.ring_joint];
+    let acts = |name: &str| match name {
+        "live load" => false,
+        "cohesion and tension of joints" => {
+            masonry.iter().any(|joint| joint.cohesion > 0.0 || joint.tensile_strength > 0.0)
+        }
+        "fill pressure" => bridge.fill_pressure.is_some_and(|fill| fill.applies),
+        "strength of masonry" => bridge.masonry.compressive_strength.is_some(),
+        _ => true,
     };
-    let listed = rule.listed().into_iter().filter(|(name, _)| *name != "live load");
-    let mut list: Vec<Acted> = listed.map(|(name, factor)| of(name.to_owned(), factor)).collect();
+    let listed = rule.listed().into_iter().filter(|(name, _)| acts(name));
+    let of_rule = |(name, factor): (&str, &Factor)| (format!("{name} {}", factor.value), factor.source.confidence);
+    let mut list: Vec<(String, Confidence)> = listed.map(of_rule).collect();
     for one in vehicles {
         let Acting { live_load, impact, .. } = &one.acting;
-        let surest = impact.sources().iter().map(|source| source.confidence).max();
-        let confidence = surest.unwrap_or(Confidence::Assumed);
-        let impact = Acted { name: format!("impact on {}", one.model), value: impact.told(), confidence };
-        for factor in [of(format!("live load of {}", one.model), live_load), impact] {
+        let live = format!("live load of {} {}", one.model, live_load.value);
+        let surest = impact.sources().iter().map(|source| source.confidence).max().unwrap_or(Confidence::Assumed);
+        let impact = format!("impact on {} {}", one.model, impact.told());
+        for factor in [(live, live_load.source.confidence), (impact, surest)] {
             if !list.contains(&factor) {
                 list.push(factor);
             }
         }
     }
-    list
+    let open = |confidence| matches!(confidence, Confidence::Recalled | Confidence::Assumed);
+    list.into_iter().filter(|(_, confidence)| open(*confidence)).map(|(told, _)| told).collect()
 }
 
 /// Vehicles on which no factor above 1 with a source acts.

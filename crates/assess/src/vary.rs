@@ -5,8 +5,6 @@ use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::published;
 use outcome::study::{CARRIED, Command, Outcome, Study};
-use outcome::sweep::Sweep;
-use outcome::vehicles::VehicleSweep;
 use outcome::warning::Warning;
 use structure::discretise::bridge_length;
 
@@ -65,44 +63,40 @@ fn sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisErro
     // A second opinion on one position is for one bridge.
     let plan = bridge::SweepPlan { discrete_elements: false, ..plan.clone() };
     let bridge = Bridge { sweep: Some(plan), ..bridge.clone() };
-    Ok(of_vehicles(&analysis::vehicle_sweep(&bridge, watch)?))
-}
-
-fn loads(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
-    let step = bridge_length(bridge) / STEPS;
-    Ok(of_loads(&analysis::sweep(bridge, Places::Every(step), true, watch)?))
+    let found = analysis::vehicle_sweep(&bridge, watch)?;
+    let governing = found.governing.and_then(|k| found.vehicles.get(k));
+    let bound = |k: usize| governing.and_then(|v| v.bounds).map(|bounds| bounds[k]);
+    let numbers = [
+        ("adequacy_factor", governing.and_then(|v| v.adequacy)),
+        ("adequacy_lower_bound", bound(0)),
+        ("adequacy_upper_bound", bound(1)),
+        ("governing_position_m", governing.and_then(|v| v.case.as_ref()).map(|case| case.position)),
+    ];
+    let each = found.vehicles.iter().map(|v| (format!("adequacy_factor_of_{}", v.code), v.adequacy));
+    let numbers = numbers.into_iter().map(|(name, number)| (name.to_owned(), number)).chain(each);
+    Ok(outcome(found.status().word(), finite(numbers), &found.warnings))
 }
 
 /// Steps over the bridge of a sweep of the file's loads, as `collapse --sweep` has them.
 const STEPS: f64 = 100.0;
 
-fn of_vehicles(found: &VehicleSweep) -> Outcome {
-    let mut numbers = Vec::new();
-    let mut put = |name: String, number: Option<f64>| {
-        numbers.extend(number.filter(|number| number.is_finite()).map(|number| (name, number)));
-    };
-    let governing = found.governing.and_then(|k| found.vehicles.get(k));
-    put("adequacy_factor".into(), governing.and_then(|v| v.adequacy));
-    put("adequacy_lower_bound".into(), governing.and_then(|v| v.bounds).map(|bounds| bounds[0]));
-    put("adequacy_upper_bound".into(), governing.and_then(|v| v.bounds).map(|bounds| bounds[1]));
-    put("governing_position_m".into(), governing.and_then(|v| v.case.as_ref()).map(|case| case.position));
-    for vehicle in &found.vehicles {
-        put(format!("adequacy_factor_of_{}", vehicle.code), vehicle.adequacy);
-    }
-    outcome(found.status().word(), numbers, &found.warnings)
-}
-
-fn of_loads(found: &Sweep) -> Outcome {
+fn loads(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
+    let found = analysis::sweep(bridge, Places::Every(bridge_length(bridge) / STEPS), true, watch)?;
     let governing = found.governing.and_then(|k| found.points.get(k));
+    let load = governing.and_then(|point| point.collapse_load).map(|load| load / 1e3);
     let numbers = [
         ("load_factor", governing.and_then(|point| point.load_factor)),
-        ("last_stable_load_kn_per_m", governing.and_then(|point| point.collapse_load).map(|load| load / 1e3)),
-        ("collapse_load_kn_per_m", governing.and_then(|point| point.collapse_load).map(|load| load / 1e3)),
+        ("last_stable_load_kn_per_m", load),
+        ("collapse_load_kn_per_m", load),
         ("governing_position_m", governing.map(|point| point.position)),
     ];
-    let numbers = numbers.into_iter().filter_map(|(name, number)| Some((name.to_owned(), number?)));
-    let numbers = numbers.filter(|(_, number)| number.is_finite()).collect();
-    outcome(found.ended().word(), numbers, &found.warnings)
+    let numbers = numbers.into_iter().map(|(name, number)| (name.to_owned(), number));
+    Ok(outcome(found.ended().word(), finite(numbers), &found.warnings))
+}
+
+/// Numbers that there are.
+fn finite(numbers: impl Iterator<Item = (String, Option<f64>)>) -> Vec<(String, f64)> {
+    numbers.filter_map(|(name, number)| Some((name, number.filter(|number| number.is_finite())?))).collect()
 }
 
 /// Numbers that only a sweep finds.

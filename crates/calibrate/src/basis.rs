@@ -39,7 +39,7 @@ impl Basis {
     /// # Errors
     /// A stop by the onlooker, a start model without an answer, or one whose norm is no finite number.
     pub fn at(evaluator: &mut Evaluator, start: &[f64]) -> Result<Self, Halt> {
-        evaluator.stage("start model");
+        evaluator.stage = "start model".into();
         let response = full_passage(evaluator, start)?;
         let held = misfit::hold(evaluator.problem, &response);
         let fit = misfit::fit(evaluator.problem, &held, &response);
@@ -74,7 +74,7 @@ impl Basis {
         }
         let full = full_passage(evaluator, point)?;
         let mut basis = Self { samples: samples(evaluator, &full), ..self.clone() };
-        let request = basis.request(evaluator.has_sensitivities(&basis.samples));
+        let request = basis.request(evaluator.forward.has_sensitivities(&basis.samples));
         let slices = answer(evaluator, point, &request)?;
         let problem = evaluator.problem;
         let peak = |channel: usize, values: &[f64]| misfit::peak_place(problem, channel, values).map(|at| values[at]);
@@ -127,7 +127,7 @@ fn samples(evaluator: &Evaluator, response: &Response) -> Samples {
     }
     let neighbours = |(channel, values): (usize, &Vec<f64>)| {
         let place = misfit::peak_place(evaluator.problem, channel, values);
-        let last = evaluator.length(channel).saturating_sub(1);
+        let last = evaluator.forward.length(channel).saturating_sub(1);
         place.map_or_else(Vec::new, |place| (place.saturating_sub(1)..=(place + 1).min(last)).collect())
     };
     Samples::At(response.values.iter().enumerate().map(neighbours).collect())

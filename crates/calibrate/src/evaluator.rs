@@ -12,14 +12,19 @@ use crate::watch::{Progress, Stopped, Watch};
 pub struct Evaluator<'a> {
     /// What is fitted to what.
     pub problem: &'a Problem,
-    forward: &'a dyn Forward,
+    pub(crate) forward: &'a dyn Forward,
     map: &'a dyn Map,
-    watch: &'a mut dyn Watch,
-    log: Log,
+    /// Who looks on.
+    pub watch: &'a mut dyn Watch,
+    /// All that is known.
+    pub log: Log,
     keeps: bool,
-    stage: String,
-    done: usize,
-    computed: usize,
+    /// What is being done now.
+    pub(crate) stage: String,
+    /// Evaluations of the search at hand, each point once, those that the log knew included.
+    pub done: usize,
+    /// Evaluations that the model really did since this door was opened.
+    pub computed: usize,
     planned: Option<usize>,
 }
 
@@ -51,48 +56,10 @@ impl<'a> Evaluator<'a> {
         Self { keeps: false, ..Self::new(problem, forward, map, watch, Log::new("")) }
     }
 
-    /// Evaluations of the search at hand, each point once, those that the log knew included.
-    pub fn done(&self) -> usize {
-        self.done
-    }
-
-    /// Evaluations that the model really did since this door was opened.
-    pub fn computed(&self) -> usize {
-        self.computed
-    }
-
-    /// Who looks on, for a second door: a sampler's on a surrogate.
-    pub fn onlooker(&mut self) -> &mut (dyn Watch + 'a) {
-        self.watch
-    }
-
-    /// The log as it stands.
-    pub fn log(&self) -> &Log {
-        &self.log
-    }
-
-    /// Gives the log back.
-    pub fn into_log(self) -> Log {
-        self.log
-    }
-
     /// A search begins, with so many evaluations planned at the most.
     pub(crate) fn begin(&mut self, planned: Option<usize>) {
         (self.done, self.planned) = (0, planned);
         self.log.begin_search();
-    }
-
-    /// What is being done now.
-    pub(crate) fn stage(&mut self, stage: impl Into<String>) {
-        self.stage = stage.into();
-    }
-
-    pub(crate) fn has_sensitivities(&self, samples: &Samples) -> bool {
-        self.forward.has_sensitivities(samples)
-    }
-
-    pub(crate) fn length(&self, channel: usize) -> usize {
-        self.forward.length(channel)
     }
 
     /// Answers at many points, in their order. What the log knows is not evaluated again.

@@ -55,7 +55,7 @@ const SETS: usize = 10;
 /// # Errors
 /// A stop by the onlooker, or a model without an answer at the point or beside it.
 pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f64) -> Result<Identifiability, Halt> {
-    evaluator.stage("sensitivities");
+    evaluator.stage = "sensitivities".into();
     let sensitivities = sensitivities(evaluator, basis, point, step)?;
     let names: Vec<String> = evaluator.problem.parameters().iter().map(|p| p.name.clone()).collect();
     let at_bound: Vec<bool> = evaluator.problem.parameters().iter().zip(point).map(|(p, v)| p.at_bound(*v)).collect();
@@ -89,7 +89,7 @@ pub(crate) fn columns(
     own: &dyn Fn(&Response) -> Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, Halt> {
     let problem = evaluator.problem;
-    if evaluator.has_sensitivities(&basis.samples) {
+    if evaluator.forward.has_sensitivities(&basis.samples) {
         let response = answer(evaluator, point, &basis.request(true))?;
         return Ok(by_shares(problem.parameters(), at, own(&response)));
     }

@@ -66,7 +66,7 @@ pub fn verify(
     norm_in_search: f64,
     converged: &[bool],
 ) -> Result<Found, Halt> {
-    evaluator.stage("full passage of what was found");
+    evaluator.stage = "full passage of what was found".into();
     let response = full_passage(evaluator, point)?;
     let problem = evaluator.problem;
     let fit = misfit::fit(problem, &basis.held, &response);
@@ -88,6 +88,6 @@ pub fn verify(
         norm_in_search,
         channels: fit.channels.iter().zip(shapes).map(channel).collect(),
         wandered: strays.into_iter().map(|k| problem.channels()[k].name.clone()).collect(),
-        evaluations: evaluator.done(),
+        evaluations: evaluator.done,
     })
 }

@@ -17,23 +17,6 @@ use crate::parameter::{Parameter, shares, values};
 use crate::posterior::draw::latin_hypercube;
 use crate::problem::Problem;
 
-/// What it may cost.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Settings {
-    /// Points that the polynomial is fitted to.
-    pub training: usize,
-    /// Points that it never sees and is judged by.
-    pub held_out: usize,
-    /// Seed of the places of the points.
-    pub seed: u64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { training: 300, held_out: 40, seed: 1 }
-    }
-}
-
 /// Highest total degree that is tried.
 const DEGREE: usize = 4;
 
@@ -97,17 +80,22 @@ impl Surrogate {
     }
 }
 
-/// Fits polynomials of rising degree and keeps the one with the least error at held-out points.
+/// Fits polynomials of rising degree to so many points, placed by a seed, and keeps the one with the least error at others that were held out.
 ///
 /// # Errors
 /// A stop by the onlooker, or a model that answers at too few of the points.
-pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Surrogate, Halt> {
-    evaluator.begin(Some(settings.training + settings.held_out));
-    evaluator.stage("points of the surrogate");
+pub fn build(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    [fitted, held_out]: [usize; 2],
+    seed: u64,
+) -> Result<Surrogate, Halt> {
+    evaluator.begin(Some(fitted + held_out));
+    evaluator.stage = "points of the surrogate".into();
     let problem = evaluator.problem;
     let n = problem.parameters().len();
-    let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
-    let drawn = [settings.training.max(2 * n + 2), settings.held_out.max(2)].map(|k| latin_hypercube(&mut rng, k, n));
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let drawn = [fitted.max(2 * n + 2), held_out.max(2)].map(|k| latin_hypercube(&mut rng, k, n));
     let by_logarithm = |own: Parameter| if own.lower > 0.0 { own.logarithmic() } else { own };
     let parameters: Vec<Parameter> = problem.parameters().iter().cloned().map(by_logarithm).collect();
     let points: Vec<Vec<f64>> = drawn.concat().iter().map(|z| values(&parameters, z)).collect();
@@ -122,7 +110,7 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
         let message = format!("the model answers at {} of {} points, too few", training.len(), first);
         return Err(Halt::Failed(Failure::new("no-surrogate", message)));
     }
-    let lengths: Vec<usize> = (0..problem.channels().len()).map(|k| evaluator.length(k)).collect();
+    let lengths: Vec<usize> = (0..problem.channels().len()).map(|k| evaluator.forward.length(k)).collect();
     let mut best: Option<Surrogate> = None;
     for degree in 1..=DEGREE {
         let exponents = exponents(n, degree);

@@ -41,7 +41,7 @@ impl Passing {
 
     /// Time since the train started [s] and place of its first axle [m] at the position that was reached last.
     pub fn place(&self) -> Option<(f64, f64)> {
-        let last = self.run.done().checked_sub(1)?;
+        let last = self.run.done.checked_sub(1)?;
         Some((self.setup().times[last], self.setup().positions[last]))
     }
 
@@ -65,7 +65,7 @@ impl Passing {
 
     /// How many positions are done.
     pub fn done(&self) -> usize {
-        self.run.done()
+        self.run.done
     }
 
     /// Where each sensor reads, as built [m]: the middle of the nodes or of the element that it reads; none where it reads nothing.

@@ -40,7 +40,7 @@ fn equilibrium_path(bencher: Bencher<'_, '_>) {
 
 #[divan::bench(sample_count = 3)]
 fn discrete_elements(bencher: Bencher<'_, '_>) {
-    measured(bencher, BRIDGEMILL, kernels::discrete_elements);
+    measured(bencher, BRIDGEMILL, |bridge| kernels::discrete_elements(bridge, None));
 }
 
 /// A bridge of the examples, the forces of its loads, and what carries them.

@@ -5,6 +5,7 @@
 //! any direction, walls and rings by rule, supports that hold some motions only, and densities next to zero, all of which
 //! benchmarks need and which a survey never has.
 
+use assess::analysis::engine::{self, rigid};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
 use mechanics::dem;
 use mechanics::ids::{BlockId, GroupId, Id, Table};
@@ -242,16 +243,9 @@ impl Blocks {
             ..limit::Settings::default()
         };
         let o = limit::collapse_load(model, loading, &settings).map_err(|e| e.to_string())?;
-        let status = match o.status {
-            limit::Status::Solved => "collapsed",
-            limit::Status::Locks => "locks",
-            limit::Status::NoEquilibrium => "unstable-under-self-weight",
-            limit::Status::NotConverged => "not-converged",
-            limit::Status::Cancelled => "cancelled",
-        };
         let (hinges, sliding) = o.mechanism.as_ref().map_or((0, 0), |m| (m.hinges.len(), m.sliding.len()));
         Ok(serde_json::json!({
-            "status": status,
+            "status": rigid::status(o.status).word(),
             "load_factor": o.factor,
             "associated_factor": o.associated_factor,
             "spread_factor": o.spread,
@@ -286,7 +280,7 @@ impl Blocks {
         };
         let mut watch = mechanics::watch::Unwatched;
         let o = dem::collapse(model, loading, &program, &settings, None, &mut watch).map_err(|e| e.to_string())?;
-        let (status, _) = assess::analysis::engine::dem::ended(o.status);
+        let (status, _) = engine::dem::ended(o.status);
         Ok(serde_json::json!({
             "status": status.word(),
             "last_stable_factor": o.last_stable_factor,

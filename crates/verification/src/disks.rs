@@ -1,14 +1,13 @@
 //! Dense discs in a closed box near rest: the work on which programs for particles are compared.
 
-use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, ModelError, Particle, Stiffness};
+use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, Particle, Stiffness};
 use mechanics::dem::{
     ContactLength, Damping, Grain, Model, PackingError, Recipe, Settings, State, Target, Workspace, begin, frame, pack,
     step,
 };
 use mechanics::ids::{GroupId, Table};
-use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
+use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::{Progress, Watch, Wish};
-use thiserror::Error;
 
 /// Radii are spread evenly between these [m].
 const RADII: (f64, f64) = (0.06, 0.09);
@@ -43,20 +42,6 @@ pub struct Disks {
     pub side: f64,
 }
 
-/// Why there is no box.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum DisksError {
-    /// The discs could not be packed.
-    #[error(transparent)]
-    Packing(#[from] PackingError),
-    /// The box makes no model.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// The walls make no polygons.
-    #[error(transparent)]
-    Wall(#[from] PolygonError),
-}
-
 /// What the contacts of a box amount to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touching {
@@ -83,13 +68,13 @@ pub fn settings() -> Settings {
 ///
 /// # Errors
 /// Discs that cannot be packed, or a stop by the onlooker.
-pub fn disks(count: usize, watch: &mut dyn Watch) -> Result<Disks, DisksError> {
+pub fn disks(count: usize, watch: &mut dyn Watch) -> Result<Disks, PackingError> {
     let tiles = tiles_along(count);
     let in_tile = count.div_ceil(tiles * tiles);
     let side = side(in_tile);
     let grains = packed(in_tile, side, watch)?;
     let whole = tiles as f64 * side;
-    let mut model = empty(whole)?;
+    let mut model = empty(count, whole)?;
     model.particles = tiled(&grains, tiles, side)
         .take(count)
         .map(|g| Particle { centre: g.centre, radius: g.radius, density: DENSITY, group: GroupId(1) })
@@ -110,7 +95,7 @@ fn side(count: usize) -> f64 {
     (count as f64 * std::f64::consts::PI * mean_square / SOLID_FRACTION).sqrt()
 }
 
-fn packed(count: usize, side: f64, watch: &mut dyn Watch) -> Result<Vec<Grain>, DisksError> {
+fn packed(count: usize, side: f64, watch: &mut dyn Watch) -> Result<Vec<Grain>, PackingError> {
     let region = [vec2(0.0, 0.0), vec2(side, 0.0), vec2(side, side), vec2(0.0, side)];
     let recipe = Recipe {
         count,
@@ -120,7 +105,7 @@ fn packed(count: usize, side: f64, watch: &mut dyn Watch) -> Result<Vec<Grain>, 
         density: DENSITY,
         group: GroupId(1),
     };
-    Ok(pack(&empty(side)?, &region, &recipe, watch)?.grains)
+    Ok(pack(&empty(count, side)?, &region, &recipe, watch)?.grains)
 }
 
 /// The packing in the first tile, its mirror images in the others.
@@ -132,8 +117,8 @@ fn tiled(grains: &[Grain], tiles: usize, side: f64) -> impl Iterator<Item = Grai
     })
 }
 
-/// Four walls around a square of `side` [m].
-fn empty(side: f64) -> Result<BlockModel, PolygonError> {
+/// Four walls around a square of `side` [m] for so many discs.
+fn empty(count: usize, side: f64) -> Result<BlockModel, PackingError> {
     let law = ContactLaw {
         normal: Stiffness::Given(STIFFNESS.0),
         shear: Stiffness::Given(STIFFNESS.1),
@@ -145,8 +130,8 @@ fn empty(side: f64) -> Result<BlockModel, PolygonError> {
         least_length: 0.1 * CONTACT_LENGTH,
     };
     let t = 0.3;
-    let wall = |corner: Vec2, width: f64, height: f64| -> Result<Block, PolygonError> {
-        let outline = Polygon::rectangle(corner, width, height)?;
+    let wall = |corner: Vec2, width: f64, height: f64| -> Result<Block, PackingError> {
+        let outline = Polygon::rectangle(corner, width, height).map_err(|_| PackingError::NoRoom(count))?;
         Ok(Block { outline, rounding: 0.0, density: DENSITY, group: GroupId(0), held: Held::FIXED })
     };
     let blocks = [

@@ -8,7 +8,6 @@ use mechanics::fem::{
 use mechanics::ids::{Id, NodeId};
 use mechanics::plane::vec2;
 use mechanics::watch::Watch;
-use thiserror::Error;
 
 /// Half of the ground, by symmetry: width and depth [m].
 const GROUND: (f64, f64) = (20.0, 10.0);
@@ -49,17 +48,6 @@ pub struct Footing {
     /// What is asked of it.
     pub target: Target,
     nodes: Vec<NodeId>,
-}
-
-/// Why there is no footing.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum FootingError {
-    /// The mesh makes no model.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// The model makes no workspace.
-    #[error(transparent)]
-    Factor(#[from] FactorError),
 }
 
 /// Ten equal steps, each balanced to `tolerance`.
@@ -103,7 +91,7 @@ fn material(ground: Ground) -> Material {
 ///
 /// # Errors
 /// No columns, or ground that is no material.
-pub fn footing(columns: usize, ground: Ground, element: Element) -> Result<Footing, FootingError> {
+pub fn footing(columns: usize, ground: Ground, element: Element) -> Result<Footing, ModelError> {
     let rows = columns.div_ceil(2);
     let node = |i: usize, j: usize| NodeId::new(j * (columns + 1) + i);
     let mut mesh = Mesh::default();
@@ -150,7 +138,7 @@ impl Footing {
     ///
     /// # Errors
     /// A factor that does not fit into memory.
-    pub fn push(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Pushed, FootingError> {
+    pub fn push(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Pushed, FactorError> {
         let mut work = Workspace::new(&self.model)?;
         let mut state = State::new(&self.model);
         let outcome = advance(&self.model, &mut state, &mut work, &self.target, settings, watch);

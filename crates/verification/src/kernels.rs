@@ -32,28 +32,16 @@ impl Found {
     }
 }
 
-/// A bridge to collapse by discrete elements under adaptive damping, from the file to the last step.
+/// A bridge to collapse by discrete elements under adaptive damping, from the file to the last step; with other joints than its plan has, where
+/// a contact is named.
 ///
 /// # Errors
 /// A bridge that cannot be cut into blocks.
-pub fn discrete_elements(bridge: &Bridge) -> Result<Found, AnalysisError> {
-    by_discrete_elements(bridge, by_dem::settings(bridge))
-}
-
-/// The same on joints with distributed contact.
-///
-/// # Errors
-/// A bridge that cannot be cut into blocks.
-pub fn discrete_elements_with_distributed_contact(bridge: &Bridge) -> Result<Found, AnalysisError> {
-    by_discrete_elements(
-        bridge,
-        dem::Settings { contact_length: ContactLength::Distributed, ..by_dem::settings(bridge) },
-    )
-}
-
-fn by_discrete_elements(bridge: &Bridge, settings: dem::Settings) -> Result<Found, AnalysisError> {
+pub fn discrete_elements(bridge: &Bridge, contact: Option<ContactLength>) -> Result<Found, AnalysisError> {
     let d = discretise(bridge)?;
-    let settings = dem::Settings { damping: dem::Damping::Adaptive, ..settings };
+    let own = by_dem::settings(bridge);
+    let contact_length = contact.unwrap_or(own.contact_length);
+    let settings = dem::Settings { damping: dem::Damping::Adaptive, contact_length, ..own };
     let increment = load_step(bridge) / d.reference_load;
     let program = dem::Program { increment, limit: 100.0 * increment, resolution: None, watched: d.watched };
     let found = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;

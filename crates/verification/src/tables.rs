@@ -1,14 +1,14 @@
 //! The library of load models against the tables that were published for its vehicles, and against numbers worked out by hand.
 
-use rules::PublishedQuantity;
+use rules::{Published, PublishedQuantity};
 
 /// A table beside what its vehicle gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableRow {
     /// Code of the load model.
     pub model: String,
-    /// Code of the vehicle.
-    pub vehicle: String,
+    /// The table.
+    pub table: Published,
     /// What the numbers are, with their unit.
     pub quantity: &'static str,
     /// Where they are from, with date and confidence.
@@ -21,12 +21,6 @@ pub struct TableRow {
     pub difference: f64,
     /// See above.
     pub span: f64,
-    /// Largest difference that is allowed, relative, and why.
-    pub tolerance: f64,
-    /// Most that the vehicle may give beyond the table, relative: more than the tolerance where it covers the numbers.
-    pub above: f64,
-    /// See above.
-    pub reason: String,
     /// Why the numbers are read and not compared, where they are not.
     pub left_out: String,
 }
@@ -34,7 +28,8 @@ pub struct TableRow {
 impl TableRow {
     /// Whether every number agrees that was compared.
     pub fn agrees(&self) -> bool {
-        self.numbers == 0 || (-self.tolerance..=self.tolerance.max(self.above)).contains(&self.difference)
+        let Published { tolerance, above, .. } = self.table;
+        self.numbers == 0 || (-tolerance..=tolerance.max(above)).contains(&self.difference)
     }
 }
 
@@ -60,16 +55,13 @@ pub fn tables() -> Result<Vec<TableRow>, String> {
             let source = &table.source;
             list.push(TableRow {
                 model: model.code.clone(),
-                vehicle: table.vehicle.clone(),
+                table: table.clone(),
                 quantity: words(table.quantity),
                 source: format!("{} ({}, {})", source.text, source.date, source.confidence.word()),
                 published: k < model.published.len(),
                 numbers: compared.len(),
                 difference: worst.map_or(0.0, rules::Checked::difference),
                 span: worst.map_or(0.0, |row| row.span),
-                tolerance: table.tolerance,
-                above: table.above,
-                reason: table.reason.clone(),
                 left_out: match (compared.is_empty(), table.not_from_vehicle.is_empty()) {
                     (true, true) => "no rule of the library says how to find it".to_owned(),
                     _ => table.not_from_vehicle.clone(),
@@ -101,7 +93,7 @@ mod tests {
         let compared: usize = list.iter().map(|row| row.numbers).sum();
         assert!(compared > 55, "{compared}");
         assert!(list.iter().all(|row| row.numbers > 0 || !row.left_out.is_empty()));
-        let worse = TableRow { difference: -2.0 * list[0].tolerance, numbers: 1, ..list[0].clone() };
+        let worse = TableRow { difference: -2.0 * list[0].table.tolerance, numbers: 1, ..list[0].clone() };
         assert!(!worse.agrees());
     }
 }

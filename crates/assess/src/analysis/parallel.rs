@@ -29,17 +29,13 @@ pub(crate) fn each<J: Sync, T: Send>(
     let token = CancelToken::default();
     let mut found: Vec<Option<T>> = jobs.iter().map(|_| None).collect();
     let mut look = || {
-        if token.is_cancelled() {
-            return;
-        }
-        let done = token.steps();
-        let share = (done as f64 / stage.steps.max(1) as f64).clamp(0.0, 1.0);
-        let [from, to] = stage.shares;
-        let name = format!("{}: {done} of {}", stage.name, stage.steps);
-        if watch.look(&Progress { stage: name, fraction: Some(from + share * (to - from)), steps: done }) == Wish::Stop
-        {
-            token.cancel();
-        }
+        looked(&token, watch, || {
+            let done = token.steps();
+            let share = (done as f64 / stage.steps.max(1) as f64).clamp(0.0, 1.0);
+            let [from, to] = stage.shares;
+            let name = format!("{}: {done} of {}", stage.name, stage.steps);
+            Progress { stage: name, fraction: Some(from + share * (to - from)), steps: done }
+        });
     };
     look();
     let mut hear = |said: Option<(usize, T)>| {
@@ -58,6 +54,13 @@ pub(crate) fn each<J: Sync, T: Send>(
     (found, all)
 }
 
+/// Tells the onlooker how far the work of a token is, as long as it goes on, and ends it where that is wished.
+fn looked(token: &CancelToken, watch: &mut dyn Watch, progress: impl FnOnce() -> Progress) {
+    if !token.is_cancelled() && watch.look(&progress()) == Wish::Stop {
+        token.cancel();
+    }
+}
+
 /// Does one piece of work while the onlooker hears from time to time how many iterations it has taken. The work hears from its [`CancelToken`]
 /// when to stop; where it is the `whole` of an analysis, its share is told. It gets a thread of its own; where none can be started, as in WebAssembly, it is done here and in one go.
 pub(crate) fn alone<T: Send>(
@@ -68,15 +71,10 @@ pub(crate) fn alone<T: Send>(
 ) -> T {
     let token = CancelToken::default();
     let mut look = || {
-        if token.is_cancelled() {
-            return;
-        }
-        let stage = format!("{name}: {} iterations", token.iterations());
-        if watch.look(&Progress { stage, fraction: whole.then(|| token.share()), steps: token.iterations() })
-            == Wish::Stop
-        {
-            token.cancel();
-        }
+        looked(&token, watch, || {
+            let (iterations, fraction) = (token.iterations(), whole.then(|| token.share()));
+            Progress { stage: format!("{name}: {iterations} iterations"), fraction, steps: iterations }
+        });
     };
     look();
     let found = std::thread::scope(|scope| {

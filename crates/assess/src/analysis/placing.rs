@@ -8,6 +8,7 @@ mod state;
 
 use super::engine::rigid;
 use super::sweep::crossing;
+pub use super::vehicles::Carried;
 use super::vehicles::{Asked, Driven};
 use super::{AnalysisError, geometry, notes, policy};
 use bridge::Bridge;
@@ -30,19 +31,6 @@ pub struct Placing {
     first: f64,
     friction: Friction,
     capacity: f64,
-}
-
-/// What is carried at a place.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Carried {
-    /// How it ended.
-    pub status: Status,
-    /// What all loads may be multiplied by: where joints slide, the lesser of the factors with and without dilation.
-    pub factor: Option<f64>,
-    /// The factor with dilatant friction.
-    pub dilatant: Option<f64>,
-    /// Whether joints slide in the mechanism with dilation.
-    pub slides: bool,
 }
 
 /// What is carried at a place, and how.
@@ -263,24 +251,6 @@ impl Placing {
             Some((joint.first, joint.second, ends))
         });
         Ok(geometry::lines(d, reach))
-    }
-}
-
-impl Carried {
-    /// No factor, and why.
-    fn nothing(status: Status) -> Carried {
-        Carried { status, factor: None, dilatant: None, slides: false }
-    }
-
-    /// Whether it says less of what is carried, or nothing.
-    fn is_worse_than(&self, other: &Carried) -> bool {
-        match (self.factor, other.factor) {
-            (Some(own), Some(others)) => own < others,
-            // Loads that lock are carried; any other end without a factor is worse than a factor.
-            (None, Some(_)) => self.status != Status::Locks,
-            (Some(_), None) => other.status == Status::Locks,
-            (None, None) => other.status == Status::Locks && self.status != Status::Locks,
-        }
     }
 }
 

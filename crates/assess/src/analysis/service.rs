@@ -3,12 +3,8 @@
 use mechanics::path::{Measure, Onset};
 use outcome::collapse::Criterion;
 
-/// So many states are sought.
-pub(super) const SOUGHT: usize = 4;
-
-/// The states, in the order in which they are told.
-const CRITERIA: [Criterion; SOUGHT] =
-    [Criterion::MiddleThird, Criterion::HalfOpen, Criterion::HalfStrength, Criterion::HalfStiffness];
+/// So many states are sought, in the order in which they are told.
+pub(super) const SOUGHT: usize = Criterion::ALL.len();
 
 /// What a path is asked for, where joints crush at a strength [Pa]; infinite for none.
 pub(super) fn sought(strength: f64) -> Vec<Onset> {
@@ -18,12 +14,12 @@ pub(super) fn sought(strength: f64) -> Vec<Onset> {
         Criterion::HalfStrength => Onset { measure: Measure::Stress, most: 0.5 * strength },
         Criterion::HalfStiffness => Onset { measure: Measure::Softening, most: 2.0 },
     };
-    CRITERIA.into_iter().map(of).collect()
+    Criterion::ALL.iter().copied().map(of).collect()
 }
 
 /// The states that a path meets, each with its load factor.
 pub(super) fn met(onsets: &[Option<f64>]) -> impl Iterator<Item = (Criterion, f64)> {
-    CRITERIA.into_iter().zip(onsets).filter_map(|(criterion, factor)| Some((criterion, (*factor)?)))
+    Criterion::ALL.iter().copied().zip(onsets).filter_map(|(criterion, factor)| Some((criterion, (*factor)?)))
 }
 
 /// The least load factors at which loads that move bring the states about, as far as they are known.
@@ -61,7 +57,7 @@ impl Service {
 
     /// The states that were met, with the load factor and the position [m].
     pub(super) fn told(&self) -> impl Iterator<Item = (Criterion, f64, f64)> {
-        let each = CRITERIA.into_iter().zip(self.factors).zip(self.positions);
+        let each = Criterion::ALL.iter().copied().zip(self.factors).zip(self.positions);
         each.filter_map(|((criterion, factor), position)| Some((criterion, factor, position?)))
     }
 }

@@ -140,7 +140,8 @@ fn lose(help: Help, bridge: &mut Bridge) {
     }
 }
 
-fn each_joint(bridge: &mut Bridge, change: impl Fn(&mut Joint)) {
+/// Changes the joints of rings, those between rings, and those of the spandrel walls.
+pub(super) fn each_joint(bridge: &mut Bridge, change: impl Fn(&mut Joint)) {
     [&mut bridge.joint, &mut bridge.ring_joint].into_iter().for_each(&change);
     bridge.spandrel_wall.iter_mut().for_each(|wall| change(&mut wall.joint));
 }

@@ -8,7 +8,7 @@ mod updated;
 mod vehicles;
 
 pub use crate::analysis::passage::Scope;
-pub use sensitivity::{SensitivityError, sensitivity};
+pub use sensitivity::sensitivity;
 pub use service::service;
 pub use ultimate::{Ultimate, movement, movement_facts, ultimate};
 pub use updated::with_parameters;

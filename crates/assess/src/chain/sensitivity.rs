@@ -17,7 +17,6 @@ use outcome::assessment::Stage;
 use outcome::checked::{Checked, Comparison, governing};
 use outcome::facts::{ChangeFacts, SensitivityFacts};
 use outcome::passage::PassageStatus;
-use thiserror::Error;
 
 /// Share by which quantities are changed.
 const SHARE: f64 = 0.1;
@@ -26,40 +25,18 @@ const MOST: usize = 18;
 /// Cases of the governing vehicle, answered one by one, beyond which no values are tried: some tens of milliseconds each, for every value.
 const SLOW: usize = 200;
 
-/// Why no sensitivity is made.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum SensitivityError {
-    /// Nothing governs.
-    #[error("no check could be made, so that none governs")]
-    NothingGoverns,
-    /// A whole analysis for every value.
-    #[error("{0} takes a whole analysis for every value: make them with extrados vary")]
-    TooDear(&'static str),
-    /// The check gives nothing for the file's own values.
-    #[error("the shortened analysis gives no utilisation of {0}")]
-    NoBaseline(&'static str),
-}
-
 /// Keys of quantities that may matter to an analysis.
 fn matters(probe: Probe, path: &str) -> bool {
     let key = path.rsplit('.').next().unwrap_or_default();
     let section = path.split(['.', '[']).next().unwrap_or_default();
     let body = ["span", "masonry", "joint", "cover", "backing"].contains(&section);
     let soil = ["fill", "haunch_fill", "abutment_fill", "mortar", "track"].contains(&section);
+    let of_size = ["thickness", "crown_thickness", "rise"].contains(&key);
     match probe {
         Probe::Collapse | Probe::Vehicle => {
-            body && [
-                "thickness",
-                "crown_thickness",
-                "rise",
-                "density",
-                "friction_angle",
-                "compressive_strength",
-                "height",
-            ]
-            .contains(&key)
+            body && (of_size || ["density", "friction_angle", "compressive_strength", "height"].contains(&key))
         }
-        Probe::Itself => body && ["thickness", "crown_thickness", "rise"].contains(&key),
+        Probe::Itself => body && of_size,
         Probe::Sensors | Probe::Joints | Probe::Whole => {
             let stiffness = ["elastic_modulus", "cohesion", "friction_angle", "effective_width"].contains(&key);
             (soil && stiffness)
@@ -73,19 +50,21 @@ fn matters(probe: Probe, path: &str) -> bool {
 /// Makes it for the check that governs. `document` is the text that the assessed bridge was read from.
 ///
 /// # Errors
-/// No check that governs, one that takes a whole analysis for every value, or one that gives nothing for the file's own values.
+/// In words: no check that governs, one that takes a whole analysis for every value, or one that gives nothing for the file's own values.
 pub fn sensitivity(
     document: &Document,
     own: &Evidence,
     checked: &[Checked],
     watch: &mut dyn Watch,
-) -> Result<Option<SensitivityFacts>, SensitivityError> {
-    let (check, finding) = governing(checked).ok_or(SensitivityError::NothingGoverns)?;
+) -> Result<Option<SensitivityFacts>, String> {
+    let nothing = "no check could be made, so that none governs";
+    let (check, finding) = governing(checked).ok_or(nothing)?;
     let (check, checked) = (&CHECKS[check], &checked[check]);
-    let governing = &checked.outcome.as_ref().map_err(|_| SensitivityError::NothingGoverns)?[finding];
+    let governing = &checked.outcome.as_ref().map_err(|_| nothing)?[finding];
+    let too_dear = || format!("{} takes a whole analysis for every value: make them with extrados vary", check.title);
     let how = match check.probe {
-        Probe::Whole => return Err(SensitivityError::TooDear(check.title)),
-        Probe::Vehicle if is_slow(own, &governing.load_model) => return Err(SensitivityError::TooDear(check.title)),
+        Probe::Whole => return Err(too_dear()),
+        Probe::Vehicle if is_slow(own, &governing.load_model) => return Err(too_dear()),
         Probe::Itself => "the method itself",
         Probe::Vehicle => "limit analysis of the governing vehicle alone",
         Probe::Collapse => "limit analysis with the loads where they govern",
@@ -101,7 +80,8 @@ pub fn sensitivity(
     if !done {
         return Ok(None);
     }
-    let base = base.into_iter().flatten().flatten().next().ok_or(SensitivityError::NoBaseline(check.title))?;
+    let no_baseline = || format!("the shortened analysis gives no utilisation of {}", check.title);
+    let base = base.into_iter().flatten().flatten().next().ok_or_else(no_baseline)?;
     let list: Vec<Varied> = known(document)
         .into_iter()
         .filter(|quantity| matters(check.probe, &quantity.path))

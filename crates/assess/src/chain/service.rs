@@ -13,7 +13,7 @@ use outcome::facts::{
     SpanAugmentFacts, Watched,
 };
 use outcome::passage::{Moment, Pair, Passage, PassageStatus, RowKind, SensorRecord};
-use structure::discretise::springings::springings;
+use structure::discretise::springings::ranges;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
 /// Without a rule nothing is added. What stands beside the list of spans is that of the longest. A rule that the library does not have is
@@ -64,11 +64,6 @@ fn loaded(ranges: &[[f64; 2]], augment: &AugmentFacts, own: usize, axles: &[f64]
     }
     let more = |a: &usize, b: &usize| augment.on(*a)[1].total_cmp(&augment.on(*b)[1]);
     (1..=ranges.len()).filter(|span| stands(*span)).max_by(more).unwrap_or(own)
-}
-
-/// From springing to springing of every span [m].
-fn ranges(bridge: &Bridge) -> Vec<[f64; 2]> {
-    springings(bridge).into_iter().map(|ends| ends.map(|springing| springing.x)).collect()
 }
 
 /// A sensor of the assessment's own: where it sits, and what is made of its values.

@@ -1,10 +1,10 @@
 //! Deflection of crowns in service.
 
-use super::check::{Check, Probe, limit, of, unless_empty, used};
-use super::stress::{columns, told};
+use super::check::{Check, Probe, limit, of, unless_empty};
+use super::stress::{Side, worst};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
-use outcome::facts::{Reading, SectionFacts, Watched};
+use outcome::facts::{Reading, Watched};
 
 /// The check.
 pub(super) const CHECK: Check = Check {
@@ -31,22 +31,9 @@ fn run(a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
     let mut list = Vec::new();
     for load in &facts.loads {
         for &reading in Reading::ALL {
-            let on = |place: &SectionFacts| facts.augment.on(place.minimum_span)[reading as usize];
-            let places = load.places.iter().filter(|place| place.quantity == Watched::Deflection);
-            let down = |place: &&SectionFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
-            let Some(at) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
-            let value = down(&at);
-            list.push(Comparison {
-                load_model: format!("{}, {}", load.name, told(reading, on(at))),
-                value: -value,
-                limit: -limit,
-                unit: Unit::Millimetre,
-                utilisation: used(value, limit),
-                basis: format!("{}; first axle at {:.2} m", at.about, at.minimum_at_m),
-                position: Some(at.minimum_at_m),
-                columns: Some(columns(facts, (&load.name, reading), at.minimum_span, at.self_weight, at.minimum)),
-                ..Comparison::default()
-            });
+            let crowns = load.places.iter().filter(|place| place.quantity == Watched::Deflection);
+            let found = worst(facts, (&load.name, reading), crowns, Side::Below, limit);
+            list.extend(found.map(|found| Comparison { unit: Unit::Millimetre, ..found }));
         }
     }
     unless_empty(list, "no crown was watched while the train crossed")

@@ -4,7 +4,6 @@ use crate::coverage::{self, Coverage};
 use crate::evidence::Evidence;
 use crate::record;
 use outcome::given::{Doubt, Given, ModelFactor, Taken};
-use rules::Confidence;
 
 /// Reads it off the evidence; none of it changes the rung.
 pub(super) fn given(a: &Evidence) -> Given {
@@ -19,7 +18,7 @@ pub(super) fn given(a: &Evidence) -> Given {
     Given {
         name,
         level: coverage.as_ref().and_then(|found| found.level.clone()),
-        to_confirm: coverage.as_ref().map_or_else(Vec::new, |found| to_confirm(a, found)),
+        to_confirm: coverage.as_ref().map_or_else(Vec::new, |found| found.to_confirm.clone()),
         skipped: a.facts.left_out(),
         load_cases_left_out: coverage.as_ref().map_or_else(Vec::new, |found| found.left_out.clone()),
         doubtful: doubtful(a),
@@ -59,26 +58,6 @@ pub(super) fn in_force(a: &Evidence, coverage: Option<&Coverage>) -> Option<Mode
     }
     let own = coverage.filter(|rule| !rule.library)?;
     (!own.model_is_sourced).then(of_tests)
-}
-
-/// Factors that act on this bridge and that nobody read in their source.
-fn to_confirm(a: &Evidence, found: &Coverage) -> Vec<String> {
-    let masonry = [&a.bridge.joint, &a.bridge.ring_joint];
-    let cohesive = masonry.iter().any(|joint| joint.cohesion > 0.0 || joint.tensile_strength > 0.0);
-    let pressed = a.bridge.fill_pressure.is_some_and(|fill| fill.applies);
-    let crushes = a.bridge.masonry.compressive_strength.is_some();
-    found
-        .factors
-        .iter()
-        .filter(|factor| matches!(factor.confidence, Confidence::Recalled | Confidence::Assumed))
-        .filter(|factor| match factor.name.as_str() {
-            "cohesion and tension of joints" => cohesive,
-            "fill pressure" => pressed,
-            "strength of masonry" => crushes,
-            _ => true,
-        })
-        .map(|factor| format!("{} {}", factor.name, factor.value))
-        .collect()
 }
 
 /// Doubtful values of the bridge file, and of the files of its vehicles and of its rule.

@@ -44,21 +44,48 @@ pub(super) const PIER: Check = Check {
     ..CROWN
 };
 
-pub(super) fn told(word: Reading, augment: f64) -> String {
-    format!("{word} CDA {augment:.3}")
+/// The side of a limit on which places are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// What is least: compression, or a deflection downwards.
+    Below,
+    /// What is most.
+    Above,
 }
 
-/// The columns of Table 7: self-weight, live load with design augment, sum, live load with total augment, sum; loads stand on
-/// a span, from 1.
-pub(super) fn columns(
+/// The place that comes nearest to its limit on a side, or passes it farthest, under a load whose effect is increased by a reading of the augment;
+/// beside it the columns of Table 7. None where no place is watched.
+pub(super) fn worst<'f>(
     facts: &ServiceFacts,
     (load, reading): (&str, Reading),
-    span: usize,
-    own: f64,
-    live: f64,
-) -> Columns {
-    let [design, total] = facts.augment.on(span).map(|augment| (1.0 + augment) * live);
-    Columns { load: load.to_owned(), reading, values: [own, design, own + design, total, own + total] }
+    places: impl Iterator<Item = &'f SectionFacts>,
+    side: Side,
+    limit: f64,
+) -> Option<Comparison> {
+    let sign = if side == Side::Below { -1.0 } else { 1.0 };
+    let extreme = |at: &SectionFacts| match side {
+        Side::Below => (at.minimum, at.minimum_at_m, at.minimum_span),
+        Side::Above => (at.maximum, at.maximum_at_m, at.maximum_span),
+    };
+    let size = |at: &SectionFacts| {
+        let (live, _, span) = extreme(at);
+        sign * (at.self_weight + (1.0 + facts.augment.on(span)[reading as usize]) * live)
+    };
+    let at = places.max_by(|x, y| size(x).total_cmp(&size(y)))?;
+    let (own, (live, position, span)) = (at.self_weight, extreme(at));
+    let both = facts.augment.on(span);
+    let [design, total] = both.map(|augment| (1.0 + augment) * live);
+    let values = [own, design, own + design, total, own + total];
+    Some(Comparison {
+        load_model: format!("{load}, {reading} CDA {:.3}", both[reading as usize]),
+        value: sign * size(at),
+        limit: sign * limit,
+        utilisation: used(size(at), limit),
+        basis: format!("{}; first axle at {position:.2} m", at.about),
+        position: Some(position),
+        columns: Some(Columns { load: load.to_owned(), reading, values }),
+        ..Comparison::default()
+    })
 }
 
 fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
@@ -67,36 +94,18 @@ fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
         limit(None, "compression_limit and tension_limit", "from the rule that you assess by")?;
     }
     let facts = of(&a.facts.service)?;
+    let sides = [(limits.compression, Side::Below, "compression"), (limits.tension, Side::Above, "tension")];
     let mut list = Vec::new();
     for load in &facts.loads {
         for &reading in Reading::ALL {
-            let here = || load.places.iter().filter(|at| at.quantity == Watched::Stress && at.place == place);
-            let on = |span: usize| facts.augment.on(span)[reading as usize];
-            let pressed = |at: &&SectionFacts| -(at.self_weight + (1.0 + on(at.minimum_span)) * at.minimum);
-            let pulled = |at: &&SectionFacts| at.self_weight + (1.0 + on(at.maximum_span)) * at.maximum;
-            let sides = [
-                (limits.compression, -1.0, here().max_by(|x, y| pressed(x).total_cmp(&pressed(y)))),
-                (limits.tension, 1.0, here().max_by(|x, y| pulled(x).total_cmp(&pulled(y)))),
-            ];
-            for (limit, sign, worst) in sides {
-                let (Some(limit), Some(at)) = (limit.map(|pascals| pascals / 1e6), worst) else { continue };
-                let compression = sign < 0.0;
-                let (size, live, position, span) = match compression {
-                    true => (pressed(&at), at.minimum, at.minimum_at_m, at.minimum_span),
-                    false => (pulled(&at), at.maximum, at.maximum_at_m, at.maximum_span),
-                };
-                let word = if compression { "compression" } else { "tension" };
-                list.push(Comparison {
-                    load_model: format!("{}, {}", load.name, told(reading, on(span))),
-                    value: sign * size,
-                    limit: sign * limit,
+            for (limit, side, word) in sides {
+                let here = load.places.iter().filter(|at| at.quantity == Watched::Stress && at.place == place);
+                let found = limit.and_then(|limit| worst(facts, (&load.name, reading), here, side, limit / 1e6));
+                list.extend(found.map(|found| Comparison {
                     unit: Unit::Megapascal,
-                    utilisation: used(size, limit),
-                    basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
-                    position: Some(position),
-                    columns: Some(columns(facts, (&load.name, reading), span, at.self_weight, live)),
-                    ..Comparison::default()
-                });
+                    basis: format!("{word}; {}", found.basis),
+                    ..found
+                }));
             }
         }
     }

@@ -1,11 +1,11 @@
 //! Draws from normal distributions cut off at the ranges, mixed over the size of the model's error: Gibbs steps along the axes of each
 //! normal and along the parameters.
 
+use super::Linearised;
 use super::quadratic::{GainLine, Likelihoods, Quadratic};
-use super::{Linearised, Settings};
 use crate::posterior::draw::{even, normal};
 use crate::posterior::gain::Gain;
-use crate::posterior::likelihood::ModelError;
+use crate::posterior::likelihood::{Likelihood, ModelError};
 use crate::problem::Problem;
 use faer::{Mat, Side};
 use rand_chacha::ChaCha8Rng;
@@ -40,16 +40,16 @@ struct Normal {
     axes: Vec<(Vec<f64>, f64)>,
 }
 
-pub(super) fn draw(model: &Linearised, problem: &Problem, settings: &Settings) -> Drawn {
+pub(super) fn draw(model: &Linearised, problem: &Problem, likelihood: &Likelihood, seed: u64) -> Drawn {
     let likelihoods = Likelihoods::new(model, problem);
-    let normals: Vec<Normal> = sizes(settings)
+    let normals: Vec<Normal> = sizes(likelihood)
         .into_iter()
         .map(|(size, prior)| {
-            let (density, gain) = likelihoods.with_gains(size, settings.likelihood.common_gain);
+            let (density, gain) = likelihoods.with_gains(size, likelihood.common_gain);
             Normal { size, prior, axes: axes(&density), density, gain }
         })
         .collect();
-    let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut x, mut shares, mut gains, mut sum) = (vec![0.0; model.at.len()], Vec::new(), Vec::new(), 0.0);
     for step in 0..RUN_IN + DRAWS {
         let normal = pick(&mut rng, &normals, &x);
@@ -71,8 +71,7 @@ pub(super) fn draw(model: &Linearised, problem: &Problem, settings: &Settings) -
 }
 
 /// Sizes of the model's error with the logarithms of the shares of the prior that they stand for: closer together towards zero.
-fn sizes(settings: &Settings) -> Vec<(f64, f64)> {
-    let likelihood = settings.likelihood;
+fn sizes(likelihood: &Likelihood) -> Vec<(f64, f64)> {
     match likelihood.model_error {
         ModelError::None => vec![(0.0, 0.0)],
         ModelError::Known(size) => vec![(size, 0.0)],

@@ -18,7 +18,6 @@ use crate::posterior::likelihood::Likelihood;
 use crate::posterior::summary::{self, Summary};
 use crate::posterior::{CommonGain, bounded, gain};
 use crate::problem::Problem;
-use crate::search::surface::Trough;
 use crate::search::sweep::{self, Sweep};
 use crate::watch::Unwatched;
 use serde::{Deserialize, Serialize};
@@ -53,21 +52,6 @@ pub struct Left {
     pub words: Vec<String>,
 }
 
-/// What is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Settings {
-    /// Noise and model error. The local part is left out.
-    pub likelihood: Likelihood,
-    /// Seed.
-    pub seed: u64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { likelihood: Likelihood::default(), seed: 1 }
-    }
-}
-
 impl Linearised {
     /// Takes the derivatives at a point; those that the log knows, as after [`crate::identify`], are not evaluated again.
     ///
@@ -80,7 +64,7 @@ impl Linearised {
         let parameters = problem.parameters().to_vec();
         let at = shares(&parameters, point);
         let flat = columns(evaluator, basis, (&at, point), step, &numbers, &own)?;
-        let request = basis.request(evaluator.has_sensitivities(&basis.samples));
+        let request = basis.request(evaluator.forward.has_sensitivities(&basis.samples));
         let values = compared(problem, &basis.held, &answer(evaluator, point, &request)?);
         let by_channel = |column: Vec<f64>| {
             let mut rest = column.into_iter();
@@ -90,17 +74,18 @@ impl Linearised {
         Ok(Self { at, parameters, values, derivatives })
     }
 
-    /// What the data leave open. Channels without an uncertainty take one in its place and are named.
-    pub fn left(&self, problem: &Problem, settings: &Settings) -> Left {
+    /// What the data leave open under noise and model error, without its local part, by draws from a seed. Channels without an uncertainty take
+    /// one in its place and are named.
+    pub fn left(&self, problem: &Problem, likelihood: &Likelihood, seed: u64) -> Left {
         let (problem, mut words) = stated(problem);
-        let drawn = draws::draw(self, &problem, settings);
+        let drawn = draws::draw(self, &problem, likelihood, seed);
         let column = |k: usize| drawn.shares.iter().map(|place| self.parameters[k].at(place[k])).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = (0..self.parameters.len()).map(column).collect();
         let sum = |(parameter, column): (&Parameter, &Vec<f64>)| {
             summary::summary(column, Some([parameter.lower, parameter.upper]))
         };
         let parameters: Vec<Summary> = self.parameters.iter().zip(&columns).map(sum).collect();
-        let common_gain = CommonGain::of(&columns, &drawn.gains, settings.likelihood.common_gain);
+        let common_gain = CommonGain::of(&columns, &drawn.gains, likelihood.common_gain);
         let told = |(k, (parameter, summary)): (usize, (&Parameter, &Summary))| {
             let told_apart = common_gain.as_ref().is_none_or(|gain| gain.told_apart(k));
             told_apart && summary::tells(parameter, summary.interval_95)
@@ -126,7 +111,7 @@ impl Linearised {
         let mut evaluator = Evaluator::without_log(problem, self, &Serial, &mut watch);
         let all: Vec<usize> = (0..self.parameters.len()).collect();
         let point = values(&self.parameters, &self.at);
-        let found = sweep::sweeps(&mut evaluator, &basis, (&self.parameters, &point), &all, count, &Trough::default());
+        let found = sweep::sweeps(&mut evaluator, &basis, (&self.parameters, &point), &all, count);
         found.unwrap_or_default()
     }
 }

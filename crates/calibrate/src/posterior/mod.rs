@@ -178,7 +178,7 @@ impl Run {
         loop {
             more = more.min(settings.steps.max(50) - steps);
             for (ensemble, rng) in self.ensembles.iter_mut().zip(&mut rngs) {
-                target.evaluator.stage(format!("walkers, step {steps}"));
+                target.evaluator.stage = format!("walkers, step {steps}");
                 ensemble.walk(target, rng, more)?;
             }
             steps += more;
@@ -240,7 +240,7 @@ impl Run {
             effective_samples: mixing.iter().map(|m| m.effective_samples).fold(f64::INFINITY, f64::min),
             r_hat: mixing.iter().map(|m| m.r_hat).fold(1.0, f64::max),
             steps: self.ensembles.iter().map(|ensemble| ensemble.steps).min().unwrap_or(0),
-            evaluations: evaluator.done(),
+            evaluations: evaluator.done,
             samples: points.iter().step_by(stride).cloned().collect(),
             words: Vec::new(),
             parameters: marginals,

@@ -23,7 +23,7 @@ pub(super) fn temper(
     let mut particles = target.draws(first)?;
     let (mut power, mut log_evidence, mut stages, mut stride) = (0.0, 0.0, 0, 1.0);
     while power < 1.0 && stages < STAGES {
-        target.evaluator.stage(format!("from prior to posterior, power {power:.3}"));
+        target.evaluator.stage = format!("from prior to posterior, power {power:.3}");
         let step = next_step(&particles, power);
         let Some((weights, log_mean)) = weights(&particles, step) else {
             return Ok((particles, f64::NEG_INFINITY));

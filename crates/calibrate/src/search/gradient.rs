@@ -23,7 +23,7 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, start: Start, iterations
 
 fn run(evaluator: &mut Evaluator, basis: &Basis, start: Start, iterations: u64) -> Result<Outcome, Halt> {
     evaluator.begin(None);
-    evaluator.stage("gradient search");
+    evaluator.stage = "gradient search".into();
     let parameters = evaluator.problem.parameters();
     let begin = shares(parameters, &start.point(parameters));
     let solver = Lbfgsb::<Vec<f64>>::new().with_absolute_projected_gradient_tolerance(1e-7);
@@ -57,7 +57,7 @@ impl Sought<'_, '_> {
     fn residuals(&self, shares: &[f64]) -> Result<Option<Vec<f64>>, Stopped> {
         let mut evaluator = self.evaluator.borrow_mut();
         let point = values(evaluator.problem.parameters(), shares);
-        let request = self.basis.request(evaluator.has_sensitivities(&self.basis.samples));
+        let request = self.basis.request(evaluator.forward.has_sensitivities(&self.basis.samples));
         let found = unless_failed(answer(&mut evaluator, &point, &request))?;
         Ok(found.map(|response| residuals(evaluator.problem, &self.basis.held, &response)))
     }

@@ -115,7 +115,7 @@ impl<'e, 'a> Run<'e, 'a> {
     }
 
     fn sweep_every_parameter(&mut self, number: usize) -> Result<(), Halt> {
-        self.evaluator.stage(format!("pass {number}: single sweeps"));
+        self.evaluator.stage = format!("pass {number}: single sweeps");
         let all: Vec<usize> = (0..self.ranges.len()).collect();
         let sweeps = self.sweep(&all)?;
         let weights = self.basis.held.weights.clone();
@@ -155,10 +155,9 @@ impl<'e, 'a> Run<'e, 'a> {
     /// One surface and the three cases; gives the parameter to carry on.
     fn vary_pair(&mut self, number: usize, primary: usize, secondary: usize) -> Result<Option<usize>, Halt> {
         let names = [primary, secondary].map(|parameter| self.ranges[parameter].name.clone());
-        self.evaluator.stage(format!("pass {number}: {} with {}", names[0], names[1]));
-        let (count, trough) = (self.settings.points, self.settings.trough);
-        let pair = [primary, secondary];
-        let surface = surface(self.evaluator, &self.basis, (&self.ranges, &self.model), pair, count, &trough)?;
+        self.evaluator.stage = format!("pass {number}: {} with {}", names[0], names[1]);
+        let (pair, about) = ([primary, secondary], (&self.ranges[..], &self.model[..]));
+        let surface = surface(self.evaluator, &self.basis, about, pair, self.settings.points)?;
         let Some(surface) = surface else {
             let message = format!("the model fails on the whole surface of {} and {}", names[0], names[1]);
             return Err(Halt::Failed(Failure::new("no-surface", message)));
@@ -199,7 +198,7 @@ impl<'e, 'a> Run<'e, 'a> {
     /// A last single sweep of a parameter that no pair resolved.
     fn sweep_last(&mut self, number: usize, parameter: usize) -> Result<(), Halt> {
         let name = self.ranges[parameter].name.clone();
-        self.evaluator.stage(format!("pass {number}: last sweep of {name}"));
+        self.evaluator.stage = format!("pass {number}: last sweep of {name}");
         for sweep in self.sweep(&[parameter])? {
             self.model[parameter] = sweep.best();
             self.step(&format!("last sweep of {name}"), Some(sweep.least()).filter(|norm| norm.is_finite()));
@@ -226,8 +225,7 @@ impl<'e, 'a> Run<'e, 'a> {
     }
 
     fn sweep(&mut self, parameters: &[usize]) -> Result<Vec<Sweep>, Halt> {
-        let (count, trough) = (self.settings.points, self.settings.trough);
-        sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, count, &trough)
+        sweeps(self.evaluator, &self.basis, (&self.ranges, &self.model), parameters, self.settings.points)
     }
 
     /// Looks for the peaks' places anew, by a full passage of the model at hand; where that passage fails, the places

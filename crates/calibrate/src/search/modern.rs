@@ -86,8 +86,6 @@ pub struct Outcome {
     pub status: Status,
     /// All runs, best first.
     pub runs: Vec<RunEnd>,
-    /// Runs that ended in different places, best first: the local minima, as indices into `runs`.
-    pub minima: Vec<usize>,
     /// The best end, verified.
     pub found: Option<Found>,
 }
@@ -109,12 +107,12 @@ const ATTEMPTS: usize = 10;
 /// How a run ends there.
 const KINK: &str = "a kink of the norm: no step lowers it";
 
-/// Ends nearer than this share of every range are one minimum.
+/// Ends nearer to a bound than this share of the range are tried on it.
 const SAME: f64 = 1e-3;
 
 /// Searches from many starts.
 pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
-    let mut outcome = Outcome { status: Status::Stopped, runs: Vec::new(), minima: Vec::new(), found: None };
+    let mut outcome = Outcome { status: Status::Stopped, runs: Vec::new(), found: None };
     if let Err(halt) = run(evaluator, basis, settings, &mut outcome) {
         outcome.status = End::from(halt).status;
     }
@@ -123,7 +121,7 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> 
 
 fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &mut Outcome) -> Result<(), Halt> {
     evaluator.begin(None);
-    evaluator.stage("trust region, all starts");
+    evaluator.stage = "trust region, all starts".into();
     let starts = starts(evaluator, settings);
     let slices = basis.samples != Samples::All;
     let searched = basis.corrected(evaluator, &starts[0])?;
@@ -135,7 +133,6 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &
     let Some(best) = outcome.runs.first().filter(|run| run.norm.is_finite()).cloned() else {
         return Err(Halt::Failed(Failure::new("no-start", "the model fails at every start")));
     };
-    outcome.minima = minima(evaluator, &outcome.runs);
     let End { status, found } = end(evaluator, basis, (&best.end, best.norm), best.converged, best.ended)?;
     (outcome.status, outcome.found) = (status, found);
     Ok(())
@@ -220,19 +217,4 @@ fn meet_bounds(evaluator: &mut Evaluator, basis: &Basis, runs: &mut [RunEnd]) ->
         }
     }
     Ok(())
-}
-
-/// The first run of every group that ended in one place.
-fn minima(evaluator: &Evaluator, runs: &[RunEnd]) -> Vec<usize> {
-    let parameters = evaluator.problem.parameters();
-    let near = |a: &Vec<f64>, b: &Vec<f64>| {
-        shares(parameters, a).iter().zip(shares(parameters, b)).all(|(a, b)| (a - b).abs() < SAME)
-    };
-    let mut minima: Vec<usize> = Vec::new();
-    for (k, run) in runs.iter().enumerate().filter(|(_, run)| run.converged && run.norm.is_finite()) {
-        if !minima.iter().any(|first| near(&runs[*first].end, &run.end)) {
-            minima.push(k);
-        }
-    }
-    minima
 }

@@ -3,7 +3,7 @@
 use crate::forward::Failure;
 use crate::parameter::Start;
 use crate::report::Found;
-use crate::search::surface::{Surface, Trough};
+use crate::search::surface::Surface;
 use crate::search::sweep::Sweep;
 use serde::{Deserialize, Serialize};
 
@@ -40,22 +40,13 @@ pub struct Settings {
     pub points: usize,
     /// Passes, at least 1; fewer are made where a pass ends where it began.
     pub passes: usize,
-    /// When a trough is decided.
-    pub trough: Trough,
     /// Lower and upper ends to which the ranges may be widened once, where a pair ends with both at bounds.
     pub widened: Option<Vec<(f64, f64)>>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            variant: Variant::Printed,
-            start: Start::Means,
-            points: 11,
-            passes: 2,
-            trough: Trough::default(),
-            widened: None,
-        }
+        Self { variant: Variant::Printed, start: Start::Means, points: 11, passes: 2, widened: None }
     }
 }
 

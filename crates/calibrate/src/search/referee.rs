@@ -13,36 +13,23 @@ use crate::search::jacobian::STEP;
 pub use crate::search::modern::End as Outcome;
 use crate::search::modern::end;
 use crate::search::replay::{Costs, Known, Sought, count, supply};
-use serde::{Deserialize, Serialize};
 
-/// What the search may do.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Settings {
-    /// Most generations.
-    pub generations: u64,
-    /// Seed.
-    pub seed: u64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { generations: 150, seed: 1 }
-    }
-}
+/// Most generations, where it is not broken off.
+pub const GENERATIONS: u64 = 150;
 
 /// Points of a generation.
 const POPULATION: usize = 16;
 /// Widest axis of the distribution at which it ends, as a share of the ranges.
 const WIDTH: f64 = 1e-4;
 
-/// Searches the whole of the ranges.
-pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
-    run(evaluator, basis, settings).unwrap_or_else(Outcome::from)
+/// Searches the whole of the ranges from a seed, for at most so many generations.
+pub fn search(evaluator: &mut Evaluator, basis: &Basis, seed: u64, generations: u64) -> Outcome {
+    run(evaluator, basis, seed, generations).unwrap_or_else(Outcome::from)
 }
 
-fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Outcome, Halt> {
-    evaluator.begin(usize::try_from(settings.generations).ok().map(|g| g.saturating_mul(POPULATION + 1)));
-    evaluator.stage("evolution");
+fn run(evaluator: &mut Evaluator, basis: &Basis, seed: u64, generations: u64) -> Result<Outcome, Halt> {
+    evaluator.begin(usize::try_from(generations).ok().map(|g| g.saturating_mul(POPULATION + 1)));
+    evaluator.stage = "evolution".into();
     let parameters = evaluator.problem.parameters();
     let costs = Costs::default();
     let mut all_used = BTreeSet::new();
@@ -53,7 +40,7 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<
     let (best, cost, converged, ended) = loop {
         // A generation is drawn before any of its costs is looked at: all its points are learnt of at once.
         let known = Known::new(evaluator, basis, STEP);
-        let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(settings.seed, 0.3)
+        let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(seed, 0.3)
             .with_lambda(POPULATION)
             .with_absolute_distribution_size_tolerance(WIDTH);
         let begin = PopulationProgress::from_point(middle.clone());
@@ -69,7 +56,7 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<
             return Err(Halt::Failed(Failure::new("no-evolution", "the evolution broke off")));
         };
         let converged = ended.report.termination.is_converged();
-        if converged || generation >= settings.generations || ended.iter() < generation {
+        if converged || generation >= generations || ended.iter() < generation {
             let code = format!("{:?}", ended.report.code());
             break (values(parameters, ended.best_param()), ended.best_cost(), converged, code);
         }

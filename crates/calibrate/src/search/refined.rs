@@ -34,7 +34,7 @@ const ON_BOUND: f64 = 1e-4;
 /// Goes on from the end of a run; where nothing settles, the best point that was seen and why it is not called converged.
 pub(super) fn settle(evaluator: &mut Evaluator, basis: &Basis, from: &RunEnd) -> Result<RunEnd, Halt> {
     let parameters = evaluator.problem.parameters();
-    evaluator.stage("on by full passages");
+    evaluator.stage = "on by full passages".into();
     let corrected = basis.corrected(evaluator, &from.end)?;
     let columns = sensitivities(evaluator, &corrected, &from.end, STEP)?;
     let whole = Basis { samples: Samples::All, ..basis.clone() };

@@ -39,15 +39,15 @@ pub(super) struct Known<'e, 'a> {
 
 impl<'e, 'a> Known<'e, 'a> {
     pub(super) fn new(evaluator: &'e Evaluator<'a>, basis: &'e Basis, step: f64) -> Self {
-        let count = residual_count(evaluator.problem, &basis.held, |channel| evaluator.length(channel));
+        let count = residual_count(evaluator.problem, &basis.held, |channel| evaluator.forward.length(channel));
         let (missing, used) = (RefCell::default(), RefCell::default());
         Self { evaluator, basis, step, count, missing, used }
     }
 
     fn answer<T>(&self, shares: &[f64], read: impl Fn(&Evaluation) -> T) -> Result<T, Missing> {
         let point = values(self.evaluator.problem.parameters(), shares);
-        let request = self.basis.request(self.evaluator.has_sensitivities(&self.basis.samples));
-        match self.evaluator.log().get(&point, &request) {
+        let request = self.basis.request(self.evaluator.forward.has_sensitivities(&self.basis.samples));
+        match self.evaluator.log.get(&point, &request) {
             Some(evaluation) => {
                 self.used.borrow_mut().insert(point.iter().map(|value| value.to_bits()).collect());
                 Ok(read(&evaluation))
@@ -70,7 +70,7 @@ impl<'e, 'a> Known<'e, 'a> {
 
     /// Columns of derivatives with respect to the shares.
     pub(super) fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, Missing> {
-        if !self.evaluator.has_sensitivities(&self.basis.samples) {
+        if !self.evaluator.forward.has_sensitivities(&self.basis.samples) {
             // All points are asked for before the first that is missing breaks it off.
             let found: Vec<_> = points(shares, self.step).iter().map(|at| self.residuals(at)).collect();
             return Ok(by_differences(shares, self.step, found.into_iter().collect::<Result<Vec<_>, _>>()?));
@@ -85,7 +85,7 @@ impl<'e, 'a> Known<'e, 'a> {
 
 /// Evaluates points as solvers ask for them.
 pub(super) fn supply(evaluator: &mut Evaluator, basis: &Basis, points: &[Vec<f64>]) -> Result<(), Stopped> {
-    let request = basis.request(evaluator.has_sensitivities(&basis.samples));
+    let request = basis.request(evaluator.forward.has_sensitivities(&basis.samples));
     evaluator.respond(points, &request).map(|_| ())
 }
 

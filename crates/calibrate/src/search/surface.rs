@@ -6,21 +6,12 @@ use crate::evaluator::Evaluator;
 use crate::parameter::Parameter;
 use serde::{Deserialize, Serialize};
 
-/// When a trough is decided. From the minimum, the norm must rise on each side that has points by at least `share` of the
-/// least norm and by at least `rise`; on a surface this is asked of the profile, the least norm over the other parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Trough {
-    /// Rise needed, as a share of the least norm.
-    pub share: f64,
-    /// Rise needed, as a norm: a tenth of a per cent of the peaks, less than a least count shows.
-    pub rise: f64,
-}
+/// A trough is decided where, from the minimum, the norm rises on each side that has points by at least this share of the least norm; on a
+/// surface this is asked of the profile, the least norm over the other parameter.
+const SHARE: f64 = 0.05;
 
-impl Default for Trough {
-    fn default() -> Self {
-        Self { share: 0.05, rise: 0.001 }
-    }
-}
+/// And by at least this norm: a tenth of a per cent of the peaks, less than a least count shows.
+const RISE: f64 = 0.001;
 
 /// Least point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -37,27 +28,16 @@ pub struct Minimum {
     pub decided: bool,
 }
 
-impl Trough {
+impl Minimum {
     /// The least point of a curve with its verdict; none where no point has a norm.
-    pub fn minimum(&self, norms: &[Option<f64>]) -> Option<Minimum> {
+    pub fn of(norms: &[Option<f64>]) -> Option<Self> {
         let known = norms.iter().enumerate().filter_map(|(k, norm)| norm.map(|norm| (k, norm)));
         let (place, norm) = known.reduce(|best, next| if next.1 < best.1 { next } else { best })?;
         let rise = |side: &[Option<f64>]| side.iter().flatten().map(|other| other - norm).reduce(f64::max);
         let rises = [rise(&norms[..place]), rise(&norms[place + 1..])];
         let rise = rises.into_iter().flatten().reduce(f64::min).unwrap_or(0.0);
-        let decided = rise >= (self.share * norm).max(self.rise);
-        Some(Minimum { place, norm, at_bound: place == 0 || place + 1 == norms.len(), rise, decided })
-    }
-
-    /// The criterion in words, for the report.
-    pub fn words(&self) -> String {
-        format!(
-            "A trough is decided where, from the least norm, the norm rises on every side that has points by at least \
-             {:.3} % of the least norm and by at least {:.4}; on a surface the rise is that of the least norm over the \
-             other parameter.",
-            100.0 * self.share,
-            self.rise
-        )
+        let decided = rise >= (SHARE * norm).max(RISE);
+        Some(Self { place, norm, at_bound: place == 0 || place + 1 == norms.len(), rise, decided })
     }
 }
 
@@ -126,7 +106,6 @@ pub fn surface(
     (ranges, model): (&[Parameter], &[f64]),
     parameters: [usize; 2],
     count: usize,
-    trough: &Trough,
 ) -> Result<Option<Surface>, Halt> {
     let values = parameters.map(|parameter| ranges[parameter].grid(count));
     let (rows, columns) = (values[0].len(), values[1].len());
@@ -143,7 +122,7 @@ pub fn surface(
     let least = |places: &mut dyn Iterator<Item = usize>| places.filter_map(|k| norms[k]).reduce(f64::min);
     let along_first: Vec<_> = (0..rows).map(|i| least(&mut (0..columns).map(|j| i * columns + j))).collect();
     let along_second: Vec<_> = (0..columns).map(|j| least(&mut (0..rows).map(|i| i * columns + j))).collect();
-    let Some((first, second)) = trough.minimum(&along_first).zip(trough.minimum(&along_second)) else {
+    let Some((first, second)) = Minimum::of(&along_first).zip(Minimum::of(&along_second)) else {
         return Ok(None);
     };
     let case = match (first.at_bound, second.at_bound) {

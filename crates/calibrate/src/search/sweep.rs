@@ -3,7 +3,7 @@
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::parameter::Parameter;
-use crate::search::surface::{Minimum, Trough};
+use crate::search::surface::Minimum;
 use serde::{Deserialize, Serialize};
 
 /// A parameter varied alone, all others as in `model`.
@@ -78,7 +78,6 @@ pub fn sweeps(
     (ranges, model): (&[Parameter], &[f64]),
     parameters: &[usize],
     count: usize,
-    trough: &Trough,
 ) -> Result<Vec<Sweep>, Halt> {
     let all: Vec<Vec<Vec<f64>>> = parameters.iter().map(|p| points(ranges, model, *p, count)).collect();
     let fits = basis.fits(evaluator, &all.concat())?;
@@ -93,7 +92,7 @@ pub fn sweeps(
             parameter,
             model: model.to_vec(),
             values: all[k].iter().map(|point| point[parameter]).collect(),
-            minimum: trough.minimum(&norms),
+            minimum: Minimum::of(&norms),
             errors: fits.iter().map(errors).collect(),
             norms,
         }

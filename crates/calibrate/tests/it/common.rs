@@ -1,6 +1,7 @@
 //! Models as functions, and posing them.
 
 use calibrate::misfit::{Misfit, Scaling, Weights};
+use calibrate::search::modern::{Outcome, RunEnd};
 use calibrate::{
     Basis, Channel, Evaluation, Evaluator, Forward, Log, Map, Parameter, Problem, Request, Response, Samples, Serial,
     Unwatched,
@@ -62,6 +63,22 @@ pub(crate) fn with_map<T>(
     let mut evaluator = Evaluator::new(problem, forward, map, &mut watch, Log::new("test"));
     let basis = Basis::at(&mut evaluator, &problem.start()).expect("the start model answers");
     act(&mut evaluator, &basis)
+}
+
+/// Of runs that converged those that ended in different places, best first: the first of every group within a thousandth of every range.
+pub(crate) fn minima<'o>(parameters: &[Parameter], outcome: &'o Outcome) -> Vec<&'o RunEnd> {
+    let apart = |p: &Parameter, a: f64, b: f64| (p.share(a) - p.share(b)).abs() >= 1e-3;
+    let near = |a: &RunEnd, b: &RunEnd| {
+        let mut ends = parameters.iter().zip(&a.end).zip(&b.end);
+        !ends.any(|((p, a), b)| apart(p, *a, *b))
+    };
+    let mut minima: Vec<&RunEnd> = Vec::new();
+    for run in outcome.runs.iter().filter(|run| run.converged && run.norm.is_finite()) {
+        if !minima.iter().any(|first| near(first, run)) {
+            minima.push(run);
+        }
+    }
+    minima
 }
 
 /// Places in a history.

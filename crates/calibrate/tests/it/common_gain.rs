@@ -1,7 +1,7 @@
 //! A gain that all channels share: what only scales the records is no better known than the gain, what shapes them is.
 
 use crate::common::{Function, Histories, with};
-use calibrate::linearised::{self, Left, Linearised};
+use calibrate::linearised::{Left, Linearised};
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
 use calibrate::posterior::draw::{even, normal};
 use calibrate::posterior::{self, Likelihood, ModelError, Posterior};
@@ -63,8 +63,7 @@ fn left(problem: &Problem, values: Histories, common_gain: f64) -> (Left, Poster
         let settings = modern::Settings { starts: 1, ..modern::Settings::default() };
         let point = modern::search(evaluator, basis, &settings).found.unwrap().point();
         let line = Linearised::at(evaluator, basis, &point, STEP).unwrap();
-        let settings = linearised::Settings { likelihood: likelihood(common_gain), ..linearised::Settings::default() };
-        let left = line.left(problem, &settings);
+        let left = line.left(problem, &likelihood(common_gain), 1);
         let settings = posterior::Settings {
             likelihood: likelihood(common_gain),
             particles: 60,

@@ -1,6 +1,6 @@
 //! Functions with known minima (benchmarks: upd.testfunctions).
 
-use crate::common::{Function, least_squares, with};
+use crate::common::{Function, least_squares, minima, with};
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Parameter, Start};
@@ -35,7 +35,7 @@ fn every_search_finds_the_end_of_rosenbrocks_valley() {
         assert!(downhill.norm < 1e-4, "{downhill:?}");
         assert!(downhill.evaluations > found.evaluations / 3, "least squares is the cheaper per start");
 
-        let referee = referee::search(evaluator, basis, &referee::Settings::default());
+        let referee = referee::search(evaluator, basis, 1, referee::GENERATIONS);
         // The distribution ends a ten-thousandth of the ranges wide.
         assert!(referee.found.as_ref().unwrap().norm < 1e-3, "{referee:?}");
     });
@@ -49,13 +49,8 @@ fn many_starts_find_all_four_zeros_of_himmelblaus_function() {
     with(&problem, &model, |evaluator, basis| {
         let settings = modern::Settings { starts: 24, ..modern::Settings::default() };
         let outcome = modern::search(evaluator, basis, &settings);
-        let zeros: Vec<&Vec<f64>> = outcome
-            .minima
-            .iter()
-            .map(|k| &outcome.runs[*k])
-            .filter(|run| run.norm < 1e-8)
-            .map(|run| &run.end)
-            .collect();
+        let minima = minima(problem.parameters(), &outcome).into_iter();
+        let zeros: Vec<&Vec<f64>> = minima.filter(|run| run.norm < 1e-8).map(|run| &run.end).collect();
         for (x, y) in [(3.0, 2.0), (-2.805_118, 3.131_312), (-3.779_310, -3.283_186), (3.584_428, -1.848_126)] {
             // The published zeros have six digits.
             assert!(zeros.iter().any(|z| (z[0] - x).abs() < 1e-5 && (z[1] - y).abs() < 1e-5), "{x} {y}: {zeros:?}");
@@ -99,7 +94,7 @@ fn a_model_that_fails_in_places_is_searched_around_them() {
     with(&problem, &Fails, |evaluator, basis| {
         let found = modern::search(evaluator, basis, &modern::Settings::default()).found.unwrap();
         assert!(found.norm < 1e-8, "{found:?}");
-        let referee = referee::search(evaluator, basis, &referee::Settings::default()).found.unwrap();
+        let referee = referee::search(evaluator, basis, 1, referee::GENERATIONS).found.unwrap();
         assert!(referee.norm < 1e-3, "{referee:?}");
     });
 }
@@ -111,11 +106,10 @@ fn one_parameter_alone_and_more_parameters_than_channels_are_searched_too() {
         let problem = least_squares(parameters, &[0.3 * n as f64]);
         let model = Function { channels: 1, length: 1, values: |x: &[f64]| vec![vec![x.iter().sum()]] };
         with(&problem, &model, |evaluator, basis| {
-            let settings = referee::Settings::default();
             for found in [
                 modern::search(evaluator, basis, &modern::Settings::default()).found,
                 gradient::search(evaluator, basis, Start::Stated, 100).found,
-                referee::search(evaluator, basis, &settings).found,
+                referee::search(evaluator, basis, 1, referee::GENERATIONS).found,
                 hierarchical::search(evaluator, basis, &hierarchical::Settings::default()).found,
             ] {
                 // Sums of tenths stand on the grid; the referee's distribution ends a ten-thousandth wide.

@@ -6,7 +6,7 @@ use calibrate::misfit::{Compare, Misfit};
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::jacobian::STEP;
 use calibrate::search::modern;
-use calibrate::surrogate::{self, build};
+use calibrate::surrogate::build;
 use calibrate::{
     Basis, Channel, Evaluation, Evaluator, Failure, Forward, Parameter, Problem, Request, Response, Samples, Serial,
     Unwatched,
@@ -96,7 +96,7 @@ fn a_surrogate_states_its_error_and_serves_a_posterior() {
     let parameters = crate::common::five_parameters();
     let problem = Problem::new(parameters, channels, Misfit { slices: true, ..Misfit::default() }).unwrap();
     with(&problem, &five_model(), |evaluator, basis| {
-        let surrogate = build(evaluator, basis, &surrogate::Settings::default()).unwrap();
+        let surrogate = build(evaluator, basis, [300, 40], 1).unwrap();
         // Reciprocals over a range of one to three are exponentials of the logarithm: the fifth term is about 0.1 %, bells
         // that move add as much again.
         assert_eq!(surrogate.degree, 4);

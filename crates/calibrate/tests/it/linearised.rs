@@ -2,15 +2,13 @@
 
 use crate::common::{Function, five_model, five_parameters, five_problem, least_squares, with};
 use calibrate::identify::identify;
-use calibrate::linearised::{Left, Linearised, Settings};
+use calibrate::linearised::{Left, Linearised};
 use calibrate::misfit::{Misfit, Weights};
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::jacobian::STEP;
 use calibrate::{Channel, Parameter, Problem};
 
-fn exact(model_error: ModelError) -> Settings {
-    Settings { likelihood: Likelihood { model_error, block: None, common_gain: 0.0 }, ..Settings::default() }
-}
+const EXACT: Likelihood = Likelihood { model_error: ModelError::None, block: None, common_gain: 0.0 };
 
 #[test]
 fn one_parameter_has_its_normal_cut_off_at_the_range() {
@@ -22,7 +20,7 @@ fn one_parameter_has_its_normal_cut_off_at_the_range() {
         let model = Function { channels: 1, length: 1, values: |x: &[f64]| vec![vec![x[0]]] };
         with(&problem, &model, |evaluator, basis| {
             let line = Linearised::at(evaluator, basis, &[at], STEP).unwrap();
-            line.left(&problem, &exact(ModelError::None))
+            line.left(&problem, &EXACT, 1)
         })
     };
     // Inside: the normal of the noise.
@@ -45,7 +43,7 @@ fn a_sum_is_told_and_its_parts_fill_their_ranges() {
     let sum = |x: &[f64]| vec![vec![100.0 * (x[0] + x[1])]];
     with(&problem, &Function { channels: 1, length: 1, values: sum }, |evaluator, basis| {
         let line = Linearised::at(evaluator, basis, &[0.5, 0.5], STEP).unwrap();
-        let left = line.left(&problem, &exact(ModelError::None));
+        let left = line.left(&problem, &EXACT, 1);
         assert!(left.correlation[0][1] < -0.99 && left.told == [false, false], "{left:?}");
         // Even between the bounds, along the line on which the sum is one.
         assert!((left.parameters[0].standard_deviation - 12.0_f64.sqrt().recip()).abs() < 0.01, "{left:?}");
@@ -62,11 +60,11 @@ fn the_straight_line_says_what_the_posterior_says_and_asks_for_nothing_more() {
     let problem = Problem::new(five_parameters(), channels, Misfit::default()).unwrap();
     with(&problem, &five_model(), |evaluator, basis| {
         identify(evaluator, basis, &truth, STEP).unwrap();
-        let before = evaluator.computed();
+        let before = evaluator.computed;
         let line = Linearised::at(evaluator, basis, &truth, STEP).unwrap();
-        assert!(evaluator.computed() - before <= 1, "the point itself");
+        assert!(evaluator.computed - before <= 1, "the point itself");
         let likelihood = Likelihood { model_error: ModelError::Sought(0.02), block: None, common_gain: 0.0 };
-        let left = line.left(&problem, &Settings { likelihood, ..Settings::default() });
+        let left = line.left(&problem, &likelihood, 1);
         let sampling = posterior::Settings {
             likelihood,
             effective_samples: 2000.0,
@@ -93,7 +91,7 @@ fn channels_without_an_uncertainty_are_named() {
     let problem = five_problem(&[1.0; 5], Misfit::default());
     with(&problem, &five_model(), |evaluator, basis| {
         let line = Linearised::at(evaluator, basis, &[1.0; 5], STEP).unwrap();
-        let left = line.left(&problem, &Settings::default());
+        let left = line.left(&problem, &Likelihood::default(), 1);
         assert!(left.words[0].starts_with("No uncertainty is stated for crown, pier"), "{:?}", left.words);
         assert!(left.parameters.iter().all(|summary| summary.standard_deviation > 0.0));
     });

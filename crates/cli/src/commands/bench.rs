@@ -17,6 +17,7 @@ use crate::watcher::watched;
 use assess::analysis::AnalysisError;
 use bridge::Bridge;
 use extrados::{Looking, Refusal, examples};
+use mechanics::contact::ContactLength;
 use repeated::{Repeated, repeated};
 use verification::kernels;
 use verification::kernels::Found;
@@ -26,7 +27,7 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Refusal> {
     let quiet = desk.screen.quiet || desk.screen.json;
     match arguments.name {
         BenchName::Disks => disks::run(quiet, arguments),
-        BenchName::Arch => bridgemill(arguments, kernels::discrete_elements),
+        BenchName::Arch => bridgemill(arguments, |bridge| kernels::discrete_elements(bridge, None)),
         BenchName::Limit => bridgemill(arguments, kernels::limit_analysis),
         BenchName::Path => bridgemill(arguments, kernels::equilibrium_path),
         BenchName::Bounds => bounds::run(arguments),
@@ -63,7 +64,8 @@ fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Refusal> {
                  damping, {blocks} blocks, one core\n"
             )),
         BenchName::Path => {
-            let by_blocks = repeated(arguments, || kernels::discrete_elements_with_distributed_contact(&bridge))?;
+            let on_joints = Some(ContactLength::Distributed);
+            let by_blocks = repeated(arguments, || kernels::discrete_elements(&bridge, on_joints))?;
             let rigid = repeated(arguments, || kernels::limit_analysis(&bridge))?;
             let load = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.1} kN/m", load / 1e3));
             report

@@ -136,15 +136,15 @@ fn case(judged: &Judged) -> Value {
 fn table(row: &TableRow) -> Value {
     json!({
         "load_model": row.model,
-        "vehicle": row.vehicle,
+        "vehicle": row.table.vehicle,
         "quantity": row.quantity,
         "source": row.source,
         "published": row.published,
         "numbers": row.numbers,
         "largest_difference": row.difference,
         "at_span_m": row.span,
-        "tolerance": row.tolerance,
-        "why_this_tolerance": row.reason,
+        "tolerance": row.table.tolerance,
+        "why_this_tolerance": row.table.reason,
         "agrees": (row.numbers > 0).then(|| row.agrees()),
         "why_not_compared": row.left_out,
     })
@@ -165,7 +165,7 @@ fn tables_in_words(tables: &[TableRow]) -> String {
         let _ = writeln!(
             page,
             "  {:18}  {word:7}  {:2} numbers, at most {:+.1e} at {} m, {:.0e} allowed: {}, {}",
-            row.vehicle, row.numbers, row.difference, row.span, row.tolerance, row.quantity, row.source
+            row.table.vehicle, row.numbers, row.difference, row.span, row.table.tolerance, row.quantity, row.source
         );
     }
     let read = tables.iter().filter(|row| row.numbers == 0).count();

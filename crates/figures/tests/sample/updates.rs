@@ -135,7 +135,7 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
             "sampled from a polynomial of degree 3 through 126 points of the model; its error is 0.4 % of the peaks";
         PosteriorReport { posterior, surrogate: surrogate.into(), seconds: 1.0 }
     });
-    let evaluations = evaluator.done();
+    let evaluations = evaluator.done;
     let full =
         |point: &[f64]| forward.evaluate(point, &Request::all()).map(|response| response.values).unwrap_or_default();
     let (begun, ended) = (full(&start), end.map(|end| full(&end)).unwrap_or_default());

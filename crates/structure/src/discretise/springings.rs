@@ -15,6 +15,11 @@ pub fn springings(bridge: &Bridge) -> Vec<[Vec2; 2]> {
     list
 }
 
+/// From springing to springing of every span [m].
+pub fn ranges(bridge: &Bridge) -> Vec<[f64; 2]> {
+    springings(bridge).into_iter().map(|ends| ends.map(|springing| springing.x)).collect()
+}
+
 /// Differences that a survey cannot tell [m].
 const LEVEL: f64 = 1e-3;
 

@@ -2,31 +2,21 @@
 
 use serde::Deserialize;
 
-/// How certain a value is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Mark {
-    /// Read in the report of the test or its abstract.
-    Read,
-    /// Read in a publication that quotes it.
-    ReadSecondary,
-    /// Remembered, and read nowhere.
-    Memory,
-    /// Not even remembered: chosen, with the reason.
-    Assumed,
+bridge::choice! {
+    /// How certain a value is.
+    pub enum Mark {
+        /// Read in the report of the test or its abstract.
+        Read = "read",
+        /// Read in a publication that quotes it.
+        ReadSecondary = "read-secondary",
+        /// Remembered, and read nowhere.
+        Memory = "memory",
+        /// Not even remembered: chosen, with the reason.
+        Assumed = "assumed",
+    }
 }
 
 impl Mark {
-    /// In a word, as files have it.
-    pub fn word(self) -> &'static str {
-        match self {
-            Mark::Read => "read",
-            Mark::ReadSecondary => "read-secondary",
-            Mark::Memory => "memory",
-            Mark::Assumed => "assumed",
-        }
-    }
-
     /// Whether somebody read it.
     pub fn is_read(self) -> bool {
         match self {

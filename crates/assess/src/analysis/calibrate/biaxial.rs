@@ -6,7 +6,7 @@ use super::sample::{Part, Sample};
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
 use mechanics::blocks::{BlockModel, ContactLaw, Held, Loading, PointForce};
-use mechanics::dem::{self, Model, begin, collapse_from};
+use mechanics::dem;
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
@@ -36,10 +36,8 @@ impl Rig {
         watch: &mut dyn Watch,
     ) -> Result<Option<f64>, AnalysisError> {
         let (model, loading, watched) = self.boxed(sample, contact, pressure)?;
-        let model = Model::new(&model, &loading)?;
         let program = dem::Program { increment: INCREMENT, limit: LIMIT, resolution: None, watched };
-        let start = || begin(&model, &self.settings);
-        let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
+        let outcome = dem::collapse(&model, &loading, &program, &self.settings, None, watch)?;
         let rested: Vec<&dem::PathPoint> = outcome.path.iter().take_while(|point| point.at_rest).collect();
         let Some(first) = rested.first() else { return Ok(None) };
         let deepest = GIVEN_WAY * (watched.1.y + first.displacement.y);

@@ -1,10 +1,23 @@
 //! Many pieces of work side by side, one onlooker. Results come in the order of the work, whoever did it.
 
-use super::halt::Halt;
-use crate::analysis::parallel;
+use crate::analysis::{AnalysisError, parallel};
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
+
+/// Why the work of a calibration ends before its end.
+#[derive(Debug)]
+pub(super) enum Halt {
+    /// The onlooker stopped it.
+    Stopped,
+    Failed(AnalysisError),
+}
+
+impl<E: Into<AnalysisError>> From<E> for Halt {
+    fn from(error: E) -> Halt {
+        Halt::Failed(error.into())
+    }
+}
 
 /// The onlooker, and how much of the work is done.
 pub(super) struct Crowd<'a> {

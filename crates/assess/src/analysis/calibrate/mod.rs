@@ -4,7 +4,6 @@
 
 mod biaxial;
 mod crowd;
-mod halt;
 mod press;
 mod report;
 mod sample;
@@ -19,14 +18,13 @@ use super::engine::joints::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
 use biaxial::contacts;
 use bridge::{Bridge, Particles, Sizes, Strip};
-use crowd::Crowd;
-use halt::Halt;
+use crowd::{Crowd, Halt};
 use mechanics::watch::Watch;
 use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, TargetStrength};
 use outcome::sweep::Ended;
 use press::Rig;
 use sample::Sample;
-use search::{Found, search};
+use search::search;
 use std::f64::consts::PI;
 use strength::fit;
 
@@ -87,13 +85,13 @@ fn calibrated(
     if let Some(wanted) = plan.wanted_modulus {
         let mut press = |multiple: f64| measure(&rig, &samples, &[multiple], &mut crowd).map(|mut one| one.remove(0));
         match search(wanted, plan.tolerance, plan.modulus, &report.table, &mut press)? {
-            Found::Multiple(measured) => {
+            Ok(measured) => {
                 if !report.table.iter().any(|known| known.multiple == measured.multiple) {
                     report.leave_out(&measured);
                 }
-                report.found = Some(*measured);
+                report.found = Some(measured);
             }
-            Found::OutOfReach(reach) => {
+            Err(reach) => {
                 report.out_of_reach(wanted, reach);
                 return Ok(());
             }

@@ -7,7 +7,7 @@ use crate::analysis::engine::dem::settings;
 use crate::analysis::engine::joints::stiffer;
 use bridge::{Bridge, Calibration};
 use mechanics::blocks::{BlockModel, Held, Loading, PointForce};
-use mechanics::dem::{self, Frame, Model, begin, collapse_from};
+use mechanics::dem::{self, Frame};
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
@@ -49,10 +49,8 @@ impl Rig {
         watch: &mut dyn Watch,
     ) -> Result<Pressed, AnalysisError> {
         let (blocks, loading, watched) = self.build(sample, multiple)?;
-        let model = Model::new(&blocks, &loading)?;
         let program = dem::Program { increment: 1.0, limit: self.plan.steps as f64, resolution: None, watched };
-        let start = || begin(&model, &self.settings);
-        let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
+        let outcome = dem::collapse(&blocks, &loading, &program, &self.settings, None, watch)?;
         let rested: Vec<&dem::PathPoint> = outcome.path.iter().filter(|point| point.at_rest).collect();
         let first = rested.first().map_or(0.0, |point| point.displacement.y);
         let weight = self.plan.block_weight;

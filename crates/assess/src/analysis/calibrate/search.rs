@@ -2,17 +2,12 @@
 //! slowly the more the particles move instead of yielding: nearly straight pieces in logarithms, closed in on by the rule
 //! of false position (Illinois variant, Dowell and Jarratt 1971).
 
-use super::halt::Halt;
+use super::crowd::Halt;
 use bridge::Modulus;
 use outcome::calibration::{At, Measured};
 
-/// How a search ended.
-pub(super) enum Found {
-    /// The multiple with the wanted modulus.
-    Multiple(Box<Measured>),
-    /// Lowest and highest modulus that stiffness reaches.
-    OutOfReach([At; 2]),
-}
+/// What is measured at the multiple with the wanted modulus, or the lowest and the highest modulus that stiffness reaches.
+pub(super) type Found = Result<Measured, [At; 2]>;
 
 /// Doublings beyond the multiples of the table, to either side.
 const BEYOND: u32 = 3;
@@ -33,7 +28,7 @@ pub(super) fn search(
     let mut beyond = [BEYOND; 2];
     loop {
         if let Some((_, near)) = nearest(&known, wanted).filter(|k| off(k.0, wanted).abs() <= tolerance) {
-            return Ok(Found::Multiple(Box::new(near.clone())));
+            return Ok(Ok(near.clone()));
         }
         if let Some(k) = known.windows(2).position(|p| p[0].0.modulus <= wanted && wanted <= p[1].0.modulus) {
             let [low, high] = [known[k].0, known[k + 1].0];
@@ -42,14 +37,14 @@ pub(super) fn search(
         // Beyond either end of what is known.
         let (Some(first), Some(last)) = (known.first(), known.last()) else {
             let nowhere = At { multiple: 1.0, modulus: 0.0 };
-            return Ok(Found::OutOfReach([nowhere; 2]));
+            return Ok(Err([nowhere; 2]));
         };
         let up = last.0.modulus < wanted;
         let left = &mut beyond[usize::from(up)];
         if *left == 0 {
             let least = known.iter().map(|k| k.0).min_by(|a, b| a.modulus.total_cmp(&b.modulus));
             let most = known.iter().map(|k| k.0).max_by(|a, b| a.modulus.total_cmp(&b.modulus));
-            return Ok(Found::OutOfReach([least.unwrap_or(first.0), most.unwrap_or(last.0)]));
+            return Ok(Err([least.unwrap_or(first.0), most.unwrap_or(last.0)]));
         }
         *left -= 1;
         let multiple = if up { 2.0 * last.0.multiple } else { 0.5 * first.0.multiple };
@@ -102,8 +97,8 @@ fn close_in(
         }
     }
     match nearest(&known, wanted) {
-        Some((_, near)) => Ok(Found::Multiple(Box::new(near.clone()))),
-        None => Ok(Found::OutOfReach([low, high])),
+        Some((_, near)) => Ok(Ok(near.clone())),
+        None => Ok(Err([low, high])),
     }
 }
 
@@ -158,7 +153,7 @@ mod tests {
         let soft = |m: f64| 22.0 * m.powf(0.375);
         for table in [&[1.0, 2.0, 4.0, 6.0, 8.0][..], &[8.0, 1.0], &[1.0], &[16.0]] {
             let (found, presses) = find(soft, 40.0, table);
-            let Found::Multiple(found) = found else { panic!("{table:?}") };
+            let Ok(found) = found else { panic!("{table:?}") };
             // One percent of the modulus is 2.7 % of the multiple.
             assert!(
                 (found.multiple / 4.925 - 1.0).abs() < 0.028 && presses <= 6,
@@ -166,24 +161,24 @@ mod tests {
                 found.multiple
             );
         }
-        let Found::Multiple(found) = find(soft, 28.5, &[1.0, 2.0]).0 else { panic!() };
+        let Ok(found) = find(soft, 28.5, &[1.0, 2.0]).0 else { panic!() };
         assert_eq!(found.multiple, 2.0, "a multiple of the table that fits needs no press");
     }
 
     #[test]
     fn a_modulus_that_saturates_is_out_of_reach() {
         let (found, presses) = find(|m| 50.0 * m / (1.0 + m), 80.0, &[1.0, 8.0]);
-        let Found::OutOfReach([low, high]) = found else { panic!() };
+        let Err([low, high]) = found else { panic!() };
         assert_eq!((presses, low.multiple, high.multiple), (3, 1.0, 64.0));
         assert!(high.modulus < 50.0 && low.modulus == 25.0);
-        let Found::OutOfReach([low, _]) = find(|m| 20.0 + m, 10.0, &[1.0, 8.0]).0 else { panic!() };
+        let Err([low, _]) = find(|m| 20.0 + m, 10.0, &[1.0, 8.0]).0 else { panic!() };
         assert_eq!(low.multiple, 0.125);
     }
 
     #[test]
     fn a_jump_ends_the_search_at_its_nearer_side() {
         let (found, presses) = find(|m| if m < 3.0 { 30.0 } else { 45.0 }, 40.0, &[1.0, 8.0]);
-        let Found::Multiple(found) = found else { panic!() };
+        let Ok(found) = found else { panic!() };
         assert!(presses <= MOST && found.multiple >= 3.0, "{} {presses}", found.multiple);
     }
 }

@@ -1,7 +1,7 @@
 //! The fill of a bridge at rest: packed for a seed, the ring let go, before any load.
 
 use super::AnalysisError;
-use super::halt::Halt;
+use super::crowd::Halt;
 use crate::analysis::engine::dem::filled::{fill, packing, without_loading_blocks};
 use crate::analysis::engine::dem::settings;
 use bridge::Bridge;

@@ -3,7 +3,7 @@
 //! Discs roll past one another, so fill is weaker than its contacts, and beyond some angle of contact it gets no stronger: what
 //! is wanted may be out of reach, and then the answer says so.
 
-use super::halt::Halt;
+use super::crowd::Halt;
 use outcome::calibration::strength::{ANGLE, COHESION, SHARE};
 use outcome::calibration::{Contact, Strength, TargetStrength};
 

@@ -65,9 +65,7 @@ pub(crate) fn outside<'a>(envelopes: impl Iterator<Item = &'a SectionEnvelope>) 
     note::Moving::Sections { outside: all.iter().filter(|extreme| extreme.outside).count(), of: all.len() }
 }
 
-const OF: [Of; 5] = [Of::LargestThrust, Of::SmallestThrust, Of::OutermostThrust, Of::InnermostThrust, Of::LargestShear];
-
-/// The size by which extremes are compared, in the order of [`OF`].
+/// The size by which extremes are compared, in the order of [`Of`].
 fn sizes(s: &Section) -> [f64; 5] {
     [s.compression, -s.compression, s.eccentricity, -s.eccentricity, s.shear.abs()]
 }
@@ -75,19 +73,25 @@ fn sizes(s: &Section) -> [f64; 5] {
 /// Sizes tie that differ by less than this share: round-off would choose, as where weights that are alike on either side change the thrust and not the shear.
 const TIES: f64 = 1e-9;
 
-/// Whether a section is more extreme than the one before: of two that tie, the one with the smaller thrust, which resists shear less.
+/// A size, the section that has it, and of which case.
+type Kept = (f64, Section, Key);
+
+/// Keeps the more extreme of two sections: of two that tie, the one with the smaller thrust, which resists shear less.
 #[inline]
-fn replaces((size, section): (f64, &Section), (before, known): (f64, &Section)) -> bool {
-    match (size - before).abs() <= TIES * before.abs() {
-        true => section.compression < known.compression * (1.0 - TIES),
-        false => size > before,
+fn keep(kept: &mut Option<Kept>, new: Kept) {
+    let replaces = |(before, known, _): &Kept| match (new.0 - before).abs() <= TIES * before.abs() {
+        true => new.1.compression < known.compression * (1.0 - TIES),
+        false => new.0 > *before,
+    };
+    if kept.as_ref().is_none_or(replaces) {
+        *kept = Some(new);
     }
 }
 
 /// Extremes of every watched joint so far: size, section and which case.
 #[derive(Debug, Clone)]
 pub(crate) struct Extremes {
-    rows: Vec<[Option<(f64, Section, Key)>; 5]>,
+    rows: Vec<[Option<Kept>; 5]>,
 }
 
 impl Extremes {
@@ -101,9 +105,7 @@ impl Extremes {
         for (row, (joint, _)) in self.rows.iter_mut().zip(watched) {
             let Some(section) = ground.section(effect, 1.0, *joint) else { continue };
             for (kept, size) in row.iter_mut().zip(sizes(&section)) {
-                if kept.as_ref().is_none_or(|(before, known, _)| replaces((size, &section), (*before, known))) {
-                    *kept = Some((size, section, key));
-                }
+                keep(kept, (size, section, key));
             }
         }
     }
@@ -112,18 +114,14 @@ impl Extremes {
     pub(crate) fn merge(&mut self, later: Extremes) {
         for (row, other) in self.rows.iter_mut().zip(later.rows) {
             for (kept, new) in row.iter_mut().zip(other) {
-                if let Some(new) = new
-                    && kept.as_ref().is_none_or(|(before, known, _)| replaces((new.0, &new.1), (*before, known)))
-                {
-                    *kept = Some(new);
-                }
+                new.into_iter().for_each(|new| keep(kept, new));
             }
         }
     }
 
     pub(crate) fn told(self, watched: &[Watched], case: impl Fn(&Key) -> Case) -> Vec<SectionEnvelope> {
         let each = watched.iter().zip(self.rows).map(|((_, envelope), row)| {
-            let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {
+            let told = Of::ALL.iter().zip(row).filter_map(|(&of, kept)| {
                 let (_, s, key) = kept?;
                 let (thrust, eccentricity, shear) = (s.compression, s.eccentricity, s.shear);
                 let outside = eccentricity.abs() > 0.5 * envelope.depth * (1.0 + ROUNDING);
@@ -139,7 +137,7 @@ impl Extremes {
 mod tests {
     use super::super::super::vehicles::tests::plan;
     use super::super::super::vehicles::vehicle_sweep;
-    use super::{Section, replaces};
+    use super::{Key, Section, keep};
     use crate::samples;
     use bridge::{Method, Ring, Span};
     use mechanics::watch::Unwatched;
@@ -163,9 +161,14 @@ mod tests {
     fn of_two_sections_with_the_same_shear_the_smaller_thrust_counts() {
         let section = |compression, shear| Section { compression, shear, eccentricity: 0.1 };
         let [weak, strong] = [section(100.0, 20.0), section(120.0, 20.0 * (1.0 + 1e-12))];
-        assert!(replaces((20.0, &weak), (strong.shear, &strong)) && !replaces((strong.shear, &strong), (20.0, &weak)));
+        let replaces = |new: Section, known: Section| {
+            let mut kept = Some((known.shear, known, Key::at(0, 0.0)));
+            keep(&mut kept, (new.shear, new, Key::at(1, 0.0)));
+            kept.is_some_and(|(_, _, key)| key.drive == 1)
+        };
+        assert!(replaces(weak, strong) && !replaces(strong, weak));
         let more = section(150.0, 20.0 * (1.0 + 1e-6));
-        assert!(replaces((more.shear, &more), (20.0, &weak)) && !replaces((20.0, &weak), (more.shear, &more)));
+        assert!(replaces(more, weak) && !replaces(weak, more));
     }
 
     /// An eccentricity beyond the joint is that of an elastic ring that takes tension: it says so where it stands, and once in words.

@@ -1,6 +1,6 @@
 //! Why a passage cannot be set up.
 
-use super::sensors::SensorError;
+use outcome::picture::Point;
 use thiserror::Error;
 
 /// A passage that cannot be set up.
@@ -30,9 +30,32 @@ pub enum PassageError {
         /// End [m].
         to: f64,
     },
-    /// A sensor finds no place.
-    #[error(transparent)]
-    Sensor(#[from] SensorError),
+    /// Nothing is where a sensor is to sit.
+    #[error("sensor \"{name}\" lies at x = {:.3} m, y = {:.3} m, outside of the bridge and its fill", at[0], at[1])]
+    Outside {
+        /// The sensor.
+        name: String,
+        /// Where [m].
+        at: Point,
+    },
+    /// A sensor needs the ring.
+    #[error("sensor \"{name}\" sits on a stone or a joint: place it by `span` and `place`, or by `at`")]
+    NeedsRing {
+        /// The sensor.
+        name: String,
+    },
+    /// A gauge is longer than its stone.
+    #[error(
+        "sensor \"{name}\": a gauge of {:.0} mm does not fit on a stone of {:.0} mm, and must not cross a joint", 1e3 * gauge, 1e3 * stone
+    )]
+    LongGauge {
+        /// The sensor.
+        name: String,
+        /// Gauge length [m].
+        gauge: f64,
+        /// Length of the stone's face [m].
+        stone: f64,
+    },
     /// The bridge has no mesh.
     #[error(transparent)]
     Mesh(#[from] structure::discretise::mesh::MeshError),

@@ -25,7 +25,11 @@ pub(super) fn model(bridge: &Bridge, meshed: &Meshed, kinematics: Kinematics) ->
         return Err(PassageError::Missing(keys.join(", ")));
     }
     let sections = meshed.roles.iter().map(|role| section(bridge, *role)).collect();
-    let joints = vec![mortar(bridge, &bridge.joint), mortar(bridge, &bridge.ring_joint), contact(bridge, meshed)];
+    let joints = vec![
+        mortar(bridge, &bridge.joint),
+        mortar(bridge, &bridge.ring_joint),
+        JointLaw::Contact(contact(bridge, meshed)),
+    ];
     Model::new(meshed.mesh.clone(), sections, joints, &supports(meshed), kinematics).map_err(PassageError::Model)
 }
 
@@ -125,24 +129,23 @@ fn mortar(bridge: &Bridge, joint: &Joint) -> JointLaw {
 }
 
 /// Friction behind a penalty of many times the stiffness of the fill's own elements.
-fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
+fn contact(bridge: &Bridge, meshed: &Meshed) -> Contact {
     let (contact, fill) = (&bridge.service.fill_contact, &bridge.service.fill);
     let own = PENALTY * fill.elastic_modulus.unwrap_or_default() / meshed.options.size;
     let normal = contact.stiffness.unwrap_or(own);
-    JointLaw::Contact(Contact {
+    Contact {
         normal,
         tangential: normal / (2.0 * (1.0 + fill.poisson_ratio.unwrap_or_default())),
         friction: contact.friction_coefficient.unwrap_or_default(),
         cohesion: 0.0,
         separation: contact.separation,
         rounding: ROUNDING,
-    })
+    }
 }
 
 /// What the model assumes.
 pub(super) fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<Note> {
-    let JointLaw::Contact(contact) = contact(bridge, meshed) else { return Vec::new() };
-    let (stiffness, friction, parts) = (contact.normal, contact.friction, contact.separation);
+    let Contact { normal: stiffness, friction, separation: parts, .. } = contact(bridge, meshed);
     let mut told = vec![
         InPassage::PlaneStrain,
         InPassage::Mortar { shear: shear(bridge) },

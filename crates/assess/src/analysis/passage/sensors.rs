@@ -1,12 +1,12 @@
 //! A sensor as a linear functional of the displacements: nodes and factors. Stresses are asked of the element instead.
 
+use super::PassageError;
 use bridge::passage::{Direction, Face, Sensor, SensorKind, SensorPosition};
 use mechanics::fem::Mesh;
 use mechanics::ids::{NodeId, QuadId};
 use mechanics::plane::{Vec2, vec2};
 use outcome::passage::Measurand;
 use outcome::picture::Point;
-use thiserror::Error;
 
 /// Nodes of one span's ring.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -66,48 +66,17 @@ pub struct Placed {
     pub about: String,
 }
 
-/// Why a sensor finds no place on the mesh.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum SensorError {
-    /// Nothing is there.
-    #[error("sensor \"{name}\" lies at x = {:.3} m, y = {:.3} m, outside of the bridge and its fill", at[0], at[1])]
-    Outside {
-        /// The sensor.
-        name: String,
-        /// Where [m].
-        at: Point,
-    },
-    /// It needs the ring.
-    #[error("sensor \"{name}\" sits on a stone or a joint: place it by `span` and `place`, or by `at`")]
-    NeedsRing {
-        /// The sensor.
-        name: String,
-    },
-    /// The gauge is longer than its stone.
-    #[error(
-        "sensor \"{name}\": a gauge of {:.0} mm does not fit on a stone of {:.0} mm, and must not cross a joint", 1e3 * gauge, 1e3 * stone
-    )]
-    LongGauge {
-        /// The sensor.
-        name: String,
-        /// Gauge length [m].
-        gauge: f64,
-        /// Length of the stone's face [m].
-        stone: f64,
-    },
-}
-
 /// Finds the place of a sensor on the mesh.
 ///
 /// # Errors
 /// A place outside the bridge, one that is on no stone or joint where its kind needs one, or a gauge longer than its stone.
-pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed, SensorError> {
+pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed, PassageError> {
     let name = sensor.name.clone();
-    let needs_ring = || SensorError::NeedsRing { name: name.clone() };
+    let needs_ring = || PassageError::NeedsRing { name: name.clone() };
     let (span, share) = match (sensor.place, sensor.kind) {
         (SensorPosition::Span { span, share }, _) => (span, share),
         (SensorPosition::Point(at), SensorKind::Displacement(direction)) => {
-            let terms = inside(mesh, at).ok_or(SensorError::Outside { name: name.clone(), at })?;
+            let terms = inside(mesh, at).ok_or(PassageError::Outside { name: name.clone(), at })?;
             let (towards, sign) = direction_of(direction, share_at(mesh, rings, at[0]));
             let about = format!("point at x = {:.3} m, y = {:.3} m, {sign} positive", at[0], at[1]);
             return Ok(Placed { name, quantity: Measurand::Displacement, reading: along(&terms, towards), about });
@@ -129,7 +98,7 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
         }
         SensorKind::Strain { gauge_length } => {
             let stone = stone_at(mesh, stones, share);
-            let reading = gauge(mesh, &stones[stone], gauge_length).map_err(|stone| SensorError::LongGauge {
+            let reading = gauge(mesh, &stones[stone], gauge_length).map_err(|stone| PassageError::LongGauge {
                 name: name.clone(),
                 gauge: gauge_length,
                 stone,
@@ -446,13 +415,13 @@ mod tests {
         let (mesh, rings) = two_stones();
         let crown = SensorPosition::Span { span: 0, share: 0.5 };
         let long = sensor(SensorKind::Strain { gauge_length: 0.41 }, crown, Face::Intrados);
-        assert!(matches!(place(&long, &mesh, &rings), Err(SensorError::LongGauge { .. })));
+        assert!(matches!(place(&long, &mesh, &rings), Err(PassageError::LongGauge { .. })));
         let vertical = SensorKind::Displacement(Direction::Vertical);
         let outside = sensor(vertical, SensorPosition::Point([3.0, 0.1]), Face::Intrados);
-        assert!(matches!(place(&outside, &mesh, &rings), Err(SensorError::Outside { .. })));
+        assert!(matches!(place(&outside, &mesh, &rings), Err(PassageError::Outside { .. })));
         let gauge = sensor(SensorKind::Stress, SensorPosition::Point([0.1, 0.1]), Face::Intrados);
-        assert!(matches!(place(&gauge, &mesh, &rings), Err(SensorError::NeedsRing { .. })));
+        assert!(matches!(place(&gauge, &mesh, &rings), Err(PassageError::NeedsRing { .. })));
         let elsewhere = sensor(vertical, SensorPosition::Span { span: 4, share: 0.5 }, Face::Intrados);
-        assert!(matches!(place(&elsewhere, &mesh, &rings), Err(SensorError::NeedsRing { .. })));
+        assert!(matches!(place(&elsewhere, &mesh, &rings), Err(PassageError::NeedsRing { .. })));
     }
 }

@@ -4,10 +4,10 @@ use super::PassageError;
 use super::loads::TrackLoads;
 use super::sensors::{Placed, RingNodes, place};
 use crate::analysis::AnalysisError;
+use crate::analysis::geometry::point;
 use bridge::Bridge;
 use bridge::passage::{MOST_POSITIONS, Passage, PassagePlan, default_sensors};
 use mechanics::fem::Mesh;
-use mechanics::ids::NodeId;
 use outcome::note::{InPassage, Note};
 use structure::discretise::mesh::{Meshed, SpanSets, mesh};
 
@@ -47,7 +47,7 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
         return Err(PassageError::UnreadTrain(file.clone()).into());
     }
     let meshed = mesh(bridge).map_err(PassageError::from)?;
-    let surface: Vec<[f64; 2]> = meshed.sets.surface.iter().map(|node| at(&meshed.mesh, *node)).collect();
+    let surface: Vec<[f64; 2]> = meshed.sets.surface.iter().map(|node| point(meshed.mesh.nodes[*node])).collect();
     let effective_width = asked.track.effective_width.unwrap_or_else(|| whole_strip(bridge));
     let axles = asked.train.axles(bridge.gravity);
     let middle = 0.5 * structure::discretise::bridge_length(bridge);
@@ -56,8 +56,8 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
     let dead_load = even(&surface, pressure);
     let rings: Vec<RingNodes> = meshed.sets.spans.iter().map(|span| ring_nodes(&meshed.mesh, span)).collect();
     let wanted = if asked.sensors.is_empty() { default_sensors(bridge.spans.len()) } else { asked.sensors.clone() };
-    let sensors: Result<Vec<Placed>, _> = wanted.iter().map(|sensor| place(sensor, &meshed.mesh, &rings)).collect();
-    let sensors = sensors.map_err(PassageError::from)?;
+    let placed = wanted.iter().map(|sensor| place(sensor, &meshed.mesh, &rings));
+    let sensors = placed.collect::<Result<Vec<Placed>, _>>()?;
     let (times, positions) = positions(&asked.plan, &surface, loads.wheelbase())?;
     let assumptions = assumptions(bridge, asked, &loads, effective_width, pressure);
     let (train, plan) = (asked.train.name.clone(), asked.plan.clone());
@@ -68,11 +68,6 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
 fn whole_strip(bridge: &Bridge) -> f64 {
     let cracks = bridge.carriageway.as_ref().map_or(&[][..], |asked| &asked.cracks);
     bridge::widest_strip(bridge.width, cracks)
-}
-
-fn at(mesh: &Mesh, node: NodeId) -> [f64; 2] {
-    let point = mesh.nodes[node];
-    [point.x, point.y]
 }
 
 /// Nodal forces of an even pressure [Pa] on a surface.
@@ -127,11 +122,4 @@ fn assumptions(bridge: &Bridge, asked: &Passage, loads: &TrackLoads, width: f64,
     let said = [width, sleeper, InPassage::Rails, InPassage::TrackWeight { pressure }];
     let sensors = asked.sensors.is_empty().then_some(InPassage::Sensors);
     said.into_iter().chain(sensors).map(Note::from).collect()
-}
-
-impl Setup {
-    /// Vertical nodal forces on the nodes of the surface, downwards positive [N/m], at a position.
-    pub fn forces(&self, position: f64) -> Vec<f64> {
-        self.loads.forces(position, self.meshed.sets.surface.len())
-    }
 }

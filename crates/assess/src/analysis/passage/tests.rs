@@ -64,7 +64,7 @@ fn a_passage_is_set_up_on_the_mesh() {
     let dead: f64 = setup.dead_load.iter().sum();
     assert!((dead - (3e3 + setup.meshed.ballast_pressure) * length).abs() < 1e-6 * dead);
     let front = surface.last().unwrap()[0] - 0.3 * length;
-    let force: f64 = setup.forces(front).iter().sum();
+    let force: f64 = setup.loads.forces(front, setup.meshed.sets.surface.len()).iter().sum();
     let axles = setup.loads.axles_above(front, surface[0][0], front);
     let axles: f64 = axles.iter().map(|(_, force)| force).sum();
     // All but what the rail carries beyond the left end.
@@ -97,7 +97,7 @@ fn what_cannot_be_set_up_says_why() {
     let place = SensorPosition::Span { span: 0, share: 0.5 };
     let long = Sensor { name: "long".into(), kind: strain, place, face: bridge::passage::Face::Extrados };
     bridge.passage.as_mut().unwrap().sensors = vec![long];
-    assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::Sensor(_)))));
+    assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::LongGauge { .. }))));
     bridge.passage = None;
     assert_eq!(setup(&bridge).unwrap_err(), AnalysisError::Passage(PassageError::NoTrain));
 }

@@ -102,12 +102,7 @@ impl State {
             begun.map(|(ground, learnt)| ground.sweeper_with(std::mem::take(learnt))).collect();
         let governing = standing.governing((&self.grounds, &mut sweepers), position, asked);
         self.learnt = sweepers.into_iter().map(|sweeper| sweeper.learnt).collect();
-        put.carried = Some(Carried {
-            status: rigid::status(governing.status),
-            factor: governing.factor,
-            dilatant: governing.dilatant,
-            slides: governing.slides,
-        });
+        put.carried = Some(governing.carried);
         if let Some(case) = governing.case {
             let loaded = driven.loaded(&self.bridge, &case);
             put.strips = loads(&loaded);

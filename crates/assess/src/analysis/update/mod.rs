@@ -14,7 +14,9 @@ use bridge::Bridge;
 use bridge::edit::Document;
 use bridge::update::{self, Compared, Update as Asked};
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
-use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
+use calibrate::{
+    Basis, Channel, Evaluator, Failure, Flaw, Halt, Log, Map, Parameter, Problem, Request, Response, Scale, Watch,
+};
 use outcome::note::{InUpdate, Note};
 use outcome::update::{Histories, RecordsUsed, Update, UpdateStatus};
 use outcome::warning::{self, Warning};
@@ -74,24 +76,19 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
     let setup = &model.setup;
     measured::worth_a_passage(task.asked, setup, task.files).map_err(UpdateError::NoProblem)?;
-    let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
-    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
-    let blind = blind(parameters.clone(), setup)?;
+    let blind = blind(task, setup)?;
 
     let mut evaluator = Evaluator::new(&blind, &model, means.map, &mut *means.watch, log);
-    let first = evaluator.respond(std::slice::from_ref(&start), &Request::all());
-    let already = evaluator.computed();
-    let log = evaluator.into_log();
-    let Ok(first) = first else { return Ok(cancelled(task, setup, blind)) };
-    let first = first[0].as_ref().as_ref().map_err(|failure| UpdateError::StartModel(words(failure)))?;
+    let first = started(&mut evaluator)?;
+    let (log, already) = (evaluator.log, evaluator.computed);
+    let Some(first) = first else { return Ok(cancelled(task, setup, blind)) };
 
     let (channels, used) = measured::measured(task, setup, &first.values);
-    let problem = Problem::new(parameters, channels, misfit(task.asked)).map_err(|findings| {
-        let words = findings.iter().map(|f| format!("{}: {} ({})", f.place, f.message, f.help));
-        UpdateError::NoProblem(words.chain(used.findings.iter().map(records::Finding::words)).collect())
-    })?;
+    let of_records = || used.findings.iter().map(records::Finding::words);
+    let problem = Problem::new(blind.parameters().to_vec(), channels, misfit(task.asked))
+        .map_err(|flaws| UpdateError::NoProblem(flaws.iter().map(of_flaw).chain(of_records()).collect()))?;
     let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
-    let basis = match Basis::at(&mut evaluator, &start) {
+    let basis = match Basis::at(&mut evaluator, &blind.start()) {
         Ok(basis) => basis,
         Err(Halt::Stopped) => return Ok(Update { records: used, ..cancelled(task, setup, problem.clone()) }),
         Err(Halt::Failed(failure)) => return Err(UpdateError::StartModel(words(&failure))),
@@ -112,7 +109,7 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
     }
     let updated = updated.and_then(|answers| answers[0].as_ref().as_ref().ok().cloned());
     found.channels = histories(setup, &problem, &first.values, updated.as_ref().map(|response| &response.values[..]));
-    (found.evaluations, found.computed) = (evaluator.log().len(), evaluator.computed() + already);
+    (found.evaluations, found.computed) = (evaluator.log.len(), evaluator.computed + already);
     found.assumptions = assumptions(&model, &problem, &task.asked.plan);
     found.basis = Some(basis);
     warn(&mut found);
@@ -126,21 +123,17 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
 pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
     let setup = &model.setup;
-    let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
-    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
-    let blind = blind(parameters.clone(), setup)?;
+    let blind = blind(task, setup)?;
     let mut evaluator = Evaluator::new(&blind, &model, means.map, &mut *means.watch, Log::new(&task.identity()));
-    let Ok(first) = evaluator.respond(std::slice::from_ref(&start), &Request::all()) else {
-        return Ok(cancelled(task, setup, blind));
-    };
-    let first = first[0].as_ref().as_ref().map_err(|failure| UpdateError::StartModel(words(failure)))?;
-    let log = evaluator.into_log();
+    let first = started(&mut evaluator)?;
+    let log = evaluator.log;
+    let Some(first) = first else { return Ok(cancelled(task, setup, blind)) };
     let (channels, used) = measured::measured(task, setup, &first.values);
     if used.runs.is_empty() {
         return Err(UpdateError::NoProblem(used.findings.iter().map(records::Finding::words).collect()));
     }
     // Where no channel can be compared, the verdict on the records is the answer all the same.
-    let posed = Problem::new(parameters, channels, misfit(task.asked));
+    let (posed, start) = (Problem::new(blind.parameters().to_vec(), channels, misfit(task.asked)), blind.start());
     let mut found = Update { records: used, ..cancelled(task, setup, blind) };
     found.status = UpdateStatus::Completed;
     match posed {
@@ -180,7 +173,7 @@ fn tell(
         Err(Halt::Failed(_)) => basis.clone(),
     };
     let basis = &corrected;
-    match searches::identify(evaluator, basis, point) {
+    match calibrate::identify::identify(evaluator, basis, point, searches::STEP) {
         Ok(told) => found.identifiability = Some(told),
         Err(Halt::Stopped) => return Err(()),
         Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::Identifiability, words(&failure))),
@@ -245,12 +238,23 @@ fn misfit(asked: &Asked) -> Misfit {
 }
 
 /// The problem before records are looked at: it has the shape of the answers and nothing else.
-fn blind(parameters: Vec<Parameter>, setup: &Setup) -> Result<Problem, UpdateError> {
+fn blind(task: &Task<'_>, setup: &Setup) -> Result<Problem, UpdateError> {
+    let parameters = task.asked.parameters.iter().map(parameter).collect();
     let channels = setup.sensors.iter().map(|sensor| Channel::peak(&sensor.name, sensor.quantity.unit(), 1.0));
     let misfit = Misfit { weights: Weights::Equal, ..Misfit::default() };
-    Problem::new(parameters, channels.collect(), misfit).map_err(|findings| {
-        UpdateError::NoProblem(findings.iter().map(|f| format!("{}: {} ({})", f.place, f.message, f.help)).collect())
-    })
+    Problem::new(parameters, channels.collect(), misfit)
+        .map_err(|flaws| UpdateError::NoProblem(flaws.iter().map(of_flaw).collect()))
+}
+
+fn of_flaw(flaw: &Flaw) -> String {
+    format!("{}: {} ({})", flaw.place, flaw.message, flaw.help)
+}
+
+/// A passage of the start model; none where the onlooker wished to stop.
+fn started(evaluator: &mut Evaluator) -> Result<Option<Response>, UpdateError> {
+    let Ok(first) = evaluator.respond(&[evaluator.problem.start()], &Request::all()) else { return Ok(None) };
+    let failed = |failure: Failure| UpdateError::StartModel(words(&failure));
+    first[0].as_ref().clone().map(Some).map_err(failed)
 }
 
 /// An update of which nothing is known yet but what was asked.

@@ -1,16 +1,15 @@
 //! The searches that a file asks for, one after the other over one log, and what the data can tell where the best one ended.
 
 use bridge::update::{self, Plan};
-use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::sweep::{Sweep, ranking};
 use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Evaluator, Found, Halt, Linearised, Problem, Serial, Start, linearised, surrogate};
+use calibrate::{Basis, Evaluator, Found, Halt, Linearised, Problem, Serial, Start, surrogate};
 use outcome::update::{LinearReport, PaperSearch, PosteriorReport, Search, SearchLine, Update, UpdateStatus};
 
-/// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
-/// peak, which a step of the usual ten-thousandth would take for a derivative.
-const STEP: f64 = 5e-3;
+/// Step of differences as a share of a range, in the modern search and for what the data can tell: joints that open leave answers smooth to a
+/// ten-thousandth of a peak, which a step of the usual ten-thousandth would take for a derivative.
+pub(super) const STEP: f64 = 5e-3;
 
 /// Points that a surrogate is fitted to, and points that it is judged by.
 const SURROGATE: [usize; 2] = [150, 30];
@@ -41,22 +40,19 @@ impl Searches<'_> {
         if wants(update::Search::Modern) {
             let settings = modern::Settings { starts: plan.starts as usize, seed: plan.seed, step: STEP };
             self.one(Search::Modern, "", evaluator, |_, evaluator| {
-                let outcome = modern::search(evaluator, basis, &settings);
-                (of_status(&outcome.status), outcome.found)
+                let modern::Outcome { status, found, .. } = modern::search(evaluator, basis, &settings);
+                ended(modern::End { status, found })
             });
         }
         if wants(update::Search::Referee) {
-            let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
             self.one(Search::Referee, "", evaluator, |_, evaluator| {
-                let outcome = referee::search(evaluator, basis, &settings);
-                (of_status(&outcome.status), outcome.found)
+                ended(referee::search(evaluator, basis, plan.seed, referee::GENERATIONS))
             });
         }
         if wants(update::Search::Gradient) {
             for &(from, start) in gradient_starts(plan.start) {
                 self.one(Search::Gradient, from, evaluator, |_, evaluator| {
-                    let outcome = gradient::search(evaluator, basis, start, 100);
-                    (of_status(&outcome.status), outcome.found)
+                    ended(gradient::search(evaluator, basis, start, 100))
                 });
             }
         }
@@ -124,7 +120,7 @@ impl Searches<'_> {
         if self.found.status == UpdateStatus::Cancelled {
             return;
         }
-        let (begun, before) = ((self.clock)(), evaluator.computed());
+        let (begun, before) = ((self.clock)(), evaluator.computed);
         let (end, found) = run(self.found, evaluator);
         let status = match end {
             End::Well(words) => words,
@@ -143,7 +139,7 @@ impl Searches<'_> {
             variant: variant.to_owned(),
             status,
             found,
-            computed: evaluator.computed() - before,
+            computed: evaluator.computed - before,
             seconds: (self.clock)() - begun,
         });
     }
@@ -162,18 +158,14 @@ fn gradient_starts(plan: update::Start) -> &'static [(&'static str, Start)] {
     }
 }
 
-fn of_status(status: &modern::Status) -> End {
-    match status {
+fn ended(search: modern::End) -> (End, Option<Found>) {
+    let end = match search.status {
         modern::Status::Converged => End::Well("converged".to_owned()),
         modern::Status::NotConverged(words) => End::Well(format!("not converged: {words}")),
         modern::Status::Stopped => End::Stopped,
-        modern::Status::Failed(failure) => End::Failed(failure.message.clone()),
-    }
-}
-
-/// What the data can tell at a point: by differences as wide as the modern search's.
-pub(super) fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Identifiability, Halt> {
-    calibrate::identify::identify(evaluator, basis, point, STEP)
+        modern::Status::Failed(failure) => End::Failed(failure.message),
+    };
+    (end, search.found)
 }
 
 /// Common gain and model error as the file asks for them.
@@ -194,10 +186,9 @@ pub(super) fn linearised(
     problem: &Problem,
 ) -> Result<LinearReport, Halt> {
     let line = Linearised::at(evaluator, basis, point, STEP)?;
-    let settings = linearised::Settings { likelihood: likelihood(plan), seed: plan.seed };
     let sweeps = line.sweeps(evaluator.problem, &basis.held, &basis.start, LINE_POINTS);
     let ranking = ranking(&sweeps, Sweep::range);
-    Ok(LinearReport { left: line.left(problem, &settings), sweeps, ranking })
+    Ok(LinearReport { left: line.left(problem, &likelihood(plan), plan.seed), sweeps, ranking })
 }
 
 /// The posterior, sampled on a polynomial whose error is checked, stated and joined to the uncertainties of `noise`.
@@ -209,8 +200,7 @@ pub(super) fn posterior(
     clock: &dyn Fn() -> f64,
 ) -> Result<Result<PosteriorReport, String>, Halt> {
     let begun = clock();
-    let settings = surrogate::Settings { training: SURROGATE[0], held_out: SURROGATE[1], seed: plan.seed };
-    let polynomial = surrogate::build(evaluator, basis, &settings)?;
+    let polynomial = surrogate::build(evaluator, basis, SURROGATE, plan.seed)?;
     let problem = polynomial.widen(noise);
     let settings = posterior::Settings {
         likelihood: likelihood(plan),
@@ -218,7 +208,7 @@ pub(super) fn posterior(
         seed: plan.seed,
         ..posterior::Settings::default()
     };
-    let mut quick = Evaluator::without_log(&problem, &polynomial, &Serial, evaluator.onlooker());
+    let mut quick = Evaluator::without_log(&problem, &polynomial, &Serial, &mut *evaluator.watch);
     let sampled = posterior::sample(&mut quick, basis, &settings);
     if sampled.as_ref().is_ok_and(|posterior| posterior.status == posterior::Status::Stopped) {
         return Err(Halt::Stopped);

@@ -6,7 +6,7 @@
 
 use super::cracked::{Lines, most_loaded};
 use crate::vehicles::Chosen;
-use bridge::{Bridge, Carriageway, Sideways};
+use bridge::{Bridge, Sideways};
 use outcome::note;
 use outcome::vehicles::Across;
 use rules::{EffectiveWidth, Rule, Ways};
@@ -61,22 +61,19 @@ struct Arrangement<'a> {
     depth: f64,
     apart: f64,
     edge: Option<f64>,
-    sideways: Sideways,
-    gravity: f64,
+    /// Distance of the rails or wheels by which a vehicle stands unevenly [m].
+    gauge: f64,
+    /// How far the resultant of a vehicle lies beside the middle between its wheels [m], and whether it moves then.
+    shift: (f64, bool),
 }
 
 impl Arrangement<'_> {
-    /// How far the resultant of a vehicle lies beside the middle between its wheels [m], and whether it moves then.
-    fn shift(&self) -> (f64, bool) {
-        self.sideways.eccentricity(self.gravity)
-    }
-
     /// What is left of the width of so many vehicles where their resultants lie beside their middles, all to one side [m]: the part that is
     /// centred on the resultant; and by a rule of dispersal no more than leaves the heavier side of each vehicle its half of the width.
     fn centred(&self, width: f64, count: usize) -> f64 {
-        let (shift, _) = self.shift();
+        let (shift, _) = self.shift;
         let heavier = match self.rule.effective_width {
-            EffectiveWidth::Dispersed { .. } => count as f64 * self.alone() / (1.0 + 2.0 * shift / self.sideways.gauge),
+            EffectiveWidth::Dispersed { .. } => count as f64 * self.alone() / (1.0 + 2.0 * shift / self.gauge),
             _ => f64::INFINITY,
         };
         let centred = width - 2.0 * shift;
@@ -131,8 +128,8 @@ impl Arrangement<'_> {
     fn lines(&self, count: usize, own: Option<f64>, width: f64) -> Lines {
         let presence = self.chosen.acting.presence(count);
         let half = 0.5 * self.chosen.vehicle.wheel_track_m;
-        let (shift, _) = self.shift();
-        let uneven = (shift / self.sideways.gauge).min(0.5);
+        let (shift, _) = self.shift;
+        let uneven = (shift / self.gauge).min(0.5);
         let of_one = |lane: usize| {
             let (at, share) = (lane as f64 * self.apart, presence * self.share(lane));
             match own {
@@ -198,7 +195,7 @@ impl Arrangement<'_> {
         if at_edge && self.lost() > 0.0 {
             told += &format!("; {:.2} m of it lie beyond the edge", self.lost());
         }
-        if let (shift, moving) = self.shift()
+        if let (shift, moving) = self.shift
             && shift > 0.0
         {
             told += &format!(
@@ -223,10 +220,10 @@ impl Arrangement<'_> {
 /// The worst arrangement of a vehicle.
 pub(super) fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
     let (most, apart) = room(bridge, chosen);
-    let edge = bridge.carriageway.as_ref().and_then(|asked: &Carriageway| asked.edge_distance);
-    let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
-    let (barrel, depth, gravity) = (bridge.width, bridge.cover.depth, bridge.gravity);
-    let one = Arrangement { rule, chosen, barrel, depth, apart, edge, sideways, gravity };
+    let asked = bridge.carriageway.clone().unwrap_or_default();
+    let (barrel, depth, edge) = (bridge.width, bridge.cover.depth, asked.edge_distance);
+    let (gauge, shift) = (asked.sideways.gauge, asked.sideways.eccentricity(bridge.gravity));
+    let one = Arrangement { rule, chosen, barrel, depth, apart, edge, gauge, shift };
     let counts: Vec<usize> = (1..=most).filter(|count| *count == 1 || one.share(count - 1) > 0.0).collect();
     let uniform = vec![f64::INFINITY; chosen.vehicle.uniform.len()];
     let mut found = Across { axles: f64::INFINITY, uniform, ..Across::default() };

@@ -9,7 +9,6 @@ use super::super::parallel::portion;
 use super::traffic::Traffic;
 use super::{AnalysisError, factored};
 use crate::vehicles::Chosen;
-use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::vehicles::{Case, EnvelopePoint, Swept, Weights};
@@ -20,11 +19,6 @@ const RATIO: f64 = 1.1;
 
 /// Most positions of a drive that are asked before the worst one is known.
 const POSITIONS: usize = 49;
-
-/// Whether the vehicles of a bridge are asked on a continuum.
-pub(super) fn is_wanted(bridge: &Bridge) -> bool {
-    continuum::wanted(bridge).is_some()
-}
 
 /// Puts lower bounds on the continuum in front where they are the smaller factors. Tells whether all of it was done.
 pub(super) fn beside(traffic: &Traffic<'_>, swept: &mut [Swept], watch: &mut dyn Watch) -> Result<bool, AnalysisError> {

@@ -11,6 +11,7 @@ use crate::vehicles::{Chosen, Refused, chosen};
 use bridge::{Bridge, Directions, SweepPlan};
 use mechanics::limit::{Effect, Factor, Friction, Ground, Status, Sweeper};
 use mechanics::watch::Unwatched;
+use outcome::collapse::Status as Ended;
 use outcome::note;
 use outcome::vehicles::{Case, Direction, Weights};
 use rules::Rule;
@@ -109,20 +110,45 @@ impl Driven {
     }
 }
 
+/// What is carried at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Carried {
+    /// How it ended.
+    pub status: Ended,
+    /// What all loads may be multiplied by: where joints slide, the lesser of the factors with and without dilation.
+    pub factor: Option<f64>,
+    /// The factor with dilatant friction.
+    pub dilatant: Option<f64>,
+    /// Whether joints slide in the mechanism with dilation.
+    pub slides: bool,
+}
+
+impl Carried {
+    /// No factor, and why.
+    pub(in crate::analysis) fn nothing(status: Ended) -> Carried {
+        Carried { status, factor: None, dilatant: None, slides: false }
+    }
+
+    /// Whether it says less of what is carried, or nothing.
+    pub(in crate::analysis) fn is_worse_than(&self, other: &Carried) -> bool {
+        match (self.factor, other.factor) {
+            (Some(own), Some(others)) => own < others,
+            // Loads that lock are carried; any other end without a factor is worse than a factor.
+            (None, Some(_)) => self.status != Ended::Locks,
+            (Some(_), None) => other.status == Ended::Locks,
+            (None, None) => other.status == Ended::Locks && self.status != Ended::Locks,
+        }
+    }
+}
+
 /// What governs at a place.
 pub(in crate::analysis) struct Governing {
+    /// What is carried, as sweeps have it.
+    pub carried: Carried,
     /// The case; none where every load is carried or nothing is known.
     pub case: Option<Case>,
     /// Its place among the combinations of weights.
     pub weights: usize,
-    /// How the place ended.
-    pub status: Status,
-    /// The least factor, as sweeps have it: without dilation where that is less.
-    pub factor: Option<f64>,
-    /// The least factor with dilation.
-    pub dilatant: Option<f64>,
-    /// Whether joints slide in its mechanism with dilation.
-    pub slides: bool,
     /// Whether its factor is that without dilation.
     pub level: bool,
     /// Whether it was not asked what is carried without dilation, and that may be less.
@@ -189,20 +215,20 @@ impl Standing {
         let locks = locks.into_iter().filter(|_| asked == Asked::Carefully).max_by_key(|(key, _)| key.extent());
         let locking = locks.map(|(key, effect)| (key, sweepers[key.weights].gives_way(&effect)));
         let falls = locking.and_then(|(key, factor)| Some((key, factor?))).filter(|(_, factor)| factor.is_finite());
-        let level = |(key, factor): (Key, f64)| Governing {
+        let level = |(key, factor): (Key, f64), dilatant: Option<f64>| Governing {
+            carried: Carried { status: Ended::Collapsed, factor: Some(factor), dilatant, slides: true },
             case: Some(self.told(&key)),
             weights: key.weights,
-            factor: Some(factor),
-            slides: true,
             level: true,
-            ..Governing::nothing(Status::Solved)
+            is_open: false,
         };
         if locking.is_some_and(|(_, factor)| factor.is_none()) {
-            return Governing::nothing(Status::NotConverged);
+            return Governing::nothing(Ended::NotConverged);
         }
         let Some(worst) = least(&answers) else {
-            let status = if open.is_empty() { Status::Locks } else { Status::NotConverged };
-            return falls.filter(|_| open.is_empty()).map_or_else(|| Governing::nothing(status), level);
+            let status = if open.is_empty() { Ended::Locks } else { Ended::NotConverged };
+            let falls = falls.filter(|_| open.is_empty());
+            return falls.map_or_else(|| Governing::nothing(status), |falls| level(falls, None));
         };
         // Where a factor above the least is proven to be carried, a case without an answer does not govern.
         let is_carried = |(key, effect): &(Key, Effect)| {
@@ -210,20 +236,18 @@ impl Standing {
             proven.is_some_and(|carried| carried > worst.factor)
         };
         if !open.iter().all(is_carried) {
-            return Governing::nothing(Status::NotConverged);
+            return Governing::nothing(Ended::NotConverged);
         }
         // Those that tie for the least in their order: the one that governs first.
         answered.sort_by(|a, b| a.answer.factor.total_cmp(&b.answer.factor));
         let first = answered.iter().position(|case| case.answer.key == worst.key).unwrap_or(0);
         answered[..=first].rotate_right(1);
         let may_slide = |case: &Answered| case.dilatant.slides && case.answer.factor <= DILATANCY * worst.factor;
+        let (dilatant, slides) = (Some(worst.factor), answered[0].dilatant.slides);
         let mut governing = Governing {
+            carried: Carried { status: Ended::Collapsed, factor: dilatant, dilatant, slides },
             case: Some(self.told(&worst.key)),
             weights: worst.key.weights,
-            status: Status::Solved,
-            factor: Some(worst.factor),
-            dilatant: Some(worst.factor),
-            slides: answered[0].dilatant.slides,
             level: false,
             is_open: asked == Asked::Quickly && (skipped || answered.iter().any(may_slide)),
         };
@@ -231,22 +255,19 @@ impl Standing {
             return governing;
         }
         let (mut factor, mut turns) = (worst.factor, Turns::from(worst.factor));
-        for Answered { answer: Answer { key, factor: dilates, .. }, effect, dilatant } in &answered {
+        for Answered { answer: Answer { key, factor: dilates, .. }, effect, dilatant: with } in &answered {
             if !turns.may_govern(*dilates) {
                 break;
             }
-            let found = sweepers[key.weights].least_beside(effect, Friction::Automatic, *dilatant);
-            let Some(own) = found.factor else { return Governing::nothing(Status::NotConverged) };
+            let found = sweepers[key.weights].least_beside(effect, Friction::Automatic, *with);
+            let Some(own) = found.factor else { return Governing::nothing(Ended::NotConverged) };
             turns.met(*dilates, own);
             if found.friction == Friction::NonAssociated && own < factor {
                 factor = own;
-                governing = Governing { dilatant: governing.dilatant, ..level((*key, own)) };
+                governing = level((*key, own), dilatant);
             }
         }
-        match falls.filter(|(_, own)| *own < factor) {
-            Some(falls) => Governing { dilatant: governing.dilatant, ..level(falls) },
-            None => governing,
-        }
+        falls.filter(|(_, own)| *own < factor).map_or(governing, |falls| level(falls, dilatant))
     }
 
     /// Every case at a place under every combination of weights. Asked quickly, cases are left out whose upper bound by the mechanisms met
@@ -287,16 +308,7 @@ struct Answered {
 
 impl Governing {
     /// No case, and why.
-    fn nothing(status: Status) -> Governing {
-        Governing {
-            case: None,
-            weights: 0,
-            status,
-            factor: None,
-            dilatant: None,
-            slides: false,
-            level: false,
-            is_open: false,
-        }
+    fn nothing(status: Ended) -> Governing {
+        Governing { carried: Carried::nothing(status), case: None, weights: 0, level: false, is_open: false }
     }
 }

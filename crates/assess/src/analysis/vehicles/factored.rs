@@ -2,12 +2,14 @@
 
 use super::across;
 use super::weights;
+use crate::analysis::state::each_joint;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, Dispersal, DispersalRule, Load, LoadKind, Method, SweepPlan};
 use outcome::vehicles::Across;
 use outcome::vehicles::Weights;
 use outcome::vehicles::{Case, Direction};
 use rules::{Pattern, Pressure, Rule};
+use structure::discretise::springings::ranges;
 
 /// The bridge with the rule's factors on strengths, and one combination of those on weights.
 pub(super) fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
@@ -17,16 +19,11 @@ pub(super) fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge 
     if let Some(strength) = &mut b.masonry.compressive_strength {
         *strength /= f.masonry_strength.value;
     }
-    for joint in [&mut b.joint, &mut b.ring_joint] {
+    each_joint(&mut b, |joint| {
         joint.friction_angle = (joint.friction_angle.tan() / f.friction.value).atan();
         joint.cohesion /= rule.cohesion().value;
         joint.tensile_strength /= rule.cohesion().value;
-    }
-    if let Some(wall) = &mut b.spandrel_wall {
-        wall.joint.friction_angle = (wall.joint.friction_angle.tan() / f.friction.value).atan();
-        wall.joint.cohesion /= rule.cohesion().value;
-        wall.joint.tensile_strength /= rule.cohesion().value;
-    }
+    });
     if let Some(fill) = &mut b.fill_pressure {
         fill.mobilisation /= f.fill_pressure.value;
         fill.cohesion_mobilisation /= f.fill_pressure.value;
@@ -113,16 +110,13 @@ impl Footprint {
 /// How a vehicle's axles stand and spread by a plan and a rule.
 pub(super) fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen) -> Footprint {
     let depth = bridge.cover.depth;
-    let mut x = 0.0;
-    let mut spans = Vec::with_capacity(bridge.spans.len());
     let mut critical = 1.0f64;
-    for (k, span) in bridge.spans.iter().enumerate() {
+    let spans = bridge.spans.iter().zip(ranges(bridge)).map(|(span, range)| {
         let [axles, more] = chosen.acting.axle_factors(span.span, depth);
         critical = critical.max(more);
-        let uniform = chosen.acting.uniform_factor(span.span, depth);
-        spans.push(OfSpan { range: [x, x + span.span], axles, uniform });
-        x += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
-    }
+        OfSpan { range, axles, uniform: chosen.acting.uniform_factor(span.span, depth) }
+    });
+    let spans = spans.collect();
     let by_rule = Dispersal {
         rule: match rule.dispersal.pressure {
             _ if rule.dispersal.length_per_depth == 0.0 => DispersalRule::None,
@@ -155,34 +149,28 @@ pub(super) fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: 
     b.dispersal = foot.dispersal;
     let Some(pattern) = pattern(chosen, &case.arrangement) else { return b };
     let sign = if case.direction == Direction::Right { 1.0 } else { -1.0 };
+    let load = |part: String, kind: LoadKind, position: f64| Load {
+        name: format!("{}, {part}", vehicle.title),
+        kind,
+        position,
+        block: None,
+        horizontal: case.horizontal,
+        whole_length: true,
+    };
     if let Some([first, last]) = case.axles {
         for (k, axle) in pattern.axles.iter().enumerate().take(last + 1).skip(first) {
             let critical = if case.critical_axle == Some(k) { foot.critical } else { 1.0 };
             let position = case.position - sign * axle.offset;
-            b.loads.push(Load {
-                name: format!("{}, axle {}", vehicle.title, k + 1),
-                kind: LoadKind::Axles {
-                    axles: vec![(axle.force * foot.axle_at(position) * critical, 0.0)],
-                    contact_length: foot.length,
-                    effective_width: foot.across.axles,
-                },
-                position,
-                block: None,
-                horizontal: case.horizontal,
-                whole_length: true,
-            });
+            let axles = vec![(axle.force * foot.axle_at(position) * critical, 0.0)];
+            let (contact_length, effective_width) = (foot.length, foot.across.axles);
+            let kind = LoadKind::Axles { axles, contact_length, effective_width };
+            b.loads.push(load(format!("axle {}", k + 1), kind, position));
         }
     }
-    if let Some([from, to]) = case.uniform {
-        for (a, b_, pressure) in clipped(&pattern, &foot, case, [from, to]) {
-            b.loads.push(Load {
-                name: format!("{}, uniform load", vehicle.title),
-                kind: LoadKind::Patch { pressure, length: b_ - a },
-                position: 0.5 * (a + b_),
-                block: None,
-                horizontal: case.horizontal,
-                whole_length: true,
-            });
+    if let Some(range) = case.uniform {
+        for (from, to, pressure) in clipped(&pattern, &foot, case, range) {
+            let kind = LoadKind::Patch { pressure, length: to - from };
+            b.loads.push(load("uniform load".to_owned(), kind, 0.5 * (from + to)));
         }
     }
     b

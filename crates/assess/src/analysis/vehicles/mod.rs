@@ -17,7 +17,7 @@ mod driven;
 mod factored;
 mod limits;
 #[cfg(test)]
-mod screened;
+mod screened_tests;
 mod search;
 mod seeds;
 #[cfg(test)]
@@ -27,13 +27,12 @@ mod standing;
 pub(crate) mod tests;
 mod told;
 mod traffic;
-mod twins;
 mod weights;
 
 pub use across::ROAD_LANE;
 pub(super) use braking::worst_of;
 pub(super) use driven::Asked;
-pub use driven::Driven;
+pub use driven::{Carried, Driven};
 pub(super) use standing::Standing;
 
 use super::parallel::portion;
@@ -49,6 +48,7 @@ use outcome::vehicles::{Case, Swept, VehicleSweep};
 use outcome::warning::{self, OpenPositions, RecalledFactor, Warning};
 use rules::{Acting, Confidence, Rule, Source};
 use structure::discretise::DiscretiseError;
+use structure::discretise::continuum::wanted;
 use traffic::Traffic;
 
 /// Moves the vehicles of the bridge's plan over it: as they stand, and where the plan has braking also with that share of their loads
@@ -67,7 +67,7 @@ fn with_braking(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, 
     if share == 0.0 {
         return moved(bridge, watch);
     }
-    if !bridge.plan.method.follows_moving_loads() && continuum::is_wanted(bridge) {
+    if !bridge.plan.method.follows_moving_loads() && wanted(bridge).is_some() {
         return Err(DiscretiseError::Horizontal { what: "fill as a continuum" }.into());
     }
     let mut own = bridge.clone();
@@ -100,7 +100,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let step = cases::places_apart(bridge, plan);
     let weights = weights::combinations(bridge, &rule);
     let gives = bridge.plan.method.follows_moving_loads();
-    let yields = !gives && continuum::is_wanted(bridge);
+    let yields = !gives && wanted(bridge).is_some();
     let before = if vehicles.iter().any(|chosen| chosen.acting.beside.is_some()) { 0.3 } else { 0.0 };
     let (first_part, rigid_part) = ([0.0, before], if gives || yields { [before, 0.5] } else { [before, 1.0] });
     let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), &mut portion(watch, first_part))?;
@@ -141,9 +141,8 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k], &case);
-        let run = alone(bridge, &one, found.vehicles[k].is_deformable_governing(), watch)?;
+        let mut run = alone(bridge, &one, found.vehicles[k].is_deformable_governing(), watch)?;
         let capacity = found.rule.capacity_factor();
-        let mut run = run;
         match run.status {
             Status::Cancelled => {
                 let least = found.vehicles[k].factor();

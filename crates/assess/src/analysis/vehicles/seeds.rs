@@ -6,6 +6,7 @@ use mechanics::limit::Ground;
 use mechanics::watch::CancelToken;
 use structure::discretise::Discretised;
 use structure::discretise::dispersal::{Strip, spread};
+use structure::discretise::springings::ranges;
 
 /// Places in a span under which an axle gives the mechanisms to begin with.
 const SEEDS: usize = 12;
@@ -20,8 +21,7 @@ pub(super) fn seeds(
 ) -> Vec<Vec<f64>> {
     let mut sweeper = ground.sweeper().paced(token);
     let mut motions = Vec::new();
-    let mut left = 0.0;
-    for (k, span) in bridge.spans.iter().enumerate() {
+    for (span, [left, _]) in bridge.spans.iter().zip(ranges(bridge)) {
         for place in 0..=SEEDS {
             let middle = left + span.span * place as f64 / SEEDS as f64;
             let strip =
@@ -32,7 +32,6 @@ pub(super) fn seeds(
                 motions.push(sweeper.motion(&effect));
             }
         }
-        left += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
     }
     motions
 }

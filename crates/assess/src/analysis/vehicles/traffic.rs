@@ -2,12 +2,11 @@
 
 use super::AnalysisError;
 use super::factored::{self, Footprint, footprint};
-use super::twins::{Twin, twins};
 use crate::analysis::engine::rigid;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use outcome::vehicles::{Case, EnvelopePoint, Swept, Weights};
-use rules::Rule;
+use rules::{Pattern, Rule};
 use structure::discretise::Discretised;
 
 /// See above.
@@ -60,4 +59,30 @@ impl<'a> Traffic<'a> {
         let weights = point.weights.unwrap_or(self.weights[0]);
         Case { weights, horizontal: self.plan.braking, load: 0.0, ..point.case.clone() }
     }
+}
+
+/// A vehicle whose loads are a multiple of those of an earlier one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Twin {
+    /// The earlier one.
+    pub of: usize,
+    /// How many times its loads.
+    pub times: f64,
+}
+
+/// For each vehicle the first one that it is a multiple of, units of HB or numbers of RA: the same cases govern both.
+fn twins(vehicles: &[Chosen], feet: &[Footprint]) -> Vec<Option<Twin>> {
+    let patterns: Vec<Vec<Pattern>> = vehicles.iter().map(|chosen| chosen.vehicle.patterns()).collect();
+    let mut twins: Vec<Option<Twin>> = Vec::with_capacity(vehicles.len());
+    for k in 0..vehicles.len() {
+        let twin = (0..k).filter(|&of| twins[of].is_none() && feet[of] == feet[k]).find_map(|of| {
+            let alike = vehicles[of].vehicle.axles_may_be_dropped == vehicles[k].vehicle.axles_may_be_dropped
+                && patterns[of].len() == patterns[k].len();
+            let times = patterns[k].first()?.force() / patterns[of].first()?.force();
+            let multiple = patterns[k].iter().zip(&patterns[of]).all(|(this, other)| this.is_multiple(other, times));
+            (alike && multiple).then_some(Twin { of, times })
+        });
+        twins.push(twin);
+    }
+    twins
 }

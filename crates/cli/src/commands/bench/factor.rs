@@ -5,8 +5,8 @@ use crate::args::Bench;
 use crate::report::Report;
 use crate::status::Status;
 use extrados::Refusal;
-use mechanics::fem::{Element, Pattern, State, Workspace};
-use verification::footing::{Footing, FootingError, Ground, footing};
+use mechanics::fem::{Element, FactorError, Pattern, State, Workspace};
+use verification::footing::{Footing, Ground, footing};
 
 /// Elements along the ground where `--count` does not say: 99,793 degrees of freedom.
 const COLUMNS: u32 = 316;
@@ -17,11 +17,11 @@ type Seconds = [f64; 5];
 /// Repeats all of it; each part's least time.
 pub(super) fn run(arguments: &Bench) -> Result<Report, Refusal> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
-    let refused = |error: FootingError| Refusal::new("F108", error.to_string(), "ask for fewer elements");
-    let ground = footing(columns, Ground::Elastic, Element::Q4).map_err(refused)?;
+    let refused = |error: String| Refusal::new("F108", error, "ask for fewer elements");
+    let ground = footing(columns, Ground::Elastic, Element::Q4).map_err(|error| refused(error.to_string()))?;
     let (mut all, mut entries) = (Vec::new(), [0; 2]);
     for _ in 0..arguments.repeats {
-        let (seconds, found) = repeat(&ground).map_err(refused)?;
+        let (seconds, found) = repeat(&ground).map_err(|error| refused(error.to_string()))?;
         all.push(seconds);
         entries = found;
     }
@@ -51,7 +51,7 @@ pub(super) fn run(arguments: &Bench) -> Result<Report, Refusal> {
 }
 
 /// Times, and the entries of the stiffness and of its factor.
-fn repeat(ground: &Footing) -> Result<(Seconds, [usize; 2]), FootingError> {
+fn repeat(ground: &Footing) -> Result<(Seconds, [usize; 2]), FactorError> {
     let model = &ground.model;
     let (pattern, of_pattern) = timed(|| Pattern::new(model));
     let (work, analyse) = timed(|| Workspace::with_pattern(model, pattern));

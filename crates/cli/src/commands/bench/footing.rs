@@ -9,7 +9,7 @@ use crate::watcher::asked_to_stop;
 use extrados::Refusal;
 use mechanics::fem;
 use mechanics::watch::Watch;
-use verification::footing::{FootingError, Ground, footing, prandtl, settings};
+use verification::footing::{Ground, footing, prandtl, settings};
 
 /// Elements along the ground where `--count` does not say.
 const COLUMNS: u32 = 142;
@@ -21,12 +21,12 @@ const TOLERANCE: f64 = 1e-6;
 pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report, Refusal> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
     let ground = arguments.material.unwrap_or(Ground::VonMises);
-    let refused = |error: FootingError| Refusal::new("F108", error.to_string(), "ask for less");
+    let refused = |error: String| Refusal::new("F108", error, "ask for less");
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
         let clock = Clock::start();
-        let mesh = footing(columns, ground, fem::Element::Q4).map_err(refused)?;
-        let pushed = mesh.push(&settings(TOLERANCE), onlooker).map_err(refused)?;
+        let mesh = footing(columns, ground, fem::Element::Q4).map_err(|error| refused(error.to_string()))?;
+        let pushed = mesh.push(&settings(TOLERANCE), onlooker).map_err(|error| refused(error.to_string()))?;
         seconds.push(clock.seconds());
         last = Some((pushed, mesh.model.equations()));
         if asked_to_stop() {

@@ -141,14 +141,8 @@ impl Way {
         condensed.restore(&self.at_rest);
         for k in 0..=last {
             let mut watch = again(watch, "pictures", k, last);
-            let under = with_weight(setup.loads.reactions(setup.positions[k]));
-            match condensed.solve_position(&under, &mut watch)?.reached {
-                Reached::Balanced => {}
-                Reached::NotConverged => break,
-                Reached::Cancelled => {
-                    solution.status = PassageStatus::Cancelled;
-                    break;
-                }
+            if !balanced(condensed, setup.loads.reactions(setup.positions[k]), solution, &mut watch)? {
+                break;
             }
             for (_, name) in wanted.iter().filter(|(at, _)| *at == k) {
                 let state = condensed.state()?;
@@ -172,28 +166,37 @@ impl Way {
             return Ok(());
         };
         let count = ((last - first) / INFLUENCE_STEP) as usize;
-        let own = &solution.self_weight;
+        let own = solution.self_weight.clone();
         let mut influence = Influence { force, positions: Vec::new(), values: vec![Vec::new(); own.len()] };
         condensed.restore(&self.at_rest);
         for k in 0..=count {
             let x = first + INFLUENCE_STEP * k as f64;
             let mut watch = again(watch, "influence lines", k, count);
-            match condensed.solve_position(&with_weight(loads.reactions(x)), &mut watch)?.reached {
-                Reached::Balanced => {}
-                Reached::NotConverged => return Ok(()),
-                Reached::Cancelled => {
-                    solution.status = PassageStatus::Cancelled;
-                    return Ok(());
-                }
+            if !balanced(condensed, loads.reactions(x), solution, &mut watch)? {
+                return Ok(());
             }
             influence.positions.push(x);
-            for ((values, value), own) in influence.values.iter_mut().zip(condensed.observed()).zip(own) {
+            for ((values, value), own) in influence.values.iter_mut().zip(condensed.observed()).zip(&own) {
                 values.push(value - own);
             }
         }
         solution.influence = Some(influence);
         Ok(())
     }
+}
+
+/// Balances the weight and what stands on the sleepers; whether a balance was found.
+fn balanced(
+    condensed: &mut Condensed,
+    reactions: Vec<f64>,
+    solution: &mut Solution,
+    watch: &mut dyn Watch,
+) -> Result<bool, CondensedError> {
+    let reached = condensed.solve_position(&with_weight(reactions), watch)?.reached;
+    if reached == Reached::Cancelled {
+        solution.status = PassageStatus::Cancelled;
+    }
+    Ok(reached == Reached::Balanced)
 }
 
 /// Distance between the places of an influence line [m].

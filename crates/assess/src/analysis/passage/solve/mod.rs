@@ -85,7 +85,7 @@ pub struct Passing<'s> {
     way: Way,
     wanted: Scope,
     /// Positions that were reached.
-    done: usize,
+    pub done: usize,
     /// What was found so far.
     solution: Solution,
 }
@@ -164,11 +164,6 @@ impl<'s> Passing<'s> {
     pub fn status(&self) -> Option<PassageStatus> {
         let status = self.solution.status;
         (status != PassageStatus::Completed || self.done == self.setup().positions.len()).then_some(status)
-    }
-
-    /// Positions that were reached.
-    pub fn done(&self) -> usize {
-        self.done
     }
 
     /// Values of the sensors at the position that was reached last, self-weight taken off [SI]; empty before the first one.
@@ -274,7 +269,7 @@ fn self_weight(bridge: &Bridge, setup: &Setup, model: &Model) -> Vec<f64> {
 /// Nodal forces of the train at a position, on top of the weight [N/m].
 fn with_train(rest: &AtRest<'_>, position: f64) -> Vec<f64> {
     let mut forces = rest.weight.clone();
-    let train = rest.setup.forces(position);
+    let train = rest.setup.loads.forces(position, rest.setup.meshed.sets.surface.len());
     for (node, force) in rest.setup.meshed.sets.surface.iter().zip(train) {
         forces[2 * node.index() + 1] -= force;
     }
