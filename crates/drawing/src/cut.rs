@@ -2,8 +2,8 @@
 
 use crate::Point;
 use crate::outline::straightened;
+use geo::Line;
 use geo::algorithm::line_intersection::line_intersection;
-use geo::{Coord, Line};
 
 /// Cuts a simple counter-clockwise outline along diagonals from its reflex corners until every piece is convex. Of the
 /// diagonals of a corner the shortest is taken among those that leave no reflex angle there, and the shortest of all
@@ -40,14 +40,13 @@ fn diagonal(points: &[Point]) -> Option<(usize, usize)> {
     let reflex = |a: Point, b: Point, c: Point| turn(a, b, c) < -1e-9 * size(a, b) * size(b, c);
     let i = (0..n).find(|&i| reflex(at(i + n - 1), at(i), at(i + 1)))?;
     let (before, corner, after) = (at(i + n - 1), at(i), at(i + 1));
-    let line = |a: Point, b: Point| Line::new(Coord { x: a[0], y: a[1] }, Coord { x: b[0], y: b[1] });
     let sees = |j: usize| {
         let inside = turn(before, corner, at(j)) > 0.0 || turn(corner, after, at(j)) > 0.0;
-        let sight = line(corner, at(j));
+        let sight = Line::new(corner, at(j));
         inside
             && (0..n).all(|k| {
                 let shares = [k, (k + 1) % n].iter().any(|&e| e == i || e == j);
-                shares || line_intersection(sight, line(at(k), at(k + 1))).is_none()
+                shares || line_intersection(sight, Line::new(at(k), at(k + 1))).is_none()
             })
     };
     let others = (0..n).filter(|&j| j != i && j != (i + 1) % n && (j + 1) % n != i);

@@ -51,12 +51,10 @@ pub(crate) struct Expansion<'a> {
     full: bool,
 }
 
-/// Where an entity stands: its map to metres, the layer and the name of the reference it came through.
-#[derive(Clone)]
-struct Context {
+/// Where an entity stands: its map to metres, and the reference that it came through.
+struct Context<'a> {
     map: Transform,
-    layer: Option<String>,
-    through: String,
+    through: Option<&'a Place>,
     depth: usize,
 }
 
@@ -72,7 +70,7 @@ pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings
         points: 0,
         full: false,
     };
-    let context = Context { map: Transform::scale(metres), layer: None, through: String::new(), depth: 0 };
+    let context = Context { map: Transform::scale(metres), through: None, depth: 0 };
     for entity in &content.entities {
         expansion.entity(entity, &context);
     }
@@ -81,7 +79,7 @@ pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings
 }
 
 impl Expansion<'_> {
-    fn entity(&mut self, entity: &Record, context: &Context) {
+    fn entity(&mut self, entity: &Record, context: &Context<'_>) {
         if self.full {
             return;
         }
@@ -116,7 +114,7 @@ impl Expansion<'_> {
         }
     }
 
-    fn polyline(&mut self, place: Place, entity: &Record, context: &Context) {
+    fn polyline(&mut self, place: Place, entity: &Record, context: &Context<'_>) {
         let (flags, light) = (entity.whole(70, 0), entity.kind == "LWPOLYLINE");
         // 16 and 64: meshes in space. 8 is a line in space, which may lie in the plane.
         if !light && flags & (16 | 64) != 0 {
@@ -146,7 +144,7 @@ impl Expansion<'_> {
     }
 
     /// An arc, its angles in degrees, or a circle.
-    fn arc(&mut self, place: Place, entity: &Record, context: &Context) {
+    fn arc(&mut self, place: Place, entity: &Record, context: &Context<'_>) {
         let ([x, y, z], radius) = (entity.space(10, ORIGIN), entity.number(40, 0.0));
         let Some(map) = self.plane(&place, context, entity) else { return };
         if !self.is_flat(&place, context, [z].into_iter()) || !self.has_size(&place, radius) {
@@ -178,7 +176,7 @@ impl Expansion<'_> {
     }
 
     /// An ellipse, its parameters in radians.
-    fn ellipse(&mut self, place: Place, entity: &Record, context: &Context) {
+    fn ellipse(&mut self, place: Place, entity: &Record, context: &Context<'_>) {
         let (centre, long) = (entity.space(10, ORIGIN), entity.space(11, [1.0, 0.0, 0.0]));
         let (share, from, to) = (entity.number(40, 1.0), entity.number(41, 0.0), entity.number(42, TAU));
         // Centre and axes are in the drawing's own coordinates; the normal only decides which way round.
@@ -202,7 +200,7 @@ impl Expansion<'_> {
         self.strand(place, points, &context.map, closed, true);
     }
 
-    fn spline(&mut self, place: Place, entity: &Record, context: &Context) {
+    fn spline(&mut self, place: Place, entity: &Record, context: &Context<'_>) {
         let (points, fit) = (entity.points([10, 20, 30]), entity.points([11, 21, 31]));
         if !self.is_flat(&place, context, points.iter().chain(&fit).map(|p| p[2])) {
             return;
@@ -226,7 +224,7 @@ impl Expansion<'_> {
     }
 
     /// A spline that is given by the points it passes through.
-    fn fitted(&mut self, place: Place, fit: &Fit<'_>, context: &Context) {
+    fn fitted(&mut self, place: Place, fit: &Fit<'_>, context: &Context<'_>) {
         if let Some(defect) = fit.defect() {
             let message = format!("the spline by fit points cannot be drawn: it has {defect}");
             return self.findings.error("D103", place, message, "convert it to a polyline");
@@ -249,7 +247,7 @@ impl Expansion<'_> {
     }
 
     /// A reference to a block, with its rows and columns.
-    fn insert(&mut self, insert: &Record, place: &Place, context: &Context) {
+    fn insert(&mut self, insert: &Record, place: &Place, context: &Context<'_>) {
         let Some(block) = self.content.blocks.get(&insert.name.to_uppercase()) else {
             let message = format!("the block {} is not in the file", insert.name);
             let help = "bind external references before the export, or take this one out";
@@ -286,12 +284,7 @@ impl Expansion<'_> {
                 };
                 let moved = own.vector(block.base);
                 own.origin = [own.origin[0] - moved[0], own.origin[1] - moved[1]];
-                let inner = Context {
-                    map: map.after(&own),
-                    layer: Some(place.layer.clone()),
-                    through: place.entity.clone(),
-                    depth: context.depth + 1,
-                };
+                let inner = Context { map: map.after(&own), through: Some(place), depth: context.depth + 1 };
                 for entity in &block.entities {
                     self.entity(entity, &inner);
                 }
@@ -326,7 +319,7 @@ impl Expansion<'_> {
     }
 
     /// The map of an entity drawn in its own plane: seen from above, or from below as a mirror image.
-    fn plane(&mut self, place: &Place, context: &Context, entity: &Record) -> Option<Transform> {
+    fn plane(&mut self, place: &Place, context: &Context<'_>, entity: &Record) -> Option<Transform> {
         let [x, y, z] = entity.normal();
         let size = (x * x + y * y + z * z).sqrt();
         // Round-off of a turned coordinate system.
@@ -340,7 +333,7 @@ impl Expansion<'_> {
     }
 
     /// Whether all heights are zero, to the gap tolerance.
-    fn is_flat(&mut self, place: &Place, context: &Context, heights: impl Iterator<Item = f64>) -> bool {
+    fn is_flat(&mut self, place: &Place, context: &Context<'_>, heights: impl Iterator<Item = f64>) -> bool {
         let size = context.map.stretch();
         let farthest = heights.map(|z| z * size).fold(0.0, |most: f64, z| if z.abs() > most.abs() { z } else { most });
         if farthest.abs() > self.options.gap_tolerance {
@@ -372,12 +365,12 @@ impl Expansion<'_> {
 }
 
 /// Where an entity stands. What a block draws on layer 0 lies on the layer of its reference.
-fn place(entity: &Record, context: &Context) -> Place {
+fn place(entity: &Record, context: &Context<'_>) -> Place {
     let own = format!("{} {}", entity.kind, entity.handle).trim_end().to_owned();
-    let inside = |outer: &String| if outer.is_empty() { own.clone() } else { format!("{own} in {outer}") };
-    let layer = match &context.layer {
-        Some(outer) if entity.layer == "0" => outer.clone(),
-        _ => entity.layer.clone(),
+    let layer = match context.through {
+        Some(outer) if entity.layer == "0" => &outer.layer,
+        _ => &entity.layer,
     };
-    Place { layer, entity: inside(&context.through), at: None }
+    let name = context.through.map_or(own.clone(), |outer| format!("{own} in {}", outer.entity));
+    Place { layer: layer.clone(), entity: name, at: None }
 }

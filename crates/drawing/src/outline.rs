@@ -8,8 +8,8 @@ use crate::finding::{Findings, Place};
 use crate::options::{Concave, Options};
 use crate::shapes::Outline;
 use ::findings::words::counted;
+use geo::Line;
 use geo::algorithm::line_intersection::{LineIntersection, line_intersection};
-use geo::{Coord, Line};
 
 /// Points this close are the same [m], and a point this near the line between its neighbours is no corner: a micrometre
 /// is far below what is drawn, and far above the round-off of coordinates in kilometres.
@@ -165,28 +165,21 @@ fn is_line(points: &[Point]) -> bool {
 /// missed and none is found where there is none.
 fn crossing(points: &[Point]) -> Option<Point> {
     let n = points.len();
-    let line = |i: usize| {
-        let (a, b) = (points[i], points[(i + 1) % n]);
-        Line::new(Coord { x: a[0], y: a[1] }, Coord { x: b[0], y: b[1] })
-    };
+    let line = |i: usize| Line::new(points[i], points[(i + 1) % n]);
     for i in 0..n {
         // An edge that runs back over the one before it.
         let (a, b) = (line(i), line((i + 1) % n));
         let back = a.dx() * b.dx() + a.dy() * b.dy() < 0.0;
         if back && (a.dx() * b.dy() - a.dy() * b.dx()).abs() <= 1e-12 * (a.dx().hypot(a.dy()) * b.dx().hypot(b.dy())) {
-            return Some([b.start.x, b.start.y]);
+            return Some(b.start.into());
         }
         for j in i + 2..n {
             if i == 0 && j == n - 1 {
                 continue;
             }
             match line_intersection(line(i), line(j)) {
-                Some(LineIntersection::SinglePoint { intersection, .. }) => {
-                    return Some([intersection.x, intersection.y]);
-                }
-                Some(LineIntersection::Collinear { intersection }) => {
-                    return Some([intersection.start.x, intersection.start.y]);
-                }
+                Some(LineIntersection::SinglePoint { intersection, .. }) => return Some(intersection.into()),
+                Some(LineIntersection::Collinear { intersection }) => return Some(intersection.start.into()),
                 None => {}
             }
         }

@@ -4,7 +4,7 @@ use crate::Point;
 use crate::finding::Findings;
 use crate::outline::signed_area;
 use crate::shapes::Outline;
-use geo::{Area, BooleanOps, Centroid, Coord, LineString, Polygon};
+use geo::{Area, BooleanOps, Centroid, LineString, Polygon};
 
 /// Blocks may be drawn into one another by this share of the smaller one's half diagonal: what coordinates with six
 /// digits leave between blocks that are meant to touch.
@@ -63,13 +63,10 @@ fn depth(a: &[Point], b: &[Point]) -> f64 {
 }
 
 fn report(a: &Outline, b: &Outline, findings: &mut Findings) {
-    let polygon = |o: &Outline| {
-        let ring = o.points.iter().map(|p| Coord { x: p[0], y: p[1] }).collect();
-        Polygon::new(LineString(ring), Vec::new())
-    };
+    let polygon = |o: &Outline| Polygon::new(LineString::from(o.points.clone()), Vec::new());
     let common = polygon(a).intersection(&polygon(b));
     let shared = common.unsigned_area();
-    let at = common.centroid().map_or(a.points[0], |c| [c.x(), c.y()]);
+    let at = common.centroid().map_or(a.points[0], Point::from);
     let smaller = signed_area(&a.points).min(signed_area(&b.points));
     let larger = signed_area(&a.points).max(signed_area(&b.points));
     let other = crate::Place { at: None, ..b.place.clone() }.to_string();

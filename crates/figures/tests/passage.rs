@@ -5,7 +5,7 @@ use assess::analysis::passage::{Setup, Solution, report, setup};
 use bridge::Bridge;
 use outcome::passage::{Influence, Moment, Pair, PairState, Part, Row, RowKind, StepLog};
 use outcome::passage::{Passage, PassageStatus};
-use structure::discretise::mesh::Seam;
+use std::collections::BTreeMap;
 
 fn example() -> Bridge {
     let text = include_str!("../../../examples/railway-arch/passage.toml");
@@ -57,12 +57,11 @@ fn moment(bridge: &Bridge, setup: &Setup, name: &str, position: Option<f64>) -> 
         .zip(&stresses)
         .map(|(quad, stress)| mesh.zones[quad.zone] == "fill" && stress[0] < -2.2e4)
         .collect();
-    let rows: Vec<Row> = setup
-        .meshed
-        .seams
-        .pairs()
-        .filter_map(|(id, seam)| {
-            let Seam::Joint { span, ring: 0, joint } = *seam else { return None };
+    let joints = setup.meshed.sets.spans.iter().enumerate();
+    let joints = joints.flat_map(|(span, set)| set.joints[0].iter().enumerate().map(move |(k, id)| (*id, [span, k])));
+    let rows: Vec<Row> = BTreeMap::from_iter(joints)
+        .into_iter()
+        .map(|(id, [span, joint])| {
             let nodes = &mesh.interfaces[id].one;
             let last = (nodes.len() - 1) as f64;
             let pairs = nodes.iter().enumerate().map(|(k, node)| {
@@ -85,7 +84,7 @@ fn moment(bridge: &Bridge, setup: &Setup, name: &str, position: Option<f64>) -> 
                     state,
                 }
             });
-            Some(Row { kind: RowKind::Joint { span, joint }, pairs: pairs.collect() })
+            Row { kind: RowKind::Joint { span, joint }, pairs: pairs.collect() }
         })
         .collect();
     Moment {

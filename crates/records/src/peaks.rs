@@ -61,33 +61,22 @@ pub fn peaks(series: &Series) -> PeakTable {
     PeakTable { peaks }
 }
 
-/// Peaks of one channel in one run, lines averaged: lines of one run are no repeats of it.
-#[derive(Debug, Clone)]
-pub(crate) struct RunPeak {
-    pub run: String,
-    pub speed: Option<f64>,
-    pub value: f64,
-    pub least_count: f64,
-}
-
 impl PeakTable {
     /// Names of the channels, in order of appearance.
     pub(crate) fn names(&self) -> Vec<&str> {
         distinct(self.peaks.iter().map(|peak| peak.name.as_str()))
     }
 
-    pub(crate) fn by_run(&self, name: &str) -> Vec<RunPeak> {
-        let mut runs: Vec<(RunPeak, usize)> = Vec::new();
+    /// Peaks of one channel in each run, lines averaged: lines of one run are no repeats of it. All but the value is that of the first line.
+    pub(crate) fn by_run(&self, name: &str) -> Vec<Peak> {
+        let mut runs: Vec<(Peak, usize)> = Vec::new();
         for peak in self.peaks.iter().filter(|peak| peak.name == name && peak.value.is_finite()) {
             match runs.iter_mut().find(|(run, _)| run.run == peak.run) {
                 Some((run, count)) => {
                     run.value += peak.value;
                     *count += 1;
                 }
-                None => {
-                    let Peak { run, speed, value, least_count, .. } = peak.clone();
-                    runs.push((RunPeak { run, speed, value, least_count }, 1));
-                }
+                None => runs.push((peak.clone(), 1)),
             }
         }
         runs.iter_mut().for_each(|(run, count)| run.value /= *count as f64);

@@ -97,6 +97,9 @@ pub(crate) fn line(times: &[f64], values: &[f64]) -> [f64; 3] {
     [v0, slope, (rest / (n - 2.0) / tt).sqrt()]
 }
 
+/// The channels of a run without what is shorter than four samples; None where nothing was measured.
+pub(crate) type Smooth = [Option<Vec<f64>>];
+
 /// Where in a run the train is on the bridge, in samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Loaded {
@@ -115,7 +118,7 @@ const QUIET: usize = 10;
 
 /// Where the train is on the bridge, by the middle one of the channels, so that a bad channel does not say it. The quiet start
 /// is the first half of what comes before, for an axle is felt before it stands on the span; the quiet end is the last half.
-pub(crate) fn loaded(run: &Recording, smooth: &[Option<Vec<f64>>]) -> Loaded {
+pub(crate) fn loaded(run: &Recording, smooth: &Smooth) -> Loaded {
     let n = run.times.len();
     let (mut arrivals, mut departures) = (Vec::new(), Vec::new());
     for (channel, values) in run.channels.iter().zip(smooth) {
@@ -148,7 +151,7 @@ pub(crate) fn loaded(run: &Recording, smooth: &[Option<Vec<f64>>]) -> Loaded {
 }
 
 /// Whether at least half of the channels have other levels at the start than at the end.
-fn apart(run: &Recording, smooth: &[Option<Vec<f64>>], start: usize, end: usize) -> bool {
+fn apart(run: &Recording, smooth: &Smooth, start: usize, end: usize) -> bool {
     let [apart, all] = counted(run, smooth, |values| {
         let levels = [median(&mut values[..start].to_vec()), median(&mut values[end..].to_vec())];
         (levels[1] - levels[0]).abs() > ANSWERS * range(values)
@@ -158,7 +161,7 @@ fn apart(run: &Recording, smooth: &[Option<Vec<f64>>], start: usize, end: usize)
 
 /// Whether at least half of the channels hardly move over some samples: by noise, by rounding, or by three hundredths of their
 /// range. A record that begins under the train has a first level too, but moves.
-fn silent(run: &Recording, smooth: &[Option<Vec<f64>>], from: usize, to: usize) -> bool {
+fn silent(run: &Recording, smooth: &Smooth, from: usize, to: usize) -> bool {
     let [still, all] = counted(run, smooth, |values| {
         let allowed = (0.03 * range(values)).max(3.0 * least_count(values)).max(8.0 * noise(values));
         range(&values[from..to]) <= allowed
@@ -167,7 +170,7 @@ fn silent(run: &Recording, smooth: &[Option<Vec<f64>>], from: usize, to: usize) 
 }
 
 /// Of how many used channels something holds, and how many there are.
-fn counted(run: &Recording, smooth: &[Option<Vec<f64>>], holds: impl Fn(&[f64]) -> bool) -> [usize; 2] {
+fn counted(run: &Recording, smooth: &Smooth, holds: impl Fn(&[f64]) -> bool) -> [usize; 2] {
     let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
     used.filter_map(|(_, values)| values.as_ref())
         .fold([0, 0], |[of, all], values| [of + usize::from(holds(values)), all + 1])

@@ -3,88 +3,22 @@
 
 use bridge::ring::Profile;
 use bridge::*;
+use std::sync::LazyLock;
 
-/// The bridge of Rouxinol, Providência and Lemos: case 1 (no weight above the ring).
+/// The bridge of Rouxinol, Providência and Lemos: case 1 (no weight above the ring), as the example has it but for what only a run needs.
 pub(crate) fn bridgemill() -> Bridge {
-    let joint = Joint {
-        normal_stiffness: Some(JointStiffness::Contact(4.84e9)),
-        shear_stiffness: Some(JointStiffness::Contact(0.573e9)),
-        friction_angle: 35.6f64.to_radians(),
-        cohesion: 0.0,
-        tensile_strength: 0.0,
-        fixed_length: Some(0.3455),
-        least_length: Some(0.0711),
-    };
-    Bridge {
-        name: "Bridgemill".into(),
-        width: 8.3,
-        gravity: 9.81,
-        spans: vec![Span {
-            profile: Profile::Segmental,
-            span: 18.30,
-            rise: 2.85,
-            rings: vec![Ring { crown_thickness: 0.711, springing_thickness: 0.711, voussoirs: 62 }],
-            defects: Vec::new(),
-            skew: 0.0,
-            right_springing: 0.0,
-        }],
-        piers: vec![],
-        abutments: [Abutment { top_width: 2.0, height: 1.0, body: None }; 2],
-        masonry: Masonry {
-            density: 2100.0,
-            elastic_modulus: Some(15e9),
-            poisson_ratio: Some(0.2),
-            compressive_strength: None,
-            rounding: 0.01,
-        },
-        joint,
-        ring_joint: joint,
-        spandrel_wall: None,
-        particles: None,
-        calibration: Calibration::default(),
-        cover: Cover {
-            depth: 0.478,
-            layers: vec![],
-            backing: None,
-            internal_walls: None,
-            voids: vec![],
-            road: None,
-            water: None,
-        },
-        loads: vec![Load {
-            name: "knife edge".into(),
-            kind: LoadKind::KnifeEdge { force: 1e3, length: 0.750 },
-            position: 4.575,
-            block: None,
-            horizontal: 0.0,
-            whole_length: false,
-        }],
-        dispersal: Dispersal { rule: DispersalRule::InverseDepth, slope: 2.0 },
-        plan: Plan {
-            method: Method::Dem,
-            analysis: Analysis::Load,
-            strip: Strip::Fill,
-            load_step: Some(100e3 / 8.3),
-            load_limit: Some(600e3),
-            resolution: None,
-            tolerance: 1e-4,
-            step_limit: 200_000,
-            damping: Damping::Local(0.7),
-            contact: None,
-            contact_length: ContactLength::Fixed,
-            time_step_factor: 0.5,
-            friction: Friction::Automatic,
-            contact_points: ContactPoints::Rounded,
-            support_movement: None,
-            seed: 0,
-        },
-        continuum: None,
-        fill_pressure: None,
-        carriageway: None,
-        sweep: None,
-        service: Service::default(),
-        passage: None,
-    }
+    static EXAMPLE: LazyLock<Bridge> = LazyLock::new(|| {
+        let text = include_bytes!("../../../examples/bridgemill/case-1.toml");
+        bridge::read(text).bridge.expect("the example is a bridge")
+    });
+    let mut b = EXAMPLE.clone();
+    b.name = "Bridgemill".into();
+    b.abutments = [Abutment { top_width: 2.0, height: 1.0, body: None }; 2];
+    (b.cover.depth, b.cover.layers) = (0.478, vec![]);
+    b.loads[0].name = "knife edge".into();
+    b.plan = Plan { load_limit: Some(600e3), step_limit: 200_000, time_step_factor: 0.5, seed: 0, ..b.plan };
+    b.service = Service::default();
+    b
 }
 
 /// A bare semicircular ring of `span` and `thickness` [m] with sharp corners.

@@ -2,7 +2,7 @@
 
 use super::judge::Judge;
 use crate::Recording;
-use crate::signal::{Loaded, least_count, line, range};
+use crate::signal::{Loaded, Smooth, least_count, line, range};
 
 /// Standard errors that a slope must exceed to be one.
 const SURE: f64 = 5.0;
@@ -12,7 +12,8 @@ const SAMPLES: usize = 20;
 /// calibration reaches, so that such a drift would be taken for the bridge.
 const SHARE: f64 = 0.1;
 
-pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &Smooth, loaded: Loaded, judge: &mut Judge) {
+    let Some(smooth) = &smooth[channel] else { return };
     let n = run.times.len();
     let record = &run.channels[channel];
     let unit = record.unit;

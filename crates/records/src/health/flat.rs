@@ -2,7 +2,7 @@
 
 use super::judge::Judge;
 use crate::Recording;
-use crate::signal::{Loaded, least_count, range};
+use crate::signal::{Loaded, Smooth, least_count, range};
 
 /// A channel that moves under the train no more than this multiple of what it moves before it is dead: the extremes of a
 /// longer stretch of mere noise are wider, but hardly by half.
@@ -10,7 +10,8 @@ const NO_MORE_THAN_BEFORE: f64 = 1.5;
 /// A channel with less than this share of its expected peak is dead.
 const OF_EXPECTED: f64 = 0.02;
 
-pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &Smooth, loaded: Loaded, judge: &mut Judge) {
+    let Some(smooth) = &smooth[channel] else { return };
     let record = &run.channels[channel];
     let unit = record.unit;
     let moves = range(smooth);

@@ -2,7 +2,7 @@
 
 use super::judge::Judge;
 use crate::Recording;
-use crate::signal::{Loaded, least_count, range};
+use crate::signal::{Loaded, Smooth, least_count, range};
 
 /// Samples that are held at least.
 const SAMPLES: usize = 20;
@@ -13,13 +13,7 @@ const COUNTS: f64 = 10.0;
 /// Distance from the level before the train, or jump at an end of the stretch, as a share of the range.
 const AWAY: f64 = 0.2;
 
-pub(super) fn examine(
-    run: &mut Recording,
-    channel: usize,
-    smooth: &[Option<Vec<f64>>],
-    loaded: Loaded,
-    judge: &mut Judge,
-) {
+pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &Smooth, loaded: Loaded, judge: &mut Judge) {
     let Some(own) = &smooth[channel] else { return };
     let values = &run.channels[channel].values;
     let whole = range(own);

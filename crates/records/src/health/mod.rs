@@ -50,25 +50,16 @@ fn channels(run: &mut Recording, judge: &mut Judge) {
     let smooth = smooth(run);
     let loaded = loaded(run, &smooth);
     // One reason to leave a channel out is enough; dead ones go first, for others are compared with those that move.
-    let looks: [&Look; 4] = [
-        &|run, channel, values, judge| flat::examine(run, channel, values, loaded, judge),
-        &|run, channel, values, judge| spike::examine(run, channel, values, loaded, judge),
-        &|run, channel, _, judge| held::examine(run, channel, &smooth, loaded, judge),
-        &|run, channel, values, judge| drift::examine(run, channel, values, loaded, judge),
-    ];
-    for look in looks {
-        for (channel, values) in smooth.iter().enumerate() {
-            if let Some(values) = values.as_ref().filter(|_| run.channels[channel].used()) {
-                look(run, channel, values, judge);
+    for look in [flat::examine, spike::examine, held::examine, drift::examine] {
+        for channel in 0..smooth.len() {
+            if run.channels[channel].used() {
+                look(run, channel, &smooth, loaded, judge);
             }
         }
     }
 }
 
-/// A look at one channel, with its history without spikes.
-type Look<'a> = dyn Fn(&mut Recording, usize, &[f64], &mut Judge) + 'a;
-
-/// The channels of a run without what is shorter than four samples; None where nothing was measured.
+/// The channels of a run, smoothed.
 pub(crate) fn smooth(run: &Recording) -> Vec<Option<Vec<f64>>> {
     run.channels.iter().map(|channel| bridged(&channel.values).map(|values| smoothed(&values))).collect()
 }

@@ -1,7 +1,7 @@
 //! Spikes: samples that leave their neighbours and come back at once.
 
 use super::judge::Judge;
-use crate::signal::{Loaded, bridged, least_count, noise, quantile, range};
+use crate::signal::{Loaded, Smooth, bridged, least_count, noise, quantile, range};
 use crate::{Done, Recording};
 use findings::words::counted;
 
@@ -19,7 +19,8 @@ const NAMED: usize = 20;
 const MOST: usize = 5;
 
 /// Takes spikes out of a channel, or leaves the channel out where there are too many.
-pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &Smooth, loaded: Loaded, judge: &mut Judge) {
+    let Some(smooth) = &smooth[channel] else { return };
     let record = &run.channels[channel];
     let unit = record.unit;
     let Some(values) = bridged(&record.values) else { return };
@@ -52,11 +53,7 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
         return;
     }
     if spikes.len() > MOST {
-        let message = format!(
-            "{} off their neighbours by more than {}",
-            if spikes.len() == 1 { "1 sample stands".to_owned() } else { format!("{} samples stand", spikes.len()) },
-            unit.words(limit)
-        );
+        let message = format!("{} samples stand off their neighbours by more than {}", spikes.len(), unit.words(limit));
         let help = "see to the sensor's contacts, or accept R042 and say why: its spikes are then taken out";
         judge.fault(run, Some(channel), "R042", Some([spikes[0]; 2]), [&message, help]);
         if !run.channels[channel].used() {

@@ -1,10 +1,9 @@
 //! One zero of the clock for all runs: by a reference history, or by the times at which axles pass a sensor.
 
-use super::log::Log;
 use super::pace;
 use super::resample::at_times;
-use crate::Recording;
 use crate::series::title;
+use crate::{Recording, Series};
 
 /// What the clock's zero is.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -56,7 +55,7 @@ const WEAK: f64 = 0.5;
 /// Samples that the first, coarse search compares.
 const COARSE: usize = 3000;
 
-pub(super) fn align(run: &mut Recording, align: &Align, log: &mut Log) {
+pub(super) fn align(run: &mut Recording, align: &Align, log: &mut Series) {
     let (reference, by) = match align {
         Align::AsRecorded => return,
         Align::Reference(reference) => (reference.clone(), "to the reference".to_owned()),

@@ -1,8 +1,7 @@
 //! The part of a record that is kept.
 
-use super::log::Log;
-use crate::Recording;
 use crate::signal::range;
+use crate::{Recording, Series};
 use findings::words::counted;
 
 /// Which part of a record is kept.
@@ -23,7 +22,7 @@ pub enum Cut {
     Between([f64; 2]),
 }
 
-pub(super) fn cut(run: &mut Recording, cut: Cut, log: &mut Log) {
+pub(super) fn cut(run: &mut Recording, cut: Cut, log: &mut Series) {
     let between = match cut {
         Cut::Whole => return,
         Cut::Between(between) => Some(between),

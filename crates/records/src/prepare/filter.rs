@@ -1,7 +1,6 @@
 //! Low pass: Butterworth of second order, run forward and backward, so that nothing is moved in time.
 
-use super::log::Log;
-use crate::Recording;
+use crate::{Recording, Series};
 use std::f64::consts::{PI, SQRT_2};
 
 /// A section of second order: `y = b0 x + b1 x' + b2 x'' - a1 y' - a2 y''`.
@@ -58,7 +57,7 @@ fn both_ways(section: Section, values: &[f64], pad: usize) -> Vec<f64> {
 }
 
 /// Filters every used channel of a run with a regular clock.
-pub(super) fn low_pass(run: &mut Recording, cutoff: f64, why: &str, log: &mut Log) {
+pub(super) fn low_pass(run: &mut Recording, cutoff: f64, why: &str, log: &mut Series) {
     let rate = 1.0 / run.interval().max(f64::MIN_POSITIVE);
     if !(cutoff > 0.0 && cutoff < 0.5 * rate) {
         let message = format!("a low pass at {cutoff} Hz does not fit a rate of {rate:.4} Hz; nothing was filtered");

@@ -1,9 +1,8 @@
 //! What is zero, and drift taken off.
 
-use super::log::Log;
-use crate::Recording;
 use crate::health::smooth;
 use crate::signal::{Loaded, least_count, line, loaded, median, noise, range};
+use crate::{Recording, Series};
 
 /// What is taken as zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,7 +32,7 @@ fn state(run: &Recording) -> Loaded {
     loaded(run, &smooth(run))
 }
 
-pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Log) {
+pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Series) {
     let samples = match zero {
         Zero::AsRecorded => return kept(run, log),
         Zero::QuietStart => 0..state(run).quiet,
@@ -71,7 +70,7 @@ pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Log) {
 const KEPT: f64 = 0.02;
 
 /// Names the levels that stay in records taken as they are: each is a part of its channel's peak, and temperature moves all of them at once.
-fn kept(run: &Recording, log: &mut Log) {
+fn kept(run: &Recording, log: &mut Series) {
     let quiet = state(run).quiet;
     if quiet == 0 {
         return;
@@ -94,7 +93,7 @@ fn kept(run: &Recording, log: &mut Log) {
     }
 }
 
-pub(super) fn detrend(run: &mut Recording, detrend: Detrend, log: &mut Log) {
+pub(super) fn detrend(run: &mut Recording, detrend: Detrend, log: &mut Series) {
     if detrend == Detrend::None {
         return;
     }

@@ -1,15 +1,9 @@
 //! What was done to records, and what could not be.
 
-use crate::{Done, Finding, Place, Recording};
+use crate::{Done, Finding, Place, Recording, Series};
 use findings::Severity;
 
-/// What was done, and what could not be.
-pub(super) struct Log {
-    pub(super) done: Vec<Done>,
-    pub(super) findings: Vec<Finding>,
-}
-
-impl Log {
+impl Series {
     pub(super) fn did(&mut self, run: &str, channel: &str, what: String) {
         self.done.push(Done::new(run, channel, what));
     }

@@ -14,7 +14,6 @@ pub use filter::noise_bandwidth;
 pub use level::{Detrend, Zero};
 
 use crate::Series;
-use log::Log;
 
 /// What is done to every run, in the order of the fields.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -36,9 +35,9 @@ pub struct Preparation {
 
 /// Prepares the channels that are used. What could not be done is a finding.
 pub fn prepare(series: Series, preparation: &Preparation) -> Series {
-    let mut series = series;
-    let mut log = Log { done: std::mem::take(&mut series.done), findings: std::mem::take(&mut series.findings) };
-    for run in series.runs.iter_mut().filter(|run| run.used().next().is_some()) {
+    let mut log = series;
+    let mut runs = std::mem::take(&mut log.runs);
+    for run in runs.iter_mut().filter(|run| run.used().next().is_some()) {
         // Levels are seen in the quiet start and end, which stand in the run as it was recorded.
         level::zero(run, preparation.zero, &mut log);
         level::detrend(run, preparation.detrend, &mut log);
@@ -59,5 +58,5 @@ pub fn prepare(series: Series, preparation: &Preparation) -> Series {
         align::align(run, &preparation.align, &mut log);
         cut::cut(run, preparation.cut, &mut log);
     }
-    Series { done: log.done, findings: log.findings, ..series }
+    Series { runs, ..log }
 }

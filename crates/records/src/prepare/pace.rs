@@ -1,8 +1,7 @@
 //! Does the timing of axles agree with the speed that a record states?
 
 use super::align::{Reference, best_shift, golden};
-use super::log::Log;
-use crate::Recording;
+use crate::{Recording, Series};
 
 /// Speeds are noted to the nearest km/h, which is 5 % at 20 km/h: nearer than that nothing is contradicted.
 const NEAR: f64 = 0.05;
@@ -19,7 +18,7 @@ const AXLES_APART: f64 = 4.0;
 
 /// Names a speed that axle timing contradicts. `reference` holds for the speed that the record states, and fits it with
 /// `correlation` at its best shift.
-pub(super) fn judge(run: &Recording, measured: &[f64], reference: &Reference, correlation: f64, log: &mut Log) {
+pub(super) fn judge(run: &Recording, measured: &[f64], reference: &Reference, correlation: f64, log: &mut Series) {
     if !long_enough(reference) {
         return;
     }

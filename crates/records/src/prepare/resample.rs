@@ -1,7 +1,6 @@
 //! Regular clocks.
 
-use super::log::Log;
-use crate::Recording;
+use crate::{Recording, Series};
 
 /// No record is made longer than this many samples.
 const MOST: f64 = 5e7;
@@ -26,7 +25,7 @@ pub(super) fn at_times(times: &[f64], values: &[f64], wanted: &[f64]) -> Vec<f64
 }
 
 /// Gives a run whose steps differ a clock of its own mean step.
-pub(super) fn regular(run: &mut Recording, log: &mut Log) {
+pub(super) fn regular(run: &mut Recording, log: &mut Series) {
     let interval = run.interval();
     let tolerance = 1e-3 * interval + run.time_step_shown;
     if run.times.windows(2).all(|pair| (pair[1] - pair[0] - interval).abs() <= tolerance) {
@@ -38,7 +37,7 @@ pub(super) fn regular(run: &mut Recording, log: &mut Log) {
 }
 
 /// Gives a run a clock of that rate [Hz].
-pub(super) fn to_rate(run: &mut Recording, rate: f64, log: &mut Log) {
+pub(super) fn to_rate(run: &mut Recording, rate: f64, log: &mut Series) {
     if !(rate > 0.0 && rate.is_finite()) {
         let message = format!("{rate} Hz is no rate; the clock is as recorded");
         log.could_not(run, "R063", message, "name a rate above 0, such as 200");
@@ -47,7 +46,7 @@ pub(super) fn to_rate(run: &mut Recording, rate: f64, log: &mut Log) {
     onto(run, rate, "as asked", log);
 }
 
-fn onto(run: &mut Recording, rate: f64, why: &str, log: &mut Log) {
+fn onto(run: &mut Recording, rate: f64, why: &str, log: &mut Series) {
     let (Some(&first), Some(&last)) = (run.times.first(), run.times.last()) else { return };
     let samples = ((last - first) * rate * (1.0 + 1e-12)).floor() + 1.0;
     if !(samples < MOST) {

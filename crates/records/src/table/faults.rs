@@ -1,6 +1,6 @@
 //! Faults of cells and rows, those of neighbouring lines gathered into one finding.
 
-use crate::{Finding, Place};
+use crate::{Channel, Finding, Place, Recording};
 use findings::Severity;
 
 /// No fault of one column gets more findings than this; further ones are gathered into one more.
@@ -67,7 +67,7 @@ impl Faults {
     }
 
     /// All of them as findings, by line.
-    pub(super) fn finish(mut self, run: &str, title: impl Fn(usize) -> String) -> Vec<Finding> {
+    pub(super) fn finish(mut self, run: &Recording) -> impl Iterator<Item = Finding> {
         for stretch in std::mem::take(&mut self.open) {
             self.close(stretch);
         }
@@ -79,15 +79,16 @@ impl Faults {
                 1 => format!("{}{shown}: {}", kind.what, kind.then),
                 _ => format!("{count} times {}, first{shown}: {}", kind.what, kind.then),
             };
+            let channel = run.channels.iter().find(|channel| channel.column == column);
             let place = Place {
-                run: run.to_owned(),
+                run: run.name.clone(),
                 lines: Some(lines),
                 column: (column > 0).then_some(column),
-                channel: title(column),
+                channel: channel.map_or(String::new(), Channel::title),
                 time,
             };
             Finding::new(Severity::Warning, kind.code, place, message, kind.help)
         };
-        self.closed.into_iter().map(one).collect()
+        self.closed.into_iter().map(one)
     }
 }

@@ -49,37 +49,16 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Read {
 
 /// The run of a table, with its comment lines, which commonly stand in the same text.
 fn understood(notes: &str, text: &str, options: &ReadOptions, mut findings: Vec<Finding>) -> Read {
-    let notes = notes::notes(notes, options, &mut findings);
-    let run = table(text, options, &notes.name, &mut findings).map(|(table, plan)| {
-        let mut channels = plan.channels;
-        for ((channel, values), decimals) in channels.iter_mut().zip(table.values).zip(table.decimals) {
-            (channel.values, channel.decimals) = (values, decimals);
-        }
-        let shown = table.time_decimals.map_or(0.0, |decimals| plan.clock.step(decimals));
-        Recording {
-            name: notes.name.clone(),
-            speed: notes.speed,
-            synthetic: notes.synthetic.clone(),
-            notes: notes.lines,
-            times: table.times,
-            lines: table.lines,
-            time_step_shown: shown,
-            channels,
-        }
-    });
-    Read { run, findings }
+    let run = notes::noted(notes, options, &mut findings);
+    Read { run: table(text, options, run, &mut findings), findings }
 }
 
-fn table(
-    text: &str,
-    options: &ReadOptions,
-    run: &str,
-    findings: &mut Vec<Finding>,
-) -> Option<(rows::Rows, plan::Plan)> {
+/// The run with the clock and the channels of its table.
+fn table(text: &str, options: &ReadOptions, run: Recording, findings: &mut Vec<Finding>) -> Option<Recording> {
     let candidates = || text::lines(text).filter(|(_, line)| !text::is_blank(line) && !text::is_comment(line));
     let sample: Vec<&str> = candidates().map(|(_, line)| line).take(dialect::SAMPLE).collect();
     let mut say = |severity, code, lines: Option<[usize; 2]>, message: &str, help: &str| {
-        let place = Place { run: run.to_owned(), lines, ..Place::default() };
+        let place = Place { run: run.name.clone(), lines, ..Place::default() };
         findings.push(Finding::new(severity, code, place, message, help));
     };
     if sample.is_empty() {
@@ -93,16 +72,6 @@ fn table(
         say(Severity::Note, "R004", lines, "these lines stand above the headings and are not read", "");
     }
     let body = rows::Body { text, first_row: head.first_row, written };
-    let plan = plan::plan(&head, &body, &options.mapping, run, findings)?;
-    let (rows, faults) = rows::read(&body, &plan);
-    let title = |column: usize| {
-        let channel = plan.channels.iter().find(|channel| channel.column == column);
-        channel.map_or(String::new(), crate::Channel::title)
-    };
-    findings.extend(faults.finish(run, title));
-    findings.extend(rows.last.iter().cloned().map(|mut finding| {
-        finding.place.run = run.to_owned();
-        finding
-    }));
-    Some((rows, plan))
+    let plan = plan::plan(&head, &body, &options.mapping, &run.name, findings)?;
+    Some(rows::read(&body, plan, run, findings))
 }

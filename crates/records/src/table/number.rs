@@ -22,22 +22,14 @@ const NOT_FINITE: [&str; 8] = ["nan", "-nan", "inf", "-inf", "+inf", "infinity",
 pub(super) fn cell(text: &str, decimal_comma: bool) -> Cell {
     let text = text.trim();
     let plain = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b',' | b'e' | b'E'));
-    if !plain || text.len() < 2 {
-        return word_or_digit(text, decimal_comma);
+    if plain && text.len() >= 2 {
+        return number(text, decimal_comma);
     }
-    number(text, decimal_comma)
-}
-
-fn word_or_digit(text: &str, decimal_comma: bool) -> Cell {
-    let folded = text.to_lowercase();
-    if NOTHING.contains(&folded.as_str()) {
-        Cell::Empty
-    } else if NOT_FINITE.contains(&folded.as_str()) {
-        Cell::NotFinite
-    } else if text.len() == 1 {
-        number(text, decimal_comma)
-    } else {
-        Cell::Text
+    match text.to_lowercase().as_str() {
+        word if NOTHING.contains(&word) => Cell::Empty,
+        word if NOT_FINITE.contains(&word) => Cell::NotFinite,
+        _ if text.len() == 1 => number(text, decimal_comma),
+        _ => Cell::Text,
     }
 }
 

@@ -11,24 +11,15 @@ use crate::unit::symbols;
 use crate::{Channel, Dimension, Finding, Place, Unit};
 use findings::Severity;
 
-/// A column that is read.
-#[derive(Debug, Clone)]
-pub(super) struct Slot {
-    /// Its index, from 0.
-    pub index: usize,
-    /// Factor on its cells, sign and calibration.
-    pub factor: f64,
-}
-
 /// What is read of every row.
 #[derive(Debug, Clone)]
 pub(super) struct Plan {
     /// Cells of a complete row.
     pub width: usize,
     pub clock: Clock,
-    /// Columns of the channels, in the order of `channels`.
-    pub slots: Vec<Slot>,
     pub channels: Vec<Channel>,
+    /// Factor on the cells of each channel, sign and calibration.
+    pub factors: Vec<f64>,
 }
 
 struct Planner<'a> {
@@ -143,13 +134,13 @@ pub(super) fn plan(
         Clock::Stamps(Stamps { parts, .. }) => [Some(parts.time), parts.date, parts.thousandths].contains(&Some(index)),
         Clock::Numbers { index: own, .. } => *own == index,
     };
-    let (slots, channels) = columns(&mut planner, &head.headings, mapping, &mapped, of_clock);
+    let (channels, factors) = columns(&mut planner, &head.headings, mapping, &mapped, of_clock);
     if channels.is_empty() {
         let message = "no column is a channel that can be read".to_owned();
         planner.add(Severity::Error, "R010", None, message, "head every channel with its name and unit");
         return None;
     }
-    Some(Plan { width: head.headings.len(), clock, slots, channels })
+    Some(Plan { width: head.headings.len(), clock, channels, factors })
 }
 
 /// Columns that a stamp may be put together from: date, time and thousandths may stand apart.
@@ -161,13 +152,13 @@ fn parts(headings: &[Heading], mapping: &Mapping, time: usize) -> Parts {
     Parts { time, date: beside(Heading::is_date), thousandths: beside(Heading::is_thousandths) }
 }
 
-/// What numbers of a clock without a unit look like, and what to write.
 /// What is said of a clock in which no cell is a number or a stamp that is known.
 const UNREAD: (&str, &str) = (
     "; its stamps are in no form that is known",
     "write them as 2026-10-25T02:59:54.005, or head seconds \"time [s]\"",
 );
 
+/// What numbers of a clock without a unit look like, and what to write.
 fn unitless(first: f64) -> (&'static str, &'static str) {
     match first {
         // From 2000 to 2100.
@@ -245,8 +236,8 @@ fn columns(
     mapping: &Mapping,
     mapped: &[Option<&Column>],
     of_clock: impl Fn(usize) -> bool,
-) -> (Vec<Slot>, Vec<Channel>) {
-    let (mut slots, mut channels) = (Vec::new(), Vec::<Channel>::new());
+) -> (Vec<Channel>, Vec<f64>) {
+    let (mut channels, mut factors) = (Vec::<Channel>::new(), Vec::new());
     for (index, heading) in headings.iter().enumerate().filter(|(index, _)| !of_clock(*index)) {
         let said = mapped[index];
         if said.is_none() && mapping.others == Others::PassOver {
@@ -275,8 +266,8 @@ fn columns(
                 "give each sensor a name or line of its own",
             );
         }
-        slots.push(Slot { index, factor: said.map_or(1.0, |column| column.sign * column.scale) });
+        factors.push(said.map_or(1.0, |column| column.sign * column.scale));
         channels.push(Channel { name, line, unit, column: index + 1, values: Vec::new(), decimals: Some(0), left_out });
     }
-    (slots, channels)
+    (channels, factors)
 }

@@ -6,7 +6,7 @@ use super::faults::{Faults, Kind};
 use super::number::{Cell, cell};
 use super::plan::Plan;
 use super::text::{is_blank, is_comment, lines};
-use crate::{Finding, Place};
+use crate::{Finding, Place, Recording};
 use findings::Severity;
 use std::borrow::Cow;
 
@@ -70,23 +70,6 @@ impl<'a> Body<'a> {
     }
 }
 
-/// The rows that could be taken.
-#[derive(Debug, Default)]
-pub(super) struct Rows {
-    /// Times [s].
-    pub times: Vec<f64>,
-    /// Line of the file of each.
-    pub lines: Vec<u32>,
-    /// Values of each channel [SI]; NaN where there is none.
-    pub values: Vec<Vec<f64>>,
-    /// Most decimals of each channel; None where cells had exponents.
-    pub decimals: Vec<Option<usize>>,
-    /// The same of the clock.
-    pub time_decimals: Option<usize>,
-    /// What was found about the last line.
-    pub last: Vec<Finding>,
-}
-
 /// Decimals of one column: fewest and most.
 #[derive(Debug, Clone, Copy, Default)]
 struct Decimals {
@@ -107,15 +90,15 @@ impl Decimals {
     }
 }
 
-/// Reads every row.
-pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
+/// The run with every row that could be taken.
+pub(super) fn read(body: &Body, plan: Plan, run: Recording, findings: &mut Vec<Finding>) -> Recording {
     let Body { text, written, .. } = *body;
     let mut clock = Reader::new(&plan.clock, written);
     let no_time = if matches!(plan.clock, Clock::Stamps(_)) { NO_STAMP } else { NO_TIME };
     let time_column = plan.clock.column();
-    let mut rows = Rows { values: vec![Vec::new(); plan.slots.len()], ..Rows::default() };
-    let mut faults = Faults::default();
-    let mut decimals = vec![Decimals::default(); plan.slots.len()];
+    let mut run = Recording { channels: plan.channels, ..run };
+    let (mut faults, mut last) = (Faults::default(), Vec::new());
+    let mut decimals = vec![Decimals::default(); run.channels.len()];
     let mut time_decimals = Decimals::default();
     let mut cells: Vec<Cow<str>> = Vec::new();
     let last_line = lines(text).filter(|(_, line)| !is_blank(line)).last().map_or(0, |(number, _)| number);
@@ -131,7 +114,7 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
         }
         let is_last = number == last_line;
         if cells.len() < plan.width && is_last {
-            rows.last.push(cut(number, line, "has too few cells; it breaks off and is left out"));
+            last.push(cut(&run, number, line, "has too few cells; it breaks off and is left out"));
             continue;
         }
         if cells.len() != plan.width {
@@ -139,12 +122,9 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
             faults.add(kind, 0, [row, number], None, line.trim());
             continue;
         }
-        if is_last && !ended && shortened(&cells, plan, &decimals, written) {
-            rows.last.push(cut(
-                number,
-                line,
-                "has no end and fewer decimals than all others; it breaks off and is left out",
-            ));
+        if is_last && !ended && shortened(&cells, &run, &decimals, written) {
+            let what = "has no end and fewer decimals than all others; it breaks off and is left out";
+            last.push(cut(&run, number, line, what));
             continue;
         }
         let Some((time, digits)) = clock.time(&cells) else {
@@ -152,16 +132,16 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
             continue;
         };
         time_decimals.add(digits);
-        rows.times.push(time);
-        rows.lines.push(u32::try_from(number).unwrap_or(u32::MAX));
-        for (k, slot) in plan.slots.iter().enumerate() {
-            let text = &cells[slot.index];
+        run.times.push(time);
+        run.lines.push(u32::try_from(number).unwrap_or(u32::MAX));
+        for ((channel, factor), decimals) in run.channels.iter_mut().zip(&plan.factors).zip(&mut decimals) {
+            let text = &cells[channel.column - 1];
             let kind = match cell(text, written.decimal_comma) {
                 Cell::Number(value, digits) => {
-                    let value = plan.channels[k].unit.to_si(value * slot.factor);
+                    let value = channel.unit.to_si(value * factor);
                     if value.is_finite() {
-                        decimals[k].add(digits);
-                        rows.values[k].push(value);
+                        decimals.add(digits);
+                        channel.values.push(value);
                         continue;
                     }
                     NOT_FINITE
@@ -170,29 +150,24 @@ pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
                 Cell::NotFinite => NOT_FINITE,
                 Cell::Text => TEXT,
             };
-            rows.values[k].push(f64::NAN);
-            faults.add(kind, slot.index + 1, [row, number], Some(time), text.trim());
+            channel.values.push(f64::NAN);
+            faults.add(kind, channel.column, [row, number], Some(time), text.trim());
         }
         if is_last && !ended {
             let message = "the last line has no end; it is complete as far as its cells tell, and is kept";
-            let place = Place { lines: Some([number; 2]), time: Some(time), ..Place::default() };
-            rows.last.push(Finding::new(
-                Severity::Note,
-                "R027",
-                place,
-                message,
-                "see whether its last number is whole",
-            ));
+            let place = Place { time: Some(time), ..at_line(&run, number) };
+            last.push(Finding::new(Severity::Note, "R027", place, message, "see whether its last number is whole"));
         }
     }
-    rows.decimals = decimals.iter().map(Decimals::most).collect();
-    rows.time_decimals = time_decimals.most();
-    (rows, faults)
+    run.channels.iter_mut().zip(&decimals).for_each(|(channel, decimals)| channel.decimals = decimals.most());
+    run.time_step_shown = time_decimals.most().map_or(0.0, |decimals| plan.clock.step(decimals));
+    findings.extend(faults.finish(&run).chain(last));
+    run
 }
 
 /// Whether the last cell has fewer decimals than every other of its column, all of which have the same number.
-fn shortened(cells: &[Cow<str>], plan: &Plan, decimals: &[Decimals], written: Written) -> bool {
-    let Some(k) = plan.slots.iter().position(|slot| slot.index + 1 == plan.width) else { return false };
+fn shortened(cells: &[Cow<str>], run: &Recording, decimals: &[Decimals], written: Written) -> bool {
+    let Some(k) = run.channels.iter().position(|channel| channel.column == cells.len()) else { return false };
     let Some(text) = cells.last() else { return false };
     match (cell(text, written.decimal_comma), decimals[k].range) {
         (Cell::Number(_, Some(digits)), Some([low, high])) => low == high && digits < low,
@@ -202,9 +177,13 @@ fn shortened(cells: &[Cow<str>], plan: &Plan, decimals: &[Decimals], written: Wr
     }
 }
 
-fn cut(number: usize, line: &str, what: &str) -> Finding {
+fn at_line(run: &Recording, number: usize) -> Place {
+    Place { run: run.name.clone(), lines: Some([number; 2]), ..Place::default() }
+}
+
+fn cut(run: &Recording, number: usize, line: &str, what: &str) -> Finding {
     let start: String = line.trim().chars().take(24).collect();
-    let place = Place { lines: Some([number; 2]), ..Place::default() };
     let message = format!("the last line (`{start}`) {what}");
-    Finding::new(Severity::Warning, "R028", place, message, "see whether the logger stopped before the train had left")
+    let help = "see whether the logger stopped before the train had left";
+    Finding::new(Severity::Warning, "R028", at_line(run, number), message, help)
 }

@@ -10,13 +10,12 @@ pub(super) fn decode(bytes: &[u8], run: &str, findings: &mut Vec<Finding>) -> St
         let help = "save the table as UTF-8 text";
         findings.push(Finding::new(Severity::Warning, "R002", place, message, help));
     };
-    if let [0xff, 0xfe, rest @ ..] = bytes {
+    let of_two: fn([u8; 2]) -> u16 =
+        if bytes.starts_with(&[0xff, 0xfe]) { u16::from_le_bytes } else { u16::from_be_bytes };
+    if let [0xff, 0xfe, rest @ ..] | [0xfe, 0xff, rest @ ..] = bytes {
         warn("the file is UTF-16 text and was read as such".to_owned());
-        return utf16(rest, u16::from_le_bytes);
-    }
-    if let [0xfe, 0xff, rest @ ..] = bytes {
-        warn("the file is UTF-16 text and was read as such".to_owned());
-        return utf16(rest, u16::from_be_bytes);
+        let words: Vec<u16> = rest.chunks_exact(2).map(|pair| of_two([pair[0], pair[1]])).collect();
+        return String::from_utf16_lossy(&words);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {
@@ -27,11 +26,6 @@ pub(super) fn decode(bytes: &[u8], run: &str, findings: &mut Vec<Finding>) -> St
             bytes.iter().map(|byte| char::from(*byte)).collect()
         }
     }
-}
-
-fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> String {
-    let words: Vec<u16> = bytes.chunks_exact(2).map(|pair| word([pair[0], pair[1]])).collect();
-    String::from_utf16_lossy(&words)
 }
 
 /// Lines with their numbers, counted from 1, without their ends: "\n", "\r\n", or "\r" in a file that has no "\n".

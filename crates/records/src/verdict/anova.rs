@@ -56,7 +56,7 @@ pub(super) fn blocks(rows: &[Vec<f64>], floor: f64) -> Option<Test> {
     if r < 2 || c < 2 || rows.iter().any(|row| row.len() != c) {
         return None;
     }
-    let columns: Vec<f64> = (0..c).map(|j| rows.iter().map(|row| row[j]).sum::<f64>() / r as f64).collect();
+    let columns = columns(rows);
     let grand = mean(&columns);
     let between = r as f64 * columns.iter().map(|mean| (mean - grand).powi(2)).sum::<f64>();
     let rest = |row: &Vec<f64>| -> f64 {
@@ -71,6 +71,12 @@ pub(super) fn blocks(rows: &[Vec<f64>], floor: f64) -> Option<Test> {
 /// Half-width of an interval for a difference, from its standard error: the one that two one-sided tests at `level` use.
 pub(super) fn half_width(error: f64, freedom: f64, level: f64) -> f64 {
     StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |t| t.inverse_cdf(1.0 - level)) * error
+}
+
+/// Mean of each column of some rows; none without a row.
+pub(super) fn columns(rows: &[impl AsRef<[f64]>]) -> Vec<f64> {
+    let count = rows.first().map_or(0, |row| row.as_ref().len());
+    (0..count).map(|k| rows.iter().map(|row| row.as_ref()[k]).sum::<f64>() / rows.len() as f64).collect()
 }
 
 pub(super) fn mean(values: &[f64]) -> f64 {

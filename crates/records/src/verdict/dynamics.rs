@@ -1,8 +1,8 @@
 //! Do peaks depend on the speed of the train?
 
-use super::anova::{Test, blocks, half_width, mean, one_way};
+use super::anova::{Test, blocks, columns, half_width, mean, one_way};
 use super::{Answer, LEVEL, MATTERS, SAME_SPEED};
-use crate::peaks::{PeakTable, RunPeak};
+use crate::peaks::{Peak, PeakTable};
 use crate::signal::range;
 use serde::{Deserialize, Serialize};
 
@@ -69,7 +69,7 @@ pub fn dynamics(table: &PeakTable) -> Dynamics {
     Dynamics { answer, speeds, factors, common, channels, words }
 }
 
-fn group(name: &str, runs: &[RunPeak], classes: &[[f64; 2]]) -> Grouped {
+fn group(name: &str, runs: &[Peak], classes: &[[f64; 2]]) -> Grouped {
     let of = |class: &[f64; 2]| -> Vec<f64> {
         let inside = runs.iter().filter(|run| run.speed.is_some_and(|v| class[0] <= v && v <= class[1]));
         inside.map(|run| run.value).collect()
@@ -115,8 +115,8 @@ fn common(grouped: &[Grouped], speeds: usize) -> Option<(Test, Vec<[f64; 2]>)> {
     let test = blocks(&rows, 0.0)?;
     let error = test.scatter * (2.0 / rows.len() as f64).sqrt();
     let half = half_width(error, test.freedom[1], LEVEL);
-    let column = |k: usize| rows.iter().map(|row| row[k]).sum::<f64>() / rows.len() as f64;
-    let factors = (0..speeds).map(|k| [(column(k) - column(0)).exp(), if k == 0 { 0.0 } else { half.exp() - 1.0 }]);
+    let means = columns(&rows);
+    let factors = (0..speeds).map(|k| [(means[k] - means[0]).exp(), if k == 0 { 0.0 } else { half.exp() - 1.0 }]);
     Some((test, factors.collect()))
 }
 

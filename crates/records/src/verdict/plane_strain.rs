@@ -1,8 +1,9 @@
 //! Do lines across the barrel differ, or may one line stand for the whole width?
 
-use super::anova::{Test, blocks, half_width};
+use super::anova::{Test, blocks, columns, half_width};
 use super::{Answer, LEVEL, MATTERS};
 use crate::peaks::{Peak, PeakTable, distinct};
+use crate::signal::range;
 use crate::{Recording, Series};
 use serde::{Deserialize, Serialize};
 
@@ -87,8 +88,8 @@ fn lines(table: &PeakTable, series: Option<&Series>, name: &str) -> Option<LineT
     let means: Vec<f64> =
         (0..lines.len()).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / runs.max(1) as f64).collect();
     let size = (means.iter().sum::<f64>() / means.len() as f64).abs();
-    let [low, high] = means.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(*v), h.max(*v)]);
-    let difference = if size > 0.0 { (high - low) / size } else { 0.0 };
+    let apart = range(&means);
+    let difference = if size > 0.0 { apart / size } else { 0.0 };
     let least = own.iter().map(|peak| peak.least_count).fold(0.0, f64::max);
     let test = blocks(&rows, least / 12.0_f64.sqrt());
     let likeness = series.and_then(|series| likeness(&series.runs, name));
@@ -96,13 +97,12 @@ fn lines(table: &PeakTable, series: Option<&Series>, name: &str) -> Option<LineT
         Some(test) => {
             let error = test.scatter * (2.0 / runs as f64).sqrt();
             let half = half_width(error, test.freedom[1], LEVEL);
-            let excluded = high - low + half < MATTERS * size;
-            (Answer::of(test.p < LEVEL, excluded), test.words())
+            (Answer::of(test.p < LEVEL, apart + half < MATTERS * size), test.words())
         }
         None if runs == 0 => (Answer::CannotTell, "no run has a peak on every line".to_owned()),
         // One run has no scatter: two least counts are what rounding may make of equal peaks.
         None if difference < MATTERS => (Answer::NotSeen, "of a single run, without a test".to_owned()),
-        None if high - low <= 2.0 * least => (Answer::CannotTell, "no more than two least counts".to_owned()),
+        None if apart <= 2.0 * least => (Answer::CannotTell, "no more than two least counts".to_owned()),
         None => (Answer::CannotTell, "of a single run, whose scatter is not known".to_owned()),
     };
     let alike = likeness.map_or(String::new(), |likeness| format!("; histories alike to {:.1} %", 100.0 * likeness));
@@ -117,12 +117,10 @@ fn likeness(runs: &[Recording], name: &str) -> Option<f64> {
     for run in runs {
         let lines: Vec<&Vec<f64>> =
             run.used().filter(|channel| channel.name == name).map(|channel| &channel.values).collect();
-        let n = run.times.len();
-        if lines.len() < 2 || n == 0 {
+        if lines.len() < 2 || run.times.is_empty() {
             continue;
         }
-        let mean: Vec<f64> =
-            (0..n).map(|k| lines.iter().map(|line| line[k]).sum::<f64>() / lines.len() as f64).collect();
+        let mean = columns(&lines);
         let whole: f64 = mean.iter().map(|value| value * value).sum();
         for line in lines {
             let rest: f64 = line.iter().zip(&mean).map(|(a, b)| (a - b).powi(2)).sum();

@@ -4,6 +4,7 @@ use super::loads::centroid;
 use super::{Said, overlaps};
 use bridge::TextRange;
 use bridge::blocks::{BlockFile, DrawingPart, MappedLayer, Role};
+use findings::words::counted;
 use mechanics::plane::{Core, Polygon, vec2};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -71,7 +72,7 @@ pub(super) fn bodies(
     }
     let bodies = bodies.list;
     let free = bodies.iter().any(|body| !body.held);
-    if !bodies.is_empty() && particles.is_empty() && !free && !refused && !said.any_error() {
+    if !bodies.is_empty() && particles.is_empty() && !free && !refused && said.list.is_empty() {
         let range = file.drawing.as_ref().map_or(TextRange::new(0, 0), |part| part.range);
         let help = "give a layer or a block role = \"block\"".to_owned();
         said.error(
@@ -133,12 +134,11 @@ fn map(part: &DrawingPart, drawing: &drawing::Drawing, refused: bool, said: &mut
     drawing.outlines.iter().for_each(|outline| numbers.entry(&outline.layer).or_default()[0] += 1);
     drawing.circles.iter().for_each(|circle| numbers.entry(&circle.layer).or_default()[1] += 1);
     for layer in drawing.layers.iter().filter(|layer| entry(part, layer).is_none()) {
-        let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
         let [outlines, circles] = numbers.get(layer.as_str()).copied().unwrap_or_default();
         let role = if circles > outlines { "particles" } else { "block" };
         let found = match (outlines, circles) {
             (0, 0) => "what is on it cannot be used as it is".to_owned(),
-            _ => format!("{}, {}", count(outlines, "outline"), count(circles, "circle")),
+            _ => format!("{}, {}", counted(outlines, "outline"), counted(circles, "circle")),
         };
         let message = format!("layer {layer} of the drawing has no entry: {found}");
         let help = format!(

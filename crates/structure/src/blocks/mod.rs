@@ -89,8 +89,8 @@ pub fn assemble(file: &BlockFile, dxf: Option<&[u8]>) -> Assembled {
     let findings = read.map_or_else(Vec::new, |read| read.findings);
     let laws = laws::laws(file, &bodies, &particles, &mut said);
     // A load would miss the very block that could not be read.
-    let forces = if refused || said.any_error() { Vec::new() } else { loads::forces(file, &bodies, &mut said) };
-    let usable = !refused && !said.any_error();
+    let forces = if refused || !said.list.is_empty() { Vec::new() } else { loads::forces(file, &bodies, &mut said) };
+    let usable = !refused && said.list.is_empty();
     let scene = usable.then(|| Scene {
         name: file.name.clone(),
         width: file.width,
@@ -105,7 +105,7 @@ pub fn assemble(file: &BlockFile, dxf: Option<&[u8]>) -> Assembled {
     Assembled { scene, diagnostics: said.list, findings }
 }
 
-/// Collects what is wrong with the file.
+/// Collects what is wrong with the file: errors alone.
 #[derive(Debug, Default)]
 struct Said {
     list: Vec<Diagnostic>,
@@ -115,10 +115,6 @@ impl Said {
     fn error(&mut self, code: &'static str, range: TextRange, message: String, label: &str, help: String) {
         let (severity, label, help) = (Severity::Error, label.into(), Some(help));
         self.list.push(Diagnostic { code, severity, message, range, label, note: None, help });
-    }
-
-    fn any_error(&self) -> bool {
-        self.list.iter().any(|finding| finding.severity == Severity::Error)
     }
 }
 

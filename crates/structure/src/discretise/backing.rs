@@ -191,17 +191,8 @@ impl Laying<'_, '_> {
         };
         let [left, right] = [chain(0), chain(1)];
         let bed = [left[left.len() - 1], right[right.len() - 1]];
-        let layout = Layout {
-            ends: [valley.flat[0].x, valley.flat[1].x],
-            top: valley.head,
-            beds: Vec::new(),
-            // Whole stones: they overhang what they rest on by no more than their height.
-            length: f64::INFINITY,
-            height: f64::INFINITY,
-            bond: 0.0,
-            head_joint: 0.0,
-            least: LEAST,
-        };
+        // Whole stones: they overhang what they rest on by no more than their height.
+        let layout = Layout { length: f64::INFINITY, height: f64::INFINITY, least: LEAST, ..Layout::default() };
         let mut top = None;
         for stone in stones(&left, &right, &layout).map_err(DiscretiseError::Backing)? {
             top = Some(self.piece(stone.outline, end));

@@ -59,12 +59,12 @@ pub struct Table {
 /// The first row that is no point, no unit, or one in which the section is no arch.
 pub fn read(text: &str, given: Option<LengthUnit>) -> Result<Table, SectionError> {
     let text = text.trim_start_matches('\u{feff}');
-    let lines = || text.lines().enumerate().map(|(k, line)| (k + 1, line.trim()));
-    let rows = || lines().filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let separator = separator(rows().nth(1).or(rows().next()).map_or("", |(_, line)| line));
+    let lines = text.lines().enumerate().map(|(k, line)| (k + 1, line.trim()));
+    let rows = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let separator = separator(rows.clone().take(2).last().map_or("", |(_, line)| line));
     let mut headed = [None; 2];
     let mut points = Vec::new();
-    for (index, (line, row)) in rows().enumerate() {
+    for (index, (line, row)) in rows.enumerate() {
         let cells = cells(row, separator);
         let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number(cell, separator)).collect();
         if index == 0 && numbers.iter().all(Option::is_none) {

@@ -9,7 +9,7 @@ use mechanics::plane::Vec2;
 const STEPS: usize = 400;
 
 /// The end of a span.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum End {
     /// Its left springing.
     Left,

@@ -12,6 +12,7 @@ use bridge::Bridge;
 use mechanics::fem::{Interface, Mesh, Quad, Quadrature};
 use mechanics::ids::{InterfaceId, NodeId, QuadId, Table, ZoneId};
 use mechanics::plane::{Vec2, vec2};
+use std::collections::BTreeMap;
 
 /// Rows of nodes from the bottom, each from left to right.
 type Grid = Vec<Vec<NodeId>>;
@@ -84,9 +85,8 @@ struct Build<'a> {
     layout: Layout,
     nodes: Table<NodeId, Vec2>,
     /// Elements of each zone, in the order of the zones.
-    zones: Vec<(Role, Vec<[NodeId; 4]>)>,
+    zones: BTreeMap<Role, Vec<[NodeId; 4]>>,
     interfaces: Table<InterfaceId, Interface>,
-    seams: Table<InterfaceId, Seam>,
     sets: NodeSets,
     /// The fill's nodes along the extrados of each span, station by station.
     backs: Vec<Vec<NodeId>>,
@@ -98,21 +98,13 @@ struct Build<'a> {
 
 impl<'a> Build<'a> {
     fn new(bridge: &'a Bridge, options: MeshOptions, layout: Layout) -> Build<'a> {
-        let spans = bridge.spans.len();
-        let roles = (0..spans)
-            .map(Role::Voussoirs)
-            .chain((0..spans - 1).map(Role::Pier))
-            .chain([End::Left, End::Right].map(Role::Abutment))
-            .chain([Role::Fill, Role::HaunchFill, Role::Backing])
-            .chain([End::Left, End::Right].map(Role::AbutmentFill));
         Build {
             bridge,
             options,
             layout,
             nodes: Table::default(),
-            zones: roles.map(|role| (role, Vec::new())).collect(),
+            zones: BTreeMap::new(),
             interfaces: Table::default(),
-            seams: Table::default(),
             sets: NodeSets::default(),
             backs: Vec::new(),
             ends: Vec::new(),
@@ -120,30 +112,18 @@ impl<'a> Build<'a> {
         }
     }
 
-    fn zone(&mut self, role: Role) -> &mut Vec<[NodeId; 4]> {
-        // Every role is in the list from the start.
-        let k = self.zones.iter().position(|(known, _)| *known == role).unwrap_or(0);
-        &mut self.zones[k].1
-    }
-
     /// Elements between the rows and columns of a grid, all of one zone.
     fn solid(&mut self, grid: &Grid, role: Role) {
-        let quads = quads_of(grid);
-        self.zone(role).extend(quads);
-    }
-
-    /// Elements of fill, each of the zone in which its middle lies.
-    fn fill(&mut self, grid: &Grid) {
-        self.fill_by_rows(grid, |_| None);
+        self.zones.entry(role).or_default().extend(quads_of(grid));
     }
 
     /// Elements of fill, each of the zone of its row, or of that in which its middle lies.
-    fn fill_by_rows(&mut self, grid: &Grid, of_row: impl Fn(usize) -> Option<Role>) {
+    fn fill(&mut self, grid: &Grid, of_row: impl Fn(usize) -> Option<Role>) {
         for (row, pair) in grid.windows(2).enumerate() {
             for quad in quads_of(pair) {
                 let middle = quad.iter().fold(Vec2::ZERO, |sum, n| sum + self.nodes[*n]) * 0.25;
                 let role = of_row(row).unwrap_or_else(|| self.layout.role(middle));
-                self.zone(role).push(quad);
+                self.zones.entry(role).or_default().push(quad);
             }
         }
     }
@@ -160,11 +140,10 @@ impl<'a> Build<'a> {
 
     fn seam(&mut self, one: Vec<NodeId>, two: Vec<NodeId>, seam: Seam) -> InterfaceId {
         let quadrature = match seam {
-            Seam::Joint { .. } => self.options.joints,
-            Seam::Rings { .. } | Seam::Contact(_) => Quadrature::Nodal,
+            Seam::Joint => self.options.joints,
+            Seam::Rings | Seam::Contact => Quadrature::Nodal,
         };
-        self.seams.push(seam);
-        self.interfaces.push(Interface { one, two, kind: seam.kind(), quadrature })
+        self.interfaces.push(Interface { one, two, kind: seam as usize, quadrature })
     }
 
     /// The rings of a span: voussoirs, the joints between them, and the fill's nodes on their backs.
@@ -198,7 +177,7 @@ impl<'a> Build<'a> {
             let mut own = Vec::new();
             for j in 1..voussoirs.len() {
                 let (one, two) = (column(&voussoirs[j], false), column(&voussoirs[j - 1], true));
-                own.push(self.seam(one, two, Seam::Joint { span, ring, joint: j }));
+                own.push(self.seam(one, two, Seam::Joint));
             }
             ends.push([column(&voussoirs[0], false), column(&voussoirs[voussoirs.len() - 1], true)]);
             let face = |of: &dyn Fn(&Voussoir) -> Vec<NodeId>| -> Face {
@@ -206,7 +185,7 @@ impl<'a> Build<'a> {
             };
             let (beds, backs) = (face(&|v| v.intrados().collect()), face(&|v| v.extrados().collect()));
             if let Some(lower) = lower.take() {
-                self.between_rings(&lower, &beds, span, ring - 1);
+                self.between_rings(&lower, &beds);
             }
             lower = Some(backs);
             sets.push(voussoirs);
@@ -215,7 +194,7 @@ impl<'a> Build<'a> {
         let fill: Vec<NodeId> = stations.shares.iter().map(|s| self.nodes.push(arch.extrados(*s))).collect();
         for (at, nodes) in lower.unwrap_or_default() {
             let facing = at.iter().map(|j| fill[*j]).collect();
-            self.seam(nodes, facing, Seam::Contact(Role::Voussoirs(span)));
+            self.seam(nodes, facing, Seam::Contact);
         }
         self.backs.push(fill);
         self.ends.push(ends);
@@ -224,13 +203,7 @@ impl<'a> Build<'a> {
     }
 
     /// Interfaces between the backs of one ring and the beds of the next, one for each pair of voussoirs that touch.
-    fn between_rings(
-        &mut self,
-        lower: &[(Vec<usize>, Vec<NodeId>)],
-        upper: &[(Vec<usize>, Vec<NodeId>)],
-        span: usize,
-        ring: usize,
-    ) {
+    fn between_rings(&mut self, lower: &[(Vec<usize>, Vec<NodeId>)], upper: &[(Vec<usize>, Vec<NodeId>)]) {
         for (below, backs) in lower {
             for (above, beds) in upper {
                 let from = below[0].max(above[0]);
@@ -238,7 +211,7 @@ impl<'a> Build<'a> {
                 if from < to {
                     let one = backs[from - below[0]..=to - below[0]].to_vec();
                     let two = beds[from - above[0]..=to - above[0]].to_vec();
-                    self.seam(one, two, Seam::Rings { span, ring });
+                    self.seam(one, two, Seam::Rings);
                 }
             }
         }
@@ -281,11 +254,11 @@ impl<'a> Build<'a> {
             _ => None,
         };
         let foot = self.grid(&points, |_, j| known(j)).swap_remove(0);
-        self.seam(top, foot.clone(), Seam::Contact(role));
+        self.seam(top, foot.clone(), Seam::Contact);
 
         let over = self.rows_of_fill(&foot, rows, &up);
         let roles: Vec<Option<Role>> = (0..rows).map(|row| self.layout.over[i].role(row)).collect();
-        self.fill_by_rows(&over, |row| roles[row]);
+        self.fill(&over, |row| roles[row]);
         let edge = |j: usize| over.iter().map(|row| row[j]).collect::<Vec<NodeId>>();
         if left.is_none() {
             let behind = self.behind(0, &grid, &edge(0));
@@ -360,13 +333,9 @@ impl<'a> Build<'a> {
             let own = self.ends[span][ring][end].clone();
             let facing = skewback[from..from + own.len()].to_vec();
             from += own.len() - 1;
-            let joints = &self.sets.spans[span].joints[ring];
-            // The left springing comes before the right one.
-            let joint = if end == 0 { 0 } else { joints.len() };
-            let seam = Seam::Joint { span, ring, joint };
             // Side `one` is to the right: the ring at its left springing, the support at its right one.
             let (one, two) = if end == 0 { (own, facing) } else { (facing, own) };
-            let id = self.seam(one, two, seam);
+            let id = self.seam(one, two, Seam::Joint);
             let joints = &mut self.sets.spans[span].joints[ring];
             if end == 0 { joints.insert(0, id) } else { joints.push(id) }
         }
@@ -419,18 +388,16 @@ impl<'a> Build<'a> {
         let boundary: Vec<NodeId> = grid.iter().map(|row| row[distances.len() - 1]).collect();
         // Masonry on the right of the way walked: up the left abutment's back, down the right one's.
         let (mut one, mut two) = (back, facing);
-        let end = if side == 0 {
+        if side == 0 {
             grid.iter_mut().for_each(|row| row.reverse());
             self.sets.left = boundary;
-            End::Left
         } else {
             one.reverse();
             two.reverse();
             self.sets.right = boundary;
-            End::Right
-        };
-        self.seam(one, two, Seam::Contact(Role::Abutment(end)));
-        self.fill(&grid);
+        }
+        self.seam(one, two, Seam::Contact);
+        self.fill(&grid, |_| None);
         self.sets.base.extend(&grid[0]);
         grid.swap_remove(grid.len() - 1)
     }
@@ -457,7 +424,7 @@ impl<'a> Build<'a> {
             })
             .collect();
         let grid = self.grid(&points, |i, j| (i == 0).then(|| feet[j]));
-        self.fill(&grid);
+        self.fill(&grid, |_| None);
         self.sets.surface = grid[rows].clone();
         self.sets.left.extend(grid[1..].iter().map(|row| row[0]));
         self.sets.right.extend(grid[1..].iter().map(|row| row[feet.len() - 1]));
@@ -472,9 +439,6 @@ impl<'a> Build<'a> {
         };
         let mut roles: Table<ZoneId, Role> = Table::default();
         for (role, quads) in self.zones {
-            if quads.is_empty() {
-                continue;
-            }
             let zone = mesh.zones.push(role.name());
             roles.push(role);
             for nodes in quads {
@@ -485,7 +449,6 @@ impl<'a> Build<'a> {
         Meshed {
             mesh,
             roles,
-            seams: self.seams,
             sets: self.sets,
             options: self.options,
             quality,

@@ -24,12 +24,12 @@ pub use arch::End;
 pub use build::mesh_with;
 pub use options::MeshOptions;
 pub use quality::{Quality, corners, quality, scaled_jacobian};
-pub use sets::{NodeSets, Role, Seam, SpanSets, Substance, Voussoir};
+pub use sets::{NodeSets, Role, SpanSets, Substance, Voussoir};
 
 use bridge::Bridge;
 use bridge::ring::Misfit;
 use mechanics::fem::Mesh;
-use mechanics::ids::{InterfaceId, Table, ZoneId};
+use mechanics::ids::{Table, ZoneId};
 use thiserror::Error;
 
 /// A bridge as a mesh, with the way back to the file.
@@ -39,8 +39,6 @@ pub struct Meshed {
     pub mesh: Mesh,
     /// What each zone is.
     pub roles: Table<ZoneId, Role>,
-    /// What each interface lies between.
-    pub seams: Table<InterfaceId, Seam>,
     /// Nodes that supports, loads, sensors and figures look for.
     pub sets: NodeSets,
     /// How it was made.

@@ -110,18 +110,14 @@ fn highest(left: &Side<'_>, right: &Side<'_>, from: [f64; 2]) -> Option<(f64, [f
     for l in tries(left, 0) {
         for r in tries(right, 1) {
             // Among equals the lower one.
-            let value = angles(left, right, from, [l, r]) - 0.02 * (l + r);
+            let angles = lean(left, right, [l, r]).min(rows(left, right, from, [l, r]));
+            let value = angles - 0.02 * (l + r);
             if best.is_none_or(|(known, _)| value > known) {
                 best = Some((value, [l, r]));
             }
         }
     }
     best
-}
-
-/// The least sine of the angles in a layer of rows and in the columns on it.
-fn angles(left: &Side<'_>, right: &Side<'_>, from: [f64; 2], to: [f64; 2]) -> f64 {
-    lean(left, right, to).min(rows(left, right, from, to))
 }
 
 /// The least sine of the angles in a layer of rows.

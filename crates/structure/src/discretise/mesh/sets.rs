@@ -7,8 +7,8 @@ use outcome::mesh::MadeOf;
 
 use super::arch::End;
 
-/// What a zone is. Spans and piers count from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What a zone is, in the order of the zones. Spans and piers count from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// The voussoirs of a span.
     Voussoirs(usize),
@@ -79,42 +79,20 @@ pub enum Substance<'a> {
     Soil(&'a Soil),
 }
 
-/// What an interface lies between. Spans, rings and joints count from 0, joints from the left springing.
+/// What an interface is: its place among the kinds of the mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Seam {
-    /// A joint of a ring, from intrados to extrados: side `one` is to the right of it, side `two` to the left. Joint 0 is the
-    /// left springing, the last the right one.
-    Joint {
-        /// Span.
-        span: usize,
-        /// Ring.
-        ring: usize,
-        /// Joint.
-        joint: usize,
-    },
+pub(super) enum Seam {
+    /// A joint of a ring, from intrados to extrados: side `one` is to the right of it, side `two` to the left.
+    Joint,
     /// Between two rings, from left to right: side `one` is the lower ring.
-    Rings {
-        /// Span.
-        span: usize,
-        /// The lower ring.
-        ring: usize,
-    },
+    Rings,
     /// Between masonry, side `one`, and fill, side `two`.
-    Contact(Role),
+    Contact,
 }
 
 impl Seam {
-    /// Names of the kinds of interface, in the order of [`Seam::kind`].
-    pub const KINDS: [&str; 3] = ["mortar joint", "ring joint", "fill contact"];
-
-    /// Which kind it is of.
-    pub fn kind(self) -> usize {
-        match self {
-            Seam::Joint { .. } => 0,
-            Seam::Rings { .. } => 1,
-            Seam::Contact(_) => 2,
-        }
-    }
+    /// Names of the kinds of interface, in the same order.
+    pub(super) const KINDS: [&str; 3] = ["mortar joint", "ring joint", "fill contact"];
 }
 
 /// A voussoir.

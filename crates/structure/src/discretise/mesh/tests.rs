@@ -68,10 +68,11 @@ fn faces_fit(m: &Meshed) {
     }
     for (id, face) in mesh.interfaces.pairs() {
         assert_eq!(face.one.len(), face.two.len());
-        assert!(face.one.len() >= 2, "{:?}", m.seams[id]);
+        let name = &mesh.kinds[face.kind];
+        assert!(face.one.len() >= 2, "{name} {id:?}");
         for (a, b) in face.one.iter().zip(&face.two) {
             assert_ne!(a, b);
-            assert!((mesh.nodes[*a] - mesh.nodes[*b]).norm() < 1e-9, "{:?}", m.seams[id]);
+            assert!((mesh.nodes[*a] - mesh.nodes[*b]).norm() < 1e-9, "{name} {id:?}");
         }
         for k in 1..face.one.len() {
             let from = mesh.nodes[face.one[k - 1]];
@@ -82,9 +83,9 @@ fn faces_fit(m: &Meshed) {
                 let pair = [nodes[k - 1], nodes[k]];
                 let elements: Vec<_> =
                     mesh.quads.iter().filter(|q| pair.iter().all(|n| q.nodes.contains(n))).take(2).collect();
-                assert_eq!(elements.len(), 1, "{:?}: a face is the side of one element", m.seams[id]);
+                assert_eq!(elements.len(), 1, "{name} {id:?}: a face is the side of one element");
                 let middle = elements[0].nodes.iter().fold(Vec2::ZERO, |s, n| s + mesh.nodes[*n]) * 0.25;
-                assert!(sign * way.cross(middle - from) > 0.0, "{:?} lies the wrong way round", m.seams[id]);
+                assert!(sign * way.cross(middle - from) > 0.0, "{name} {id:?} lies the wrong way round");
             }
         }
     }
@@ -113,8 +114,15 @@ fn is_sound(bridge: &Bridge, m: &Meshed) {
             assert_eq!(set.voussoirs[k].len(), ring.voussoirs);
             assert_eq!(set.joints[k].len(), ring.voussoirs + 1);
             for (joint, id) in set.joints[k].iter().enumerate() {
-                assert_eq!(m.seams[*id], Seam::Joint { span: i, ring: k, joint });
-                assert_eq!(m.mesh.interfaces[*id].one.len(), m.options.ring_nodes);
+                let face = &m.mesh.interfaces[*id];
+                assert_eq!((face.kind, face.one.len()), (0, m.options.ring_nodes));
+                // The voussoirs on both sides of it.
+                let holds = |voussoir: Option<&Voussoir>, side: &[NodeId]| {
+                    voussoir.is_none_or(|voussoir| side.iter().all(|node| voussoir.nodes.contains(node)))
+                };
+                assert!(holds(set.voussoirs[k].get(joint), &face.one), "span {i} ring {k} joint {joint}");
+                let before = joint.checked_sub(1).map(|left| &set.voussoirs[k][left]);
+                assert!(holds(before, &face.two), "span {i} ring {k} joint {joint}");
             }
         }
         let crown = arches[i].intrados(0.5);

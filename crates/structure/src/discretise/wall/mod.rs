@@ -39,7 +39,7 @@ impl Seat {
 }
 
 /// Where the wall is and how it is coursed, in metres.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Layout {
     /// Left and right end.
     pub ends: [f64; 2],
@@ -179,8 +179,8 @@ pub fn layout(
         ends,
         top,
         beds: beds(top, lowest, wall, least),
-        length: wall.brick_length,
-        height: wall.brick_height,
+        length,
+        height,
         bond: wall.bond,
         head_joint: wall.head_joint.unwrap_or(middle),
         least,

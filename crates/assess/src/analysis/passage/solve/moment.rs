@@ -6,7 +6,6 @@ use mechanics::fem::joint;
 use mechanics::fem::{Model, Spring, State};
 use mechanics::ids::Id;
 use outcome::passage::{Moment, Pair, PairState, Row, RowKind};
-use structure::discretise::mesh::Seam;
 
 /// What stands where in a state; `at` is time [s] and place of the first axle [m] while a train is there.
 pub(super) fn moment(setup: &Setup, model: &Model, state: &State, name: &str, at: Option<(f64, f64)>) -> Moment {
@@ -32,13 +31,12 @@ pub(super) fn moment(setup: &Setup, model: &Model, state: &State, name: &str, at
 }
 
 fn rows(setup: &Setup, model: &Model, state: &State) -> Vec<Row> {
-    let mut rows: Vec<Row> = Vec::new();
-    for (_, seam) in setup.meshed.seams.pairs() {
-        let kind = match *seam {
-            Seam::Joint { span, ring: 0, joint } => RowKind::Joint { span, joint },
-            _ => RowKind::Contact,
-        };
-        rows.push(Row { kind, pairs: Vec::new() });
+    let contact = |_| Row { kind: RowKind::Contact, pairs: Vec::new() };
+    let mut rows: Vec<Row> = setup.meshed.mesh.interfaces.iter().map(contact).collect();
+    for (span, sets) in setup.meshed.sets.spans.iter().enumerate() {
+        for (joint, id) in sets.joints[0].iter().enumerate() {
+            rows[id.index()].kind = RowKind::Joint { span, joint };
+        }
     }
     for (spring, bond) in model.springs.iter().zip(&state.bonds) {
         let state = match bond.state {
