@@ -1,11 +1,13 @@
 //! What the engine knows of files, codes, vehicles and examples, for completion and menus.
 
+use crate::border::Thrown;
 use crate::reading::words;
 use extrados::bridge::explain::{self, FileCard};
 use extrados::bridge::fields::{FILE, Field, Kind, Need, Section};
 use extrados::bridge::survey;
 use extrados::{Refusal, drawing, examples};
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
 /// The examples.
 pub fn list_of_examples() -> Value {
@@ -23,14 +25,15 @@ pub fn list_of_examples() -> Value {
 ///
 /// # Errors
 /// No such file (F104).
-pub fn example_file(example: &str, file: &str) -> Result<Vec<u8>, Refusal> {
+#[wasm_bindgen]
+pub fn example_file(example: &str, file: &str) -> Result<Vec<u8>, Thrown> {
     let found = examples::named(example).and_then(|example| example.files.iter().find(|one| one.name == file));
     let found = found.map(|file| file.text.as_bytes().to_vec());
-    found.ok_or_else(|| {
+    Ok(found.ok_or_else(|| {
         let names: Vec<&str> = examples::ALL.iter().map(|example| example.name).collect();
         let message = format!("there is no file {file} of an example called {example}");
         Refusal::new("F104", message, format!("the examples are {}", names.join(", ")))
-    })
+    })?)
 }
 
 /// The cards of all keys, section by section.
@@ -105,24 +108,26 @@ pub fn survey_questions() -> Value {
 ///
 /// # Errors
 /// Answers that are missing, no numbers or not possible (F108).
-pub fn from_survey(answers: &str) -> Result<String, Refusal> {
+#[wasm_bindgen]
+pub fn from_survey(answers: &str) -> Result<String, Thrown> {
     let given = Given::read(answers)?;
-    survey::file(&given.name(), &|key| given.said(key)).map_err(|wrong| {
+    Ok(survey::file(&given.name(), &|key| given.said(key)).map_err(|wrong| {
         let message: Vec<&str> = wrong.iter().map(|one| one.message.as_str()).collect();
         let help: Vec<&str> = wrong.iter().map(|one| one.help.as_str()).collect();
         refused(message.join("; "), &help.join("; "))
-    })
+    })?)
 }
 
 /// Everything that is wrong with answers or doubtful, each at its key.
 ///
 /// # Errors
 /// Answers that are no object (F108).
-pub fn survey_findings(answers: &str) -> Result<Value, Refusal> {
+#[wasm_bindgen]
+pub fn survey_findings(answers: &str) -> Result<String, Thrown> {
     let given = Given::read(answers)?;
     let found = survey::findings(&given.name(), &|key| given.said(key));
     let one = |one: survey::Unusable| json!({ "key": one.key, "severity": one.severity.word(), "message": one.message, "help": one.help });
-    Ok(found.into_iter().map(one).collect())
+    Ok(Value::from_iter(found.into_iter().map(one)).to_string())
 }
 
 fn refused(message: String, help: &str) -> Refusal {
@@ -155,11 +160,12 @@ impl Given {
 ///
 /// # Errors
 /// A drawing that cannot be used, with its findings (D101).
-pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Refusal> {
+#[wasm_bindgen(js_name = from_dxf)]
+pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Thrown> {
     let read = drawing::read(bytes, &drawing::Options::default());
     if !read.is_usable() {
         let words: Vec<String> = read.findings.iter().take(8).map(drawing::Finding::words).collect();
-        return Err(Refusal::new("D101", words.join("; "), "mend the drawing and drop it again"));
+        return Err(Refusal::new("D101", words.join("; "), "mend the drawing and drop it again").into());
     }
     Ok(extrados::of_drawing(name, &read.drawing))
 }
@@ -173,7 +179,8 @@ pub fn materials() -> Value {
 ///
 /// # Errors
 /// A file of the library that cannot be read.
-pub fn library() -> Result<Value, Refusal> {
+#[wasm_bindgen]
+pub fn library() -> Result<String, Thrown> {
     let library = extrados::library()?;
     let models: Vec<Value> = library
         .models
@@ -209,5 +216,5 @@ pub fn library() -> Result<Value, Refusal> {
             json!({ "code": rule.code, "title": rule.title, "ways": rule.ways, "judges": judges })
         })
         .collect();
-    Ok(json!({ "models": models, "rules": rules }))
+    Ok(json!({ "models": models, "rules": rules }).to_string())
 }

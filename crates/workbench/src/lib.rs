@@ -1,10 +1,15 @@
 //! The engine of the workbench: Extrados behind functions that a page calls in a worker. `workbench/PROTOCOL.md` says what crosses the
 //! border and how; this crate is no interface for other programs, which take the crate `extrados`.
 //!
-//! Everything here works on texts and numbers and runs natively too; [`bindings`] alone knows of JavaScript.
+//! Everything here works on texts and numbers and runs natively too. What bears `#[wasm_bindgen]` is what the page calls; [`border`]
+//! alone speaks to JavaScript.
+
+// The functions that the macro makes for the host are unsafe by their nature; none is written by hand.
+#![allow(unsafe_code)]
 
 pub mod analyses;
 pub mod bindings;
+pub mod border;
 pub mod cards;
 pub mod document;
 pub mod live;

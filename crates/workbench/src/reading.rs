@@ -50,7 +50,7 @@ pub fn reading(document: &Document) -> Value {
             };
             found.iter().map(one).collect()
         });
-        let all: Vec<Value> = findings(document.text(), blocks.findings()).into_iter().chain(drawing).collect();
+        let all: Vec<Value> = findings(&document.text(), blocks.findings()).into_iter().chain(drawing).collect();
         return json!({
             "kind": "blocks", "usable": blocks.scene().is_some(), "name": blocks.name(), "width_m": null, "sections": null,
             "refusal": null, "findings": all,
@@ -80,7 +80,7 @@ pub fn reading(document: &Document) -> Value {
     json!({
         "kind": "bridge", "usable": bridge.is_some(), "name": bridge.map_or("", |bridge| bridge.name.as_str()),
         "width_m": bridge.map(|bridge| bridge.width), "sections": sections, "refusal": null,
-        "findings": findings(document.text(), project.findings()),
+        "findings": findings(&document.text(), project.findings()),
         "inputs": project.inputs().iter().map(|path| path.display().to_string()).collect::<Vec<_>>(),
     })
 }
