@@ -16,7 +16,7 @@ use outcome::published;
 use outcome::warning::{self, Warning};
 use report::{Appendix, Figure, Material, Photograph, StageLine, StageState};
 use serde_json::{Value, json};
-use stages::{Halt, Stages};
+use stages::Stages;
 
 bridge::choice! {
     /// A stage that can be left out.
@@ -83,8 +83,7 @@ pub fn assess(
     let mut stages = Stages { project, skip: &options.skip, means, watch, figures: Vec::new(), lines: Vec::new() };
     let assessment = match stages.run() {
         Ok(made) => made,
-        Err(Halt::Stopped) => return Ok(None),
-        Err(Halt::Refused(refusal)) => return Err(refusal),
+        Err(halt) => return halt.map_or(Ok(None), Err),
     };
     let Stages { figures, lines, .. } = stages;
     let appendix = Appendix {

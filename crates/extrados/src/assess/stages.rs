@@ -48,19 +48,8 @@ pub(super) struct Stages<'a> {
 /// What became of a stage's run: facts and drawings, none where somebody asked to stop, or why it came to no end.
 type Ran<T> = Result<Option<(T, Vec<Figure>)>, String>;
 
-/// Why there is no assessment.
-pub(super) enum Halt {
-    /// Somebody asked to stop.
-    Stopped,
-    /// The file cannot be used.
-    Refused(Refusal),
-}
-
-impl From<Refusal> for Halt {
-    fn from(refusal: Refusal) -> Halt {
-        Halt::Refused(refusal)
-    }
-}
+/// Why there is no assessment: the file cannot be used, or, without a refusal, somebody asked to stop.
+pub(super) type Halt = Option<Refusal>;
 
 impl Stages<'_> {
     /// Every stage in its order.
@@ -103,15 +92,15 @@ impl Stages<'_> {
         let part = format!("{}: stage {name}", self.project.name());
         self.watch.begin(&part);
         if self.watch.look(&Progress { stage: part, fraction: None, steps: 0 }) == Wish::Stop {
-            return Err(Halt::Stopped);
+            return Err(None);
         }
         let begun = (self.means.clock)();
         let ran = run(&mut self.watch);
         let seconds = (self.means.clock)() - begun;
         match ran {
             // What was cut short is no fact.
-            _ if self.watch.stopped => Err(Halt::Stopped),
-            Ok(None) => Err(Halt::Stopped),
+            _ if self.watch.stopped => Err(None),
+            Ok(None) => Err(None),
             Ok(Some((facts, figures))) => {
                 let finished = Finished { facts, figures, seconds };
                 kept::put(self.means, name, &key, &finished);
