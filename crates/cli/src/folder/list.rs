@@ -4,7 +4,7 @@
 
 use super::{SEAL, write_whole};
 use extrados::files::{LONGEST, head, read_at_most};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -15,7 +15,8 @@ pub(super) const NAME: &str = ".extrados-files.json";
 const SCHEMA: &str = "extrados.files/1";
 
 /// What the command made in a folder.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, serde::Deserialize)]
+#[serde(default)]
 pub(super) struct List {
     /// Which run made the result that stands there, such as "collapse-load-dem"; empty where none does.
     pub kind: String,
@@ -34,7 +35,10 @@ impl List {
         let value = |path: PathBuf| serde_json::from_slice::<Value>(&read_at_most(&path, LONGEST).ok()?).ok();
         let listed = places(folder).into_iter().filter_map(value).find(|value| value["schema"] == SCHEMA);
         if let Some(value) = listed {
-            return List::from_value(&value);
+            let mut list: List = serde_json::from_value(value).unwrap_or_default();
+            list.last.retain(|name| is_inside(name));
+            list.made.retain(|name, _| is_inside(name));
+            return list;
         }
         let Some(seal) = value(folder.join(SEAL)) else { return List::default() };
         if !seal["schema"].as_str().is_some_and(|schema| schema.starts_with("extrados.")) {
@@ -46,20 +50,11 @@ impl List {
         List { kind: String::new(), of: String::new(), last, made }
     }
 
-    fn from_value(value: &Value) -> List {
-        let made = value["made"].as_object().into_iter().flatten();
-        let made = made.filter(|(name, _)| is_inside(name)).map(|(name, hashes)| (name.clone(), strings(hashes)));
-        let word = |key: &str| value[key].as_str().unwrap_or_default().to_owned();
-        let last = strings(&value["last"]).into_iter().filter(|name| is_inside(name)).collect();
-        List { kind: word("kind"), of: word("of"), last, made: made.collect() }
-    }
-
     /// Writes it, whole or not at all.
     pub(super) fn write(&self, folder: &Path) -> io::Result<()> {
-        let made: Map<String, Value> = self.made.iter().map(|(name, hashes)| (name.clone(), json!(hashes))).collect();
         let about = "Files that extrados made here, and may replace as long as they are as it made them.";
         let value = json!({
-            "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": made,
+            "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": self.made,
         });
         let bytes = format!("{value:#}\n").into_bytes();
         let mut written = Ok(());
