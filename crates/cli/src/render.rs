@@ -155,11 +155,8 @@ fn one(name: &str, text: &[u8], finding: &Diagnostic, paint: &Paint) -> String {
         visible(&finding.label),
         indent = excerpt.indent
     );
-    if let Some(note) = &finding.note {
-        let _ = writeln!(page, "  note: {}", visible(note));
-    }
-    if let Some(help) = &finding.help {
-        let _ = writeln!(page, "  help: {}", visible(help));
+    for (word, words) in [("note", &finding.note), ("help", &finding.help)] {
+        words.iter().for_each(|words| page += &format!("  {word}: {}\n", visible(words)));
     }
     page
 }
