@@ -1,12 +1,12 @@
 //! What a command answers: one object for scripts, a few lines for people.
 
-use crate::clock::Clock;
 use crate::page::Page;
 use crate::render::{self, Paint};
 use crate::screen::Screen;
 use crate::status::Status;
 use bridge::{Diagnostic, Severity};
 use serde_json::{Map, Value, json};
+use std::time::Instant;
 
 /// The answer of a command.
 #[derive(Debug, Clone)]
@@ -120,20 +120,14 @@ impl Report {
 
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,
     /// `wall_seconds` and `threads`.
-    pub(crate) fn object(&self, schema: &str, clock: Clock) -> Value {
-        let mut object = Map::new();
-        object.insert("schema".to_owned(), json!(schema));
-        object.insert("status".to_owned(), json!(self.status.name()));
-        object.extend(self.fields.clone().into_iter().filter(|(key, _)| !COMMON.contains(&key.as_str())));
-        object.insert("warnings".to_owned(), json!(self.warnings));
+    pub(crate) fn object(&self, schema: &str, clock: Instant) -> Value {
+        let (fields, warnings) = (self.fields.clone(), self.warnings.clone());
+        let mut object = extrados::written::headed(schema, self.status.name(), fields, warnings);
         if !self.errors.is_empty() {
             object.insert("errors".to_owned(), json!(self.errors));
         }
-        object.insert("wall_seconds".to_owned(), json!(clock.seconds()));
+        object.insert("wall_seconds".to_owned(), json!(clock.elapsed().as_secs_f64()));
         object.insert("threads".to_owned(), json!(rayon::current_num_threads()));
         Value::Object(object)
     }
 }
-
-/// Fields that every object has.
-const COMMON: [&str; 6] = ["schema", "status", "warnings", "errors", "wall_seconds", "threads"];

@@ -16,7 +16,8 @@ pub(crate) struct Watcher {
     bar: ProgressBar,
     checkpoint: Checkpoint,
     keep_every: Duration,
-    kept: Option<Instant>,
+    /// When a checkpoint of this run was kept last.
+    pub kept: Option<Instant>,
     trouble: Option<Refusal>,
 }
 
@@ -24,11 +25,6 @@ impl Watcher {
     /// Draws progress unless it is unwanted, and keeps a checkpoint every so often.
     pub(crate) fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
         Watcher { bar: bar(quiet, BAR), checkpoint, keep_every, kept: None, trouble: None }
-    }
-
-    /// Whether a checkpoint of this run was kept.
-    pub(crate) fn has_kept(&self) -> bool {
-        self.kept.is_some()
     }
 
     /// Ends the drawing; tells what kept a checkpoint from being written.
@@ -59,16 +55,8 @@ impl Watch for Spectator {
     }
 }
 
-/// Draws nothing, hears Ctrl-C.
-pub(crate) struct Silent;
-
-impl Watch for Silent {
-    fn look(&mut self, _: &Progress) -> Wish {
-        wish()
-    }
-}
-
-fn wish() -> Wish {
+/// Looks on, draws nothing, hears Ctrl-C.
+pub(crate) fn silent(_: &Progress) -> Wish {
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
 }
 
@@ -82,7 +70,7 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
     };
     signs::tell(&words, progress.fraction);
     bar.set_message(one_line(&words).into_owned());
-    wish()
+    silent(progress)
 }
 
 /// A piece of work is done that is as large as so many.

@@ -82,7 +82,7 @@ pub(super) fn analyse(
     let mut watcher =
         Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
     let found = run(resume, &mut watcher);
-    let kept = watcher.has_kept();
+    let kept = watcher.kept.is_some();
     let trouble = watcher.finish();
     let found = found?;
     if let Some(failure) = trouble {
