@@ -11,7 +11,6 @@ use crate::results::{self, Written};
 use extrados::Refusal;
 use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
-use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -34,14 +33,14 @@ pub(crate) struct Sharing {
 }
 
 /// A finished piece of work: its file below the folder of results, and the hash of its bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Piece {
     file: String,
     hash: String,
 }
 
 /// What a shard made.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Portion {
     /// The words of its command line.
     pub words: Vec<String>,
@@ -61,8 +60,33 @@ impl Portion {
     /// What the shard in a folder made.
     pub(crate) fn read(folder: &Path) -> Option<Portion> {
         let value: Value = serde_json::from_slice(&read_at_most(&folder.join(SEAL), LONGEST).ok()?).ok()?;
-        let value = Some(value).filter(|value| value["schema"] == SCHEMA)?;
-        serde_json::from_value(value).ok()
+        let word = |value: &Value| value.as_str().map(str::to_owned);
+        let piece = |one: &Value| Some(Piece { file: word(&one["file"])?, hash: word(&one["hash"])? });
+        if value["schema"] != SCHEMA {
+            return None;
+        }
+        Some(Portion {
+            words: serde_json::from_value(value["words"].clone()).ok()?,
+            shard: word(&value["shard"])?,
+            identity: word(&value["identity"])?,
+            program: word(&value["program"])?,
+            inputs: serde_json::from_value(value["inputs"].clone()).ok()?,
+            pieces: value["pieces"].as_array()?.iter().map(piece).collect::<Option<_>>()?,
+        })
+    }
+
+    /// The fields that [`read`](Self::read) reads.
+    fn fields(&self) -> Value {
+        let piece = |piece: &Piece| json!({ "file": piece.file, "hash": piece.hash });
+        json!({
+            "command": self.command(),
+            "words": self.words,
+            "shard": self.shard,
+            "identity": self.identity,
+            "program": self.program,
+            "inputs": self.inputs,
+            "pieces": self.pieces.iter().map(piece).collect::<Vec<Value>>(),
+        })
     }
 
     /// Its command.
@@ -121,8 +145,7 @@ pub(crate) fn publish(
     let pieces: Vec<Piece> = files.into_iter().map(hashed).collect::<Result<_, Refusal>>()?;
     let (count, words) = (pieces.len(), desk.words.clone());
     let portion = Portion { words, shard: shard.to_string(), identity, program: program::hash(), inputs, pieces };
-    report.fields.insert("command".to_owned(), json!(portion.command()));
-    report.fields.extend(json!(portion).as_object().cloned().unwrap_or_default());
+    report.fields.extend(portion.fields().as_object().cloned().unwrap_or_default());
     let shown = folder.path().display();
     report.summary = format!(
         "shard {shard}: {count} finished pieces in {shown}\nextrados merge DIR... --out DIR puts all {} together\n",

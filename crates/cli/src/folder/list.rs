@@ -15,8 +15,7 @@ pub(super) const NAME: &str = ".extrados-files.json";
 const SCHEMA: &str = "extrados.files/1";
 
 /// What the command made in a folder.
-#[derive(Debug, Clone, Default, PartialEq, Eq, serde::Deserialize)]
-#[serde(default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct List {
     /// Which run made the result that stands there, such as "collapse-load-dem"; empty where none does.
     pub kind: String,
@@ -35,10 +34,7 @@ impl List {
         let value = |path: PathBuf| serde_json::from_slice::<Value>(&read_at_most(&path, LONGEST).ok()?).ok();
         let listed = places(folder).into_iter().filter_map(value).find(|value| value["schema"] == SCHEMA);
         if let Some(value) = listed {
-            let mut list: List = serde_json::from_value(value).unwrap_or_default();
-            list.last.retain(|name| is_inside(name));
-            list.made.retain(|name, _| is_inside(name));
-            return list;
+            return List::from_value(&value);
         }
         let Some(seal) = value(folder.join(SEAL)) else { return List::default() };
         if !seal["schema"].as_str().is_some_and(|schema| schema.starts_with("extrados.")) {
@@ -50,6 +46,14 @@ impl List {
         List { kind: String::new(), of: String::new(), last, made }
     }
 
+    fn from_value(value: &Value) -> List {
+        let made = value["made"].as_object().into_iter().flatten();
+        let made = made.filter(|(name, _)| is_inside(name)).map(|(name, hashes)| (name.clone(), strings(hashes)));
+        let word = |key: &str| value[key].as_str().unwrap_or_default().to_owned();
+        let last = strings(&value["last"]).into_iter().filter(|name| is_inside(name)).collect();
+        List { kind: word("kind"), of: word("of"), last, made: made.collect() }
+    }
+
     /// Writes it, whole or not at all.
     pub(super) fn write(&self, folder: &Path) -> io::Result<()> {
         let about = "Files that extrados made here, and may replace as long as they are as it made them.";
@@ -57,14 +61,9 @@ impl List {
             "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": self.made,
         });
         let bytes = format!("{value:#}\n").into_bytes();
-        let mut written = Ok(());
-        for place in places(folder) {
-            written = write_whole(&place, &bytes);
-            if written.is_ok() {
-                break;
-            }
-        }
-        written
+        places(folder).iter().fold(Err(io::ErrorKind::NotFound.into()), |written: io::Result<()>, place| {
+            written.or_else(|_| write_whole(place, &bytes))
+        })
     }
 
     /// Whether the file of this name is as the command made it.
