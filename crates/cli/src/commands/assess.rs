@@ -45,7 +45,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     }
     let mut written = extrados::written::assessed(&done);
     let mut named = "report.html";
-    match pdf::pdf(&done.material()) {
+    match pdf::pdf(&done) {
         Ok(bytes) => {
             written.files.push(figures::File { name: "report.pdf".to_owned(), bytes });
             named = "report.html, report.pdf";
