@@ -4,13 +4,21 @@ use crate::border::Thrown;
 use crate::reading::words;
 use extrados::bridge::explain::{self, FileCard};
 use extrados::bridge::fields::{FILE, Field, Kind, Need, Section};
+use extrados::bridge::schema as schemas;
 use extrados::bridge::survey;
 use extrados::{Refusal, drawing, examples};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
+/// The JSON Schema of bridge files.
+#[wasm_bindgen]
+pub fn schema() -> String {
+    schemas::schema().to_string()
+}
+
 /// The examples.
-pub fn list_of_examples() -> Value {
+#[wasm_bindgen(js_name = examples)]
+pub fn list_of_examples() -> String {
     let one = |example: &examples::Example| {
         let files: Vec<Value> =
             example.files.iter().map(|file| json!({ "name": file.name, "about": file.about() })).collect();
@@ -18,7 +26,7 @@ pub fn list_of_examples() -> Value {
             "name": example.name, "about": example.about, "main": example.main, "command": example.command(), "files": files,
         })
     };
-    examples::ALL.iter().map(one).collect()
+    Value::from_iter(examples::ALL.iter().map(one)).to_string()
 }
 
 /// A file of an example.
@@ -37,10 +45,11 @@ pub fn example_file(example: &str, file: &str) -> Result<Vec<u8>, Thrown> {
 }
 
 /// The cards of all keys, section by section.
-pub fn keys() -> Value {
+#[wasm_bindgen]
+pub fn keys() -> String {
     let mut all = Vec::new();
     visit(&FILE, "", false, &mut all);
-    all.into()
+    json!(all).to_string()
 }
 
 fn visit(section: &'static Section, path: &str, list: bool, all: &mut Vec<Value>) {
@@ -88,20 +97,23 @@ fn card(card: &FileCard) -> Value {
 }
 
 /// The card of a code; null where there is none.
-pub fn explained(code: &str) -> Value {
-    explain::explain(code).map_or(Value::Null, card)
+#[wasm_bindgen(js_name = explain)]
+pub fn explained(code: &str) -> String {
+    explain::explain(code).map_or(Value::Null, card).to_string()
 }
 
 /// Every card about files.
-pub fn codes() -> Value {
-    explain::cards().map(card).collect()
+#[wasm_bindgen]
+pub fn codes() -> String {
+    Value::from_iter(explain::cards().map(card)).to_string()
 }
 
 /// The ten numbers of a survey, and what several spans are asked beside them.
-pub fn survey_questions() -> Value {
+#[wasm_bindgen]
+pub fn survey_questions() -> String {
     let one = |one: &survey::Question| json!({ "key": one.key, "doc": one.doc, "unit": one.unit, "example": one.example, "assumed": one.assumed });
     let all = |list: &[survey::Question]| -> Value { list.iter().map(one).collect() };
-    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) })
+    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) }).to_string()
 }
 
 /// A bridge file from answers, an object of texts or numbers.
@@ -171,8 +183,19 @@ pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Thrown> {
 }
 
 /// Materials of the library.
-pub fn materials() -> Value {
-    json!(extrados::materials())
+#[wasm_bindgen]
+pub fn materials() -> String {
+    json!(extrados::materials()).to_string()
+}
+
+/// The text of a bridge file with a table filled from a material of the library.
+///
+/// # Errors
+/// Those of [`extrados::with_material`], as an exception.
+#[wasm_bindgen]
+pub fn with_material(text: &str, table: &str, material: &str, keys: Vec<String>) -> Result<String, Thrown> {
+    let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+    Ok(extrados::with_material(text, table, material, &keys)?)
 }
 
 /// Vehicles and rules of the library.

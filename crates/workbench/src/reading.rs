@@ -6,6 +6,7 @@ use extrados::bridge::path::Path;
 use extrados::bridge::whereabouts::Whereabouts;
 use extrados::bridge::{Diagnostic, TextRange, edit, quantity, text, vary};
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
 /// Offsets as an editor in a browser counts them.
 struct Offsets<'t>(&'t str);
@@ -109,7 +110,8 @@ pub fn quantities(text: &str) -> Value {
 }
 
 /// Where a text says what a path of a report names: the value, or the table where it would stand; null where there is neither.
-pub fn place(text: &str, path: &str) -> Value {
+#[wasm_bindgen]
+pub fn place(text: &str, path: &str) -> String {
     let (places, offsets) = (Whereabouts::of(text), Offsets(text));
     let mut wanted = path;
     while !wanted.is_empty() {
@@ -117,11 +119,11 @@ pub fn place(text: &str, path: &str) -> Value {
         let found = [wanted.to_owned(), format!("{wanted}[1]")].iter().find_map(|one| places.value(&Path::parse(one)?));
         if let Some(range) = found.filter(|range| range.start < range.end) {
             let [start, end] = offsets.range(range);
-            return json!({ "start": start, "end": end, "path": wanted, "written": wanted == path });
+            return json!({ "start": start, "end": end, "path": wanted, "written": wanted == path }).to_string();
         }
         wanted = wanted.rsplit_once('.').map_or("", |(table, _)| table);
     }
-    Value::Null
+    "null".to_owned()
 }
 
 /// Words that a field may hold.
