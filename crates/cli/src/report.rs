@@ -99,7 +99,7 @@ impl Report {
     }
 
     /// Adds a warning that may have a place and shows it.
-    fn warn_with(&mut self, screen: &mut Screen, warning: Value) {
+    pub(crate) fn warn_with(&mut self, screen: &mut Screen, warning: Value) {
         let [code, message] = ["code", "message"].map(|key| warning[key].as_str().unwrap_or_default());
         // What concerns files and folders is told as it happens.
         if screen.tells_each() || !screen.quiet && code.starts_with('F') {
@@ -111,11 +111,6 @@ impl Report {
     /// Adds the warnings of an analysis and shows them.
     pub(crate) fn warn_of(&mut self, screen: &mut Screen, warnings: &[outcome::warning::Warning]) {
         warnings.iter().for_each(|warning| self.warn(screen, warning.code(), &warning.message()));
-    }
-
-    /// Adds a warning with its place in a file of records and shows it.
-    pub(crate) fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &outcome::records::Finding) {
-        self.warn_with(screen, extrados::written::finding_in_records(file, finding));
     }
 
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,

@@ -75,7 +75,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, R
 fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
     for (finding, file) in found.records.findings.iter().zip(&found.records.places) {
         if finding.severity > outcome::records::Severity::Note {
-            report.warn_at(&mut desk.screen, file, finding);
+            report.warn_with(&mut desk.screen, written::finding_in_records(file, finding));
         }
     }
 }

@@ -10,7 +10,7 @@ use bridge::Bridge;
 use bridge::passage::PassagePath;
 use extrados::{Looking, Refusal};
 use mechanics::watch::{Progress, Watch, Wish};
-use outcome::passage::PassageStatus;
+use outcome::passage::{Part, PassageStatus};
 use std::time::Instant;
 
 /// Length of an element near the rings [m] where `--count` does not say: 60,000 unknowns and more.
@@ -45,7 +45,9 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
         PassageStatus::NotConverged => Status::Undetermined,
         PassageStatus::Cancelled => Status::Cancelled,
     };
-    let (positions, iterations) = (found.values.first().map_or(0, Vec::len), iterations(&found));
+    let positions = found.values.first().map_or(0, Vec::len);
+    let crossing = found.log.iter().filter(|step| step.stage == Part::Passage);
+    let iterations: usize = crossing.map(|step| step.iterations).sum();
     let plastic = found.log.iter().map(|step| step.plastic_points).max().unwrap_or(0);
     let opened = found.log.iter().map(|step| step.open_joints).max().unwrap_or(0);
     let retained = found.condensed_degrees_of_freedom;
@@ -85,10 +87,6 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
             compared.seconds,
             compared.difference,
         )))
-}
-
-fn iterations(found: &Solution) -> usize {
-    found.log.iter().filter(|step| step.stage == ::outcome::passage::Part::Passage).map(|step| step.iterations).sum()
 }
 
 /// The plain path beside the condensed one.
