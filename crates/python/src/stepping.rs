@@ -190,24 +190,17 @@ impl PassageRun {
     /// Displacements, stresses and joints there.
     fn moment(&self, py: Python<'_>) -> PyResult<Option<PassageMoment>> {
         let found = moved(py, &self.held, None, |held, _| held.as_mut().map(Passing::moment))?;
-        match found.transpose() {
-            Ok(found) => Ok(found.map(|moment| PassageMoment { moment })),
-            Err(refusal) => Err(errors::refused(py, &[refusal])),
-        }
+        let found = found.transpose().map_err(|refusal| errors::refused(py, &[refusal]))?;
+        Ok(found.map(|moment| PassageMoment { moment }))
     }
 
     /// Ends the passage where it is.
     #[pyo3(signature = (progress = None))]
     fn finish(&self, py: Python<'_>, progress: Listener<'_, '_>) -> PyResult<Option<Answer>> {
         let found = moved(py, &self.held, progress, |held, watch| held.take().map(|run| run.finish(watch)))?;
-        let files = vec![Arc::clone(&self.project.get().file)];
-        let seconds = self.begun.elapsed().as_secs_f64();
-        match found.transpose() {
-            Ok(found) => {
-                Ok(found.map(|found| Answer { found: Found::Passage(Box::new(found)), projects: files, seconds }))
-            }
-            Err(refusal) => Err(errors::refused(py, &[refusal])),
-        }
+        let found = found.transpose().map_err(|refusal| errors::refused(py, &[refusal]))?;
+        let (projects, seconds) = (vec![Arc::clone(&self.project.get().file)], self.begun.elapsed().as_secs_f64());
+        Ok(found.map(|found| Answer { found: Found::Passage(Box::new(found)), projects, seconds }))
     }
 }
 
