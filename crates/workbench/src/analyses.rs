@@ -1,6 +1,6 @@
 //! Whole analyses, as the command makes them.
 
-use crate::document::Document;
+use crate::document::{Document, Read};
 use crate::one;
 use crate::result::Outcome;
 use extrados::bridge::choice::Choice as Words;
@@ -48,7 +48,7 @@ fn word<T: Words>(said: &Value, key: &str) -> Result<Option<T>, Refusal> {
 /// Those of [`extrados::collapse()`].
 pub fn collapse(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let options = CollapseOptions { choice: choice(choice_of)?, resume: None };
-    if let Some(blocks) = document.blocks() {
+    if let Read::Blocks(blocks) = &document.read {
         let found = extrados::collapse_of_blocks(blocks, &options, watch)?;
         return Ok(Outcome::collapse_of_blocks(blocks, &found));
     }

@@ -122,11 +122,11 @@ pub fn survey_questions() -> String {
 /// Answers that are missing, no numbers or not possible (F108).
 #[wasm_bindgen]
 pub fn from_survey(answers: &str) -> Result<String, Thrown> {
-    let given = Given::read(answers)?;
-    Ok(survey::file(&given.name(), &|key| given.said(key)).map_err(|wrong| {
+    let given = given(answers)?;
+    Ok(survey::file(&name(&given), &|key| said(&given, key)).map_err(|wrong| {
         let message: Vec<&str> = wrong.iter().map(|one| one.message.as_str()).collect();
         let help: Vec<&str> = wrong.iter().map(|one| one.help.as_str()).collect();
-        refused(message.join("; "), &help.join("; "))
+        Refusal::new("F108", message.join("; "), help.join("; "))
     })?)
 }
 
@@ -136,36 +136,28 @@ pub fn from_survey(answers: &str) -> Result<String, Thrown> {
 /// Answers that are no object (F108).
 #[wasm_bindgen]
 pub fn survey_findings(answers: &str) -> Result<String, Thrown> {
-    let given = Given::read(answers)?;
-    let found = survey::findings(&given.name(), &|key| given.said(key));
+    let given = given(answers)?;
+    let found = survey::findings(&name(&given), &|key| said(&given, key));
     let one = |one: survey::Unusable| json!({ "key": one.key, "severity": one.severity.word(), "message": one.message, "help": one.help });
     Ok(Value::from_iter(found.into_iter().map(one)).to_string())
 }
 
-fn refused(message: String, help: &str) -> Refusal {
-    Refusal::new("F108", message, help)
+/// Answers of a survey as the page gives them.
+fn given(answers: &str) -> Result<Value, Refusal> {
+    let help = "answer with numbers and units, such as 6.00 m";
+    serde_json::from_str(answers).map_err(|error| Refusal::new("F108", error.to_string(), help))
 }
 
-/// Answers of a survey as the page gives them.
-struct Given(Value);
-
-impl Given {
-    fn read(answers: &str) -> Result<Given, Refusal> {
-        let help = "answer with numbers and units, such as 6.00 m";
-        serde_json::from_str(answers).map(Given).map_err(|error| refused(error.to_string(), help))
+fn said(given: &Value, key: &str) -> Option<String> {
+    match given.get(key) {
+        Some(Value::String(text)) => Some(text.clone()),
+        Some(Value::Number(number)) => Some(number.to_string()),
+        _ => None,
     }
+}
 
-    fn said(&self, key: &str) -> Option<String> {
-        match self.0.get(key) {
-            Some(Value::String(text)) => Some(text.clone()),
-            Some(Value::Number(number)) => Some(number.to_string()),
-            _ => None,
-        }
-    }
-
-    fn name(&self) -> String {
-        self.said("name").unwrap_or_else(|| "A bridge".to_owned())
-    }
+fn name(given: &Value) -> String {
+    said(given, "name").unwrap_or_else(|| "A bridge".to_owned())
 }
 
 /// A block model file from a drawing; what the drawing does not say stands there to be filled in.

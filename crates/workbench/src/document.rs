@@ -16,11 +16,12 @@ pub struct Document {
     path: PathBuf,
     text: String,
     files: Memory,
-    read: Read,
+    /// What the text means.
+    pub(crate) read: Read,
 }
 
 /// What the text means.
-enum Read {
+pub(crate) enum Read {
     Bridge(Box<Project>),
     Blocks(Box<Blocks>),
     /// It cannot be read, or a file beside it cannot.
@@ -90,22 +91,6 @@ impl Document {
                 let message = format!("{} is a block model file: its blocks collapse, and nothing else", blocks.name());
                 Err(Refusal::new("F108", message, "write a bridge file, which has spans and rings"))
             }
-        }
-    }
-
-    /// The block model file, where it is one.
-    pub(crate) fn blocks(&self) -> Option<&Blocks> {
-        match &self.read {
-            Read::Blocks(blocks) => Some(blocks),
-            _ => None,
-        }
-    }
-
-    /// Why the file could not be read.
-    pub(crate) fn refusal(&self) -> Option<&Refusal> {
-        match &self.read {
-            Read::Refused(refusal) => Some(refusal),
-            _ => None,
         }
     }
 

@@ -22,10 +22,7 @@ pub mod train;
 use extrados::Refusal;
 
 /// Several refusals as one, which is what an exception can carry.
-pub(crate) fn one(mut refusals: Vec<Refusal>) -> Refusal {
-    if refusals.len() == 1 {
-        return refusals.remove(0);
-    }
+pub(crate) fn one(refusals: Vec<Refusal>) -> Refusal {
     let code = refusals.first().map_or("F108", |first| first.code);
     let message: Vec<&str> = refusals.iter().map(|refusal| refusal.message.as_str()).collect();
     let help = refusals.first().map_or("", |first| first.help.as_str());

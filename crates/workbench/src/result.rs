@@ -20,7 +20,6 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 /// An answer, ready to be read, drawn and taken away.
 #[wasm_bindgen(js_name = Result)]
 pub struct Outcome {
-    status: String,
     object: Object,
     picture: Value,
     passage: Value,
@@ -37,7 +36,6 @@ impl Outcome {
         written: Written,
     ) -> Outcome {
         Outcome {
-            status: status.to_owned(),
             object: written::object(project, schema, status, fields, warnings),
             picture: Value::Null,
             passage: Value::Null,
@@ -72,7 +70,6 @@ impl Outcome {
         fields.extend(found.object());
         let object = written::headed("extrados.collapse/1", found.status.word(), fields, warnings);
         Outcome {
-            status: found.status.word().to_owned(),
             object,
             picture: json!(found.picture),
             passage: Value::Null,
@@ -165,7 +162,7 @@ impl Outcome {
     /// How it ended.
     #[wasm_bindgen(getter)]
     pub fn status(&self) -> String {
-        self.status.clone()
+        self.object["status"].as_str().unwrap_or_default().to_owned()
     }
 
     /// result.json, but for what only the command knows: wall clock, threads, names of files, where they are.
