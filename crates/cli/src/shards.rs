@@ -94,11 +94,6 @@ impl Portion {
         self.words.get(1).map_or("", String::as_str)
     }
 
-    /// Which part it is.
-    pub(crate) fn part(&self) -> Option<Shard> {
-        self.shard.parse().ok()
-    }
-
     /// Names of pieces that are missing, or are not as they were made.
     pub(crate) fn damaged(&self, folder: &Path) -> Vec<String> {
         let sound = |piece: &&Piece| {

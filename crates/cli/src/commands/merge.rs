@@ -47,7 +47,7 @@ fn gathered(dirs: &[PathBuf]) -> Result<Vec<(PathBuf, Portion)>, Vec<Refusal>> {
     let mut refusals = Vec::new();
     let mut shards = Vec::new();
     for dir in dirs {
-        match Portion::read(dir).and_then(|portion| Some((portion.part()?, portion))) {
+        match Portion::read(dir).and_then(|portion| Some((portion.shard.parse().ok()?, portion))) {
             Some((part, portion)) => shards.push((dir, part, portion)),
             None => refusals.push(not_a_shard(dir)),
         }

@@ -61,9 +61,14 @@ impl List {
             "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": self.made,
         });
         let bytes = format!("{value:#}\n").into_bytes();
-        places(folder).iter().fold(Err(io::ErrorKind::NotFound.into()), |written: io::Result<()>, place| {
-            written.or_else(|_| write_whole(place, &bytes))
-        })
+        let mut written = Ok(());
+        for place in places(folder) {
+            written = write_whole(&place, &bytes);
+            if written.is_ok() {
+                break;
+            }
+        }
+        written
     }
 
     /// Whether the file of this name is as the command made it.
