@@ -154,7 +154,7 @@ impl Project {
         let py = options.py();
         let width = self.usable(py)?.width;
         let choice = Options::read(options, |given| given.choice(width))?;
-        let resume = bytes(py, resume)?;
+        let resume = resume.map_or(Ok(None), |state| state.bytes(py))?;
         self.answered(py, progress, move |file, watch| {
             Ok(Found::Collapse(Box::new(extrados::collapse(file, &CollapseOptions { choice, resume }, watch)?)))
         })
@@ -307,10 +307,6 @@ pub(crate) fn passage_options(given: &Options<'_>) -> PyResult<RespondOptions> {
     Ok(RespondOptions { speed: given.speed("speed")?, analysis: given.word("analysis")?, path: given.word("path")? })
 }
 
-fn bytes(py: Python<'_>, resume: Option<&State>) -> PyResult<Option<Vec<u8>>> {
-    resume.map_or(Ok(None), |state| state.bytes(py))
-}
-
 fn kept(resume: Option<&State>) -> Arc<Kept> {
     resume.and_then(|state| state.kept.clone()).unwrap_or_default()
 }
@@ -422,7 +418,8 @@ impl BlockModel {
     fn collapse(&self, options: Given<'_, '_>, progress: Listener<'_, '_>, resume: Option<&State>) -> PyResult<Answer> {
         let py = options.py();
         let choice = Options::read(options, |given| given.choice(1.0))?;
-        let (blocks, options) = (Arc::clone(&self.blocks), CollapseOptions { choice, resume: bytes(py, resume)? });
+        let resume = resume.map_or(Ok(None), |state| state.bytes(py))?;
+        let (blocks, options) = (Arc::clone(&self.blocks), CollapseOptions { choice, resume });
         worked(py, progress, None, Vec::new(), move |watch| {
             Ok(Some(Found::Collapse(Box::new(extrados::collapse_of_blocks(&blocks, &options, watch)?))))
         })
