@@ -40,11 +40,10 @@ fn gather(folder: &Path, before: &str, found: &mut Vec<(String, String)>) -> io:
         let entry = entry?;
         let name = format!("{before}{}", entry.file_name().to_string_lossy());
         let path = entry.path();
+        println!("cargo:rerun-if-changed={}", path.display());
         if path.is_dir() {
-            println!("cargo:rerun-if-changed={}", path.display());
             gather(&path, &format!("{name}/"), found)?;
         } else {
-            println!("cargo:rerun-if-changed={}", path.display());
             found.push((name, fs::canonicalize(&path)?.display().to_string()));
         }
     }

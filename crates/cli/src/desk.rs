@@ -1,12 +1,12 @@
 //! What every command is given.
 
-use crate::clock::Clock;
 use crate::screen::Screen;
+use std::time::Instant;
 
 /// Where a command speaks, and what its answer says of the run.
 pub(crate) struct Desk {
     pub screen: Screen,
-    pub clock: Clock,
+    pub clock: Instant,
     pub schema: String,
     /// The command line.
     pub words: Vec<String>,

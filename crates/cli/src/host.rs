@@ -1,7 +1,6 @@
 //! Waits for the run in a thread of its own: ends the command soon after somebody asked for it, whatever the run is at, and tells
 //! how far it is where no bar can be drawn.
 
-use crate::clock::Clock;
 use crate::report::Report;
 use crate::signs::{self, Now};
 use crate::status::Status;
@@ -37,7 +36,7 @@ pub(crate) fn wait<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static,
     let Ok(worker) = thread::Builder::new().name("run".to_owned()).stack_size(STACK).spawn(run) else {
         return Ended::Broken;
     };
-    let (clock, mut said, mut asked) = (Clock::start(), Instant::now(), None);
+    let (clock, mut said, mut asked) = (Instant::now(), Instant::now(), None);
     loop {
         match receiver.recv_timeout(TICK) {
             Ok(answer) => return Ended::Whole(answer),
@@ -54,7 +53,7 @@ pub(crate) fn wait<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static,
             }
         } else if lines.is_some_and(|every| said.elapsed() >= every) {
             said = Instant::now();
-            let line = line(clock.seconds(), &signs::now());
+            let line = line(clock.elapsed().as_secs_f64(), &signs::now());
             let _ = writeln!(std::io::stderr().lock(), "{}", findings::visible::one_line(&line));
         }
     }

@@ -2,7 +2,6 @@
 
 mod args;
 mod checkpoint;
-mod clock;
 mod commands;
 mod desk;
 mod failure;

@@ -127,13 +127,13 @@ fn count(name: &str, list: &[Diagnostic]) -> String {
     let name = one_line(name);
     let errors = list.iter().filter(|finding| finding.severity == Severity::Error).count();
     let warnings = list.len() - errors;
-    match (errors, warnings) {
-        (0, _) => format!("{name}: {}; the file can be used\n", counted(warnings, "warning")),
-        (_, 0) => format!("{name}: {}; the file cannot be used\n", counted(errors, "error")),
-        _ => {
-            format!("{name}: {}, {}; the file cannot be used\n", counted(errors, "error"), counted(warnings, "warning"))
-        }
-    }
+    let told = match (errors, warnings) {
+        (0, _) => counted(warnings, "warning"),
+        (_, 0) => counted(errors, "error"),
+        _ => format!("{}, {}", counted(errors, "error"), counted(warnings, "warning")),
+    };
+    let can = if errors == 0 { "can" } else { "cannot" };
+    format!("{name}: {told}; the file {can} be used\n")
 }
 
 fn one(name: &str, text: &[u8], finding: &Diagnostic, paint: &Paint) -> String {
@@ -155,11 +155,8 @@ fn one(name: &str, text: &[u8], finding: &Diagnostic, paint: &Paint) -> String {
         visible(&finding.label),
         indent = excerpt.indent
     );
-    if let Some(note) = &finding.note {
-        let _ = writeln!(page, "  note: {}", visible(note));
-    }
-    if let Some(help) = &finding.help {
-        let _ = writeln!(page, "  help: {}", visible(help));
+    for (word, words) in [("note", &finding.note), ("help", &finding.help)] {
+        words.iter().for_each(|words| page += &format!("  {word}: {}\n", visible(words)));
     }
     page
 }

@@ -1,12 +1,12 @@
 //! What a command answers: one object for scripts, a few lines for people.
 
-use crate::clock::Clock;
 use crate::page::Page;
 use crate::render::{self, Paint};
 use crate::screen::Screen;
 use crate::status::Status;
 use bridge::{Diagnostic, Severity};
 use serde_json::{Map, Value, json};
+use std::time::Instant;
 
 /// The answer of a command.
 #[derive(Debug, Clone)]
@@ -99,7 +99,7 @@ impl Report {
     }
 
     /// Adds a warning that may have a place and shows it.
-    fn warn_with(&mut self, screen: &mut Screen, warning: Value) {
+    pub(crate) fn warn_with(&mut self, screen: &mut Screen, warning: Value) {
         let [code, message] = ["code", "message"].map(|key| warning[key].as_str().unwrap_or_default());
         // What concerns files and folders is told as it happens.
         if screen.tells_each() || !screen.quiet && code.starts_with('F') {
@@ -113,27 +113,16 @@ impl Report {
         warnings.iter().for_each(|warning| self.warn(screen, warning.code(), &warning.message()));
     }
 
-    /// Adds a warning with its place in a file of records and shows it.
-    pub(crate) fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &outcome::records::Finding) {
-        self.warn_with(screen, extrados::written::finding_in_records(file, finding));
-    }
-
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,
     /// `wall_seconds` and `threads`.
-    pub(crate) fn object(&self, schema: &str, clock: Clock) -> Value {
-        let mut object = Map::new();
-        object.insert("schema".to_owned(), json!(schema));
-        object.insert("status".to_owned(), json!(self.status.name()));
-        object.extend(self.fields.clone().into_iter().filter(|(key, _)| !COMMON.contains(&key.as_str())));
-        object.insert("warnings".to_owned(), json!(self.warnings));
+    pub(crate) fn object(&self, schema: &str, clock: Instant) -> Value {
+        let (fields, warnings) = (self.fields.clone(), self.warnings.clone());
+        let mut object = extrados::written::headed(schema, self.status.name(), fields, warnings);
         if !self.errors.is_empty() {
             object.insert("errors".to_owned(), json!(self.errors));
         }
-        object.insert("wall_seconds".to_owned(), json!(clock.seconds()));
+        object.insert("wall_seconds".to_owned(), json!(clock.elapsed().as_secs_f64()));
         object.insert("threads".to_owned(), json!(rayon::current_num_threads()));
         Value::Object(object)
     }
 }
-
-/// Fields that every object has.
-const COMMON: [&str; 6] = ["schema", "status", "warnings", "errors", "wall_seconds", "threads"];

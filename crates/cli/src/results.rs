@@ -67,25 +67,28 @@ fn in_one_workbook(
 
 /// What was written, in lines, or in one by kinds: only what is there is named.
 fn told(files: &[figures::File], details: bool) -> String {
-    let ending = |name: &str| name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_owned());
-    let top = |wanted: &str| -> Vec<&str> {
-        let names = files.iter().map(|file| file.name.as_str());
-        names.filter(|name| !name.contains('/') && ending(name) == wanted).collect()
+    let top = |endings: &[&str]| -> Vec<String> {
+        let names = |ending: &str| -> Vec<String> {
+            let ends = |name: &&String| name.rsplit_once('.').is_some_and(|(_, own)| own == ending);
+            files.iter().map(|file| &file.name).filter(|name| !name.contains('/')).filter(ends).cloned().collect()
+        };
+        endings.iter().flat_map(|ending| names(ending)).collect()
     };
-    let stems: Vec<String> = top("svg").iter().map(|name| name.trim_end_matches(".svg").to_owned()).collect();
+    let drawn = top(&["svg"]).into_iter().map(|name| name.trim_end_matches(".svg").to_owned());
     let animation = files.iter().filter(|file| file.name == "animation.png").map(|file| file.name.clone());
-    let named = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
-    let below = |folder: &str| files.iter().filter(|file| file.name.starts_with(folder)).count();
-    let counted =
-        |folder: &str, count: usize| if count > 0 { vec![format!("{count} in {folder}")] } else { Vec::new() };
+    let below = |folders: &[&str]| -> Vec<String> {
+        let count = |folder: &str| files.iter().filter(|file| file.name.starts_with(folder)).count();
+        let counted = folders.iter().map(|folder| (count(folder), folder)).filter(|(count, _)| *count > 0);
+        counted.map(|(count, folder)| format!("{count} in {folder}")).collect()
+    };
     let groups = [
-        ("figures", stems.into_iter().chain(animation).collect()),
-        ("tables", named(top("csv").into_iter().chain(top("xlsx")).collect())),
-        ("drawings for CAD", named(top("dxf"))),
-        ("reports", named(top("html").into_iter().chain(top("pdf")).collect())),
-        ("files for ParaView", counted("paraview/", below("paraview/"))),
-        ("of the other strip", counted("wall/", below("wall/"))),
-        ("figures of both", [counted("before/", below("before/")), counted("after/", below("after/"))].concat()),
+        ("figures", drawn.chain(animation).collect()),
+        ("tables", top(&["csv", "xlsx"])),
+        ("drawings for CAD", top(&["dxf"])),
+        ("reports", top(&["html", "pdf"])),
+        ("files for ParaView", below(&["paraview/"])),
+        ("of the other strip", below(&["wall/"])),
+        ("figures of both", below(&["before/", "after/"])),
     ];
     let filled = groups.iter().filter(|(_, names)| !names.is_empty());
     if !details {

@@ -13,7 +13,8 @@ pub(crate) struct Screen {
     pub quiet: bool,
     /// Everything in words, and warnings one by one; otherwise a first screen.
     pub details: bool,
-    failed: Option<io::Error>,
+    /// Why a result could not be written.
+    pub failed: Option<io::Error>,
 }
 
 impl Screen {
@@ -41,11 +42,6 @@ impl Screen {
     /// Writes a remark to stderr. Where even that fails there is nobody left to tell.
     pub(crate) fn remark(&mut self, text: &str) {
         let _ = io::stderr().lock().write_all(painted(text).as_bytes());
-    }
-
-    /// Whether a result could not be written, and why.
-    pub(crate) fn failed(&mut self) -> Option<io::Error> {
-        self.failed.take()
     }
 }
 

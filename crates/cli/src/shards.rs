@@ -11,7 +11,7 @@ use crate::results::{self, Written};
 use extrados::Refusal;
 use extrados::files::{LONGEST, read_at_most};
 use extrados::shard::Shard;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -62,45 +62,36 @@ impl Portion {
         let value: Value = serde_json::from_slice(&read_at_most(&folder.join(SEAL), LONGEST).ok()?).ok()?;
         let word = |value: &Value| value.as_str().map(str::to_owned);
         let piece = |one: &Value| Some(Piece { file: word(&one["file"])?, hash: word(&one["hash"])? });
-        let input = |(name, hash): (&String, &Value)| Some((name.clone(), word(hash)?));
         if value["schema"] != SCHEMA {
             return None;
         }
         Some(Portion {
-            words: value["words"].as_array()?.iter().map(word).collect::<Option<_>>()?,
+            words: serde_json::from_value(value["words"].clone()).ok()?,
             shard: word(&value["shard"])?,
             identity: word(&value["identity"])?,
             program: word(&value["program"])?,
-            inputs: value["inputs"].as_object()?.iter().map(input).collect::<Option<_>>()?,
+            inputs: serde_json::from_value(value["inputs"].clone()).ok()?,
             pieces: value["pieces"].as_array()?.iter().map(piece).collect::<Option<_>>()?,
         })
     }
 
     /// The fields that [`read`](Self::read) reads.
-    fn fields(&self) -> impl Iterator<Item = (String, Value)> {
-        let pieces: Vec<Value> =
-            self.pieces.iter().map(|piece| json!({ "file": piece.file, "hash": piece.hash })).collect();
-        let inputs: Map<String, Value> = self.inputs.iter().map(|(name, hash)| (name.clone(), json!(hash))).collect();
-        let fields = [
-            ("command", json!(self.command())),
-            ("words", json!(self.words)),
-            ("shard", json!(self.shard)),
-            ("identity", json!(self.identity)),
-            ("program", json!(self.program)),
-            ("inputs", json!(inputs)),
-            ("pieces", json!(pieces)),
-        ];
-        fields.into_iter().map(|(key, value)| (key.to_owned(), value))
+    fn fields(&self) -> Value {
+        let piece = |piece: &Piece| json!({ "file": piece.file, "hash": piece.hash });
+        json!({
+            "command": self.command(),
+            "words": self.words,
+            "shard": self.shard,
+            "identity": self.identity,
+            "program": self.program,
+            "inputs": self.inputs,
+            "pieces": self.pieces.iter().map(piece).collect::<Vec<Value>>(),
+        })
     }
 
     /// Its command.
     pub(crate) fn command(&self) -> &str {
         self.words.get(1).map_or("", String::as_str)
-    }
-
-    /// Which part it is.
-    pub(crate) fn part(&self) -> Option<Shard> {
-        self.shard.parse().ok()
     }
 
     /// Names of pieces that are missing, or are not as they were made.
@@ -149,7 +140,7 @@ pub(crate) fn publish(
     let pieces: Vec<Piece> = files.into_iter().map(hashed).collect::<Result<_, Refusal>>()?;
     let (count, words) = (pieces.len(), desk.words.clone());
     let portion = Portion { words, shard: shard.to_string(), identity, program: program::hash(), inputs, pieces };
-    report.fields.extend(portion.fields());
+    report.fields.extend(portion.fields().as_object().cloned().unwrap_or_default());
     let shown = folder.path().display();
     report.summary = format!(
         "shard {shard}: {count} finished pieces in {shown}\nextrados merge DIR... --out DIR puts all {} together\n",
@@ -162,16 +153,13 @@ pub(crate) fn publish(
 /// Shards that belong together, and are all there.
 #[derive(Debug, Clone)]
 pub(crate) struct Merged {
-    identity: String,
-    shards: Vec<(PathBuf, Portion)>,
+    /// The one work that they are of.
+    pub identity: String,
+    /// Their folders, and what they made.
+    pub shards: Vec<(PathBuf, Portion)>,
 }
 
 impl Merged {
-    /// Of these folders; they are all of one work.
-    pub(crate) fn new(identity: String, shards: Vec<(PathBuf, Portion)>) -> Merged {
-        Merged { identity, shards }
-    }
-
     /// Files that the shards read, with their hashes.
     pub(crate) fn inputs(&self) -> impl Iterator<Item = (&String, &String)> {
         self.shards.iter().flat_map(|(_, portion)| &portion.inputs)

@@ -52,10 +52,6 @@ impl<'a> FolderShelf<'a> {
     fn log(&self) -> MutexGuard<'_, Option<(LogFile, usize)>> {
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
     }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.folder.file(&file(name))
-    }
 }
 
 /// The file of a piece of this name, below the folder of results.
@@ -68,11 +64,11 @@ pub(crate) fn file(name: &str) -> String {
 
 impl Shelf for FolderShelf<'_> {
     fn find(&self, name: &str) -> Option<Vec<u8>> {
-        read_at_most(&self.file(name), LONGEST).ok()
+        read_at_most(&self.folder.file(&file(name)), LONGEST).ok()
     }
 
     fn put(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
-        write_whole(with_room(&self.file(name))?, bytes)
+        write_whole(with_room(&self.folder.file(&file(name)))?, bytes)
     }
 
     fn evaluations(&self, identity: &str) -> Result<calibrate::Log, Refusal> {

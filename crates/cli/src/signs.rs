@@ -5,17 +5,10 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-struct Signs {
-    stop: AtomicBool,
-    busy: AtomicUsize,
-    now: Mutex<Now>,
-}
-
-static SIGNS: Signs = Signs {
-    stop: AtomicBool::new(false),
-    busy: AtomicUsize::new(0),
-    now: Mutex::new(Now { task: String::new(), words: String::new(), fraction: None, begun: None, kept: None }),
-};
+static STOP: AtomicBool = AtomicBool::new(false);
+static BUSY: AtomicUsize = AtomicUsize::new(0);
+static NOW: Mutex<Now> =
+    Mutex::new(Now { task: String::new(), words: String::new(), fraction: None, begun: None, kept: None });
 
 /// What the run does just now.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +39,7 @@ pub(crate) struct Kept {
 /// once.
 pub(crate) fn listen() {
     let heard = ctrlc::set_handler(|| {
-        if SIGNS.stop.swap(true, Ordering::SeqCst) {
+        if STOP.swap(true, Ordering::SeqCst) {
             std::process::exit(i32::from(crate::status::Status::Cancelled.exit_code()));
         }
     });
@@ -56,7 +49,7 @@ pub(crate) fn listen() {
 
 /// Whether the command was asked to stop.
 pub(crate) fn asked_to_stop() -> bool {
-    SIGNS.stop.load(Ordering::SeqCst)
+    STOP.load(Ordering::SeqCst)
 }
 
 /// Files are being moved into their place as long as this lives: the command ends after that and not in between.
@@ -64,23 +57,23 @@ pub(crate) struct Busy(());
 
 /// Says that files are being moved.
 pub(crate) fn busy() -> Busy {
-    SIGNS.busy.fetch_add(1, Ordering::SeqCst);
+    BUSY.fetch_add(1, Ordering::SeqCst);
     Busy(())
 }
 
 /// Whether files are being moved.
 pub(crate) fn is_busy() -> bool {
-    SIGNS.busy.load(Ordering::SeqCst) > 0
+    BUSY.load(Ordering::SeqCst) > 0
 }
 
 impl Drop for Busy {
     fn drop(&mut self) {
-        SIGNS.busy.fetch_sub(1, Ordering::SeqCst);
+        BUSY.fetch_sub(1, Ordering::SeqCst);
     }
 }
 
 fn lock() -> MutexGuard<'static, Now> {
-    SIGNS.now.lock().unwrap_or_else(PoisonError::into_inner)
+    NOW.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What the run does just now.

@@ -11,37 +11,21 @@ use std::time::{Duration, Instant};
 /// Steps of the bar.
 const BAR: u64 = 1000;
 
-/// Looks on one run.
-pub(crate) struct Watcher {
-    bar: ProgressBar,
-    checkpoint: Checkpoint,
-    keep_every: Duration,
-    kept: Option<Instant>,
-    trouble: Option<Refusal>,
+/// Looks on one run, and keeps its checkpoint every so often.
+pub(crate) struct Watcher<'a> {
+    pub spectator: &'a mut Spectator,
+    pub checkpoint: &'a Checkpoint,
+    pub keep_every: Duration,
+    /// When a checkpoint of this run was kept last.
+    pub kept: Option<Instant>,
+    /// What kept a checkpoint from being written.
+    pub trouble: Option<Refusal>,
 }
 
-impl Watcher {
-    /// Draws progress unless it is unwanted, and keeps a checkpoint every so often.
-    pub(crate) fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
-        Watcher { bar: bar(quiet, BAR), checkpoint, keep_every, kept: None, trouble: None }
-    }
-
-    /// Whether a checkpoint of this run was kept.
-    pub(crate) fn has_kept(&self) -> bool {
-        self.kept.is_some()
-    }
-
-    /// Ends the drawing; tells what kept a checkpoint from being written.
-    pub(crate) fn finish(self) -> Option<Refusal> {
-        self.bar.finish_and_clear();
-        self.trouble
-    }
-}
-
-/// Looks on work that keeps nothing.
+/// Draws progress, and tells how far it is.
 pub(crate) struct Spectator(ProgressBar);
 
-/// Lets work that keeps nothing be looked on; draws its progress unless that is unwanted.
+/// Lets work be looked on; draws its progress unless that is unwanted.
 pub(crate) fn watched<T>(quiet: bool, work: impl FnOnce(&mut Spectator) -> T) -> T {
     let mut spectator = Spectator(bar(quiet, BAR));
     let done = work(&mut spectator);
@@ -55,34 +39,22 @@ impl Watch for Spectator {
     }
 
     fn look(&mut self, progress: &Progress) -> Wish {
-        draw(&self.0, progress)
+        if let Some(fraction) = progress.fraction {
+            self.0.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
+        }
+        let words = match progress.steps {
+            0 => progress.stage.clone(),
+            steps => format!("{}, {steps} steps", progress.stage),
+        };
+        signs::tell(&words, progress.fraction);
+        self.0.set_message(one_line(&words).into_owned());
+        silent(progress)
     }
 }
 
-/// Draws nothing, hears Ctrl-C.
-pub(crate) struct Silent;
-
-impl Watch for Silent {
-    fn look(&mut self, _: &Progress) -> Wish {
-        wish()
-    }
-}
-
-fn wish() -> Wish {
+/// Looks on, draws nothing, hears Ctrl-C.
+pub(crate) fn silent(_: &Progress) -> Wish {
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
-}
-
-fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
-    if let Some(fraction) = progress.fraction {
-        bar.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
-    }
-    let words = match progress.steps {
-        0 => progress.stage.clone(),
-        steps => format!("{}, {steps} steps", progress.stage),
-    };
-    signs::tell(&words, progress.fraction);
-    bar.set_message(one_line(&words).into_owned());
-    wish()
 }
 
 /// A piece of work is done that is as large as so many.
@@ -113,9 +85,9 @@ pub(crate) fn bar(quiet: bool, length: u64) -> ProgressBar {
 
 const TEMPLATE: &str = "{elapsed:>4} {wide_bar} {percent:>3} %, {eta} left  {msg}";
 
-impl Watch for Watcher {
+impl Watch for Watcher<'_> {
     fn look(&mut self, progress: &Progress) -> Wish {
-        draw(&self.bar, progress)
+        self.spectator.look(progress)
     }
 
     fn keep(&mut self, state: &dyn Fn() -> Vec<u8>) {

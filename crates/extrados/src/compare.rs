@@ -60,6 +60,7 @@ pub struct Compared {
 impl Compared {
     /// The answer for scripts.
     pub fn object(&self) -> published::Object {
+        let number = |one: &Answered| json!({ "name": one.name, "before": one.before, "after": one.after, "change_percent": one.change().map(|c| 100.0 * c) });
         let mut fields = published::Object::new();
         fields.insert("verdict".into(), json!(self.verdict()));
         fields.insert("cautions".into(), json!(self.cautions));
@@ -102,10 +103,6 @@ impl Compared {
             _ => "no load is known to be carried by either".to_owned(),
         }
     }
-}
-
-fn number(one: &Answered) -> Value {
-    json!({ "name": one.name, "before": one.before, "after": one.after, "change_percent": one.change().map(|c| 100.0 * c) })
 }
 
 /// Makes the analysis that each file plans, with the same choice in place of either plan, and puts input and answers side by side.

@@ -3,7 +3,7 @@
 use crate::refusal::Refusal;
 use bridge::edit::Document;
 use bridge::path::Path;
-use rules::{Material, materials};
+use rules::materials;
 
 /// The text of a bridge file with a table filled from a material: `at` is the table, as `masonry` or `cover[2]`, `keys` what is taken. Each
 /// value is the usual one of the library, and its remark says that it is not measured, between which ends it lies, and where it is from.
@@ -12,7 +12,10 @@ use rules::{Material, materials};
 /// A material or a key that there is none of, a table that it does not fill (F108), a text that cannot be edited (F114).
 pub fn with_material(text: &str, at: &str, code: &str, keys: &[&str]) -> Result<String, Refusal> {
     let all = materials();
-    let material = named(&all, code)?;
+    let material = all.iter().find(|one| one.code.eq_ignore_ascii_case(code)).ok_or_else(|| {
+        let known: Vec<&str> = all.iter().map(|one| one.code.as_str()).collect();
+        Refusal::new("F108", format!("the library has no material \"{code}\""), format!("it has {}", known.join(", ")))
+    })?;
     let table = at.split('[').next().unwrap_or_default();
     if !material.tables.iter().any(|one| one == table) {
         let message = format!("{} is no material of [{table}]", material.code);
@@ -31,12 +34,4 @@ pub fn with_material(text: &str, at: &str, code: &str, keys: &[&str]) -> Result<
         document.remark(&path, &value.remark(material)).map_err(|_| unfit())?;
     }
     Ok(document.text())
-}
-
-/// The material of this name.
-fn named<'m>(all: &'m [Material], code: &str) -> Result<&'m Material, Refusal> {
-    all.iter().find(|one| one.code.eq_ignore_ascii_case(code)).ok_or_else(|| {
-        let known: Vec<&str> = all.iter().map(|one| one.code.as_str()).collect();
-        Refusal::new("F108", format!("the library has no material \"{code}\""), format!("it has {}", known.join(", ")))
-    })
 }

@@ -2,13 +2,13 @@
 
 use assess::analysis::AnalysisError;
 use bridge::vary::Slip;
-use std::error::Error;
-use std::fmt;
+use std::fmt::Display;
 use std::io;
 use std::path::Path;
 
 /// A file or a request that cannot be used. Answers such as collapse and non-convergence are none of these.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, thiserror::Error)]
+#[error("{message} ({code}); {help}")]
 pub struct Refusal {
     /// Stable code; `extrados explain CODE` tells more.
     pub code: &'static str,
@@ -36,18 +36,10 @@ impl Refusal {
     }
 
     /// An analysis that cannot be set up.
-    pub fn not_set_up(error: &impl fmt::Display) -> Refusal {
+    pub fn not_set_up(error: &impl Display) -> Refusal {
         Refusal::new("F108", error.to_string(), "extrados explain F108 tells what each analysis needs")
     }
 }
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({}); {}", self.message, self.code, self.help)
-    }
-}
-
-impl Error for Refusal {}
 
 impl From<AnalysisError> for Refusal {
     fn from(error: AnalysisError) -> Refusal {

@@ -29,20 +29,6 @@ pub fn finding_in_words(name: &str, text: &[u8], finding: &Diagnostic) -> String
     page
 }
 
-/// A source line up to the place, and from there to its end.
-struct Line {
-    before: String,
-    after: String,
-}
-
-fn line_at(text: &[u8], offset: usize) -> Line {
-    let offset = offset.min(text.len());
-    let start = text[..offset].iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
-    let end = text[offset..].iter().position(|byte| *byte == b'\n').map_or(text.len(), |length| offset + length);
-    let words = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end_matches('\r').to_owned();
-    Line { before: words(&text[start..offset]), after: words(&text[offset..end]) }
-}
-
 /// What is shown of a line, and where the carets stand.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt {
@@ -57,18 +43,17 @@ pub struct Excerpt {
 impl Excerpt {
     /// The line of a text in which a range begins; the range may pass the end of the line, and of the text.
     pub fn of(text: &[u8], range: TextRange) -> Excerpt {
-        Excerpt::new(&line_at(text, range.start), range.end.saturating_sub(range.start))
-    }
-
-    /// `length` is that of the marked text [bytes]; it may pass the end of the line.
-    fn new(line: &Line, length: usize) -> Excerpt {
-        let mut marked_end = length.min(line.after.len());
-        while !line.after.is_char_boundary(marked_end) {
+        let place = range.start.min(text.len());
+        let start = text[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+        let end = text[place..].iter().position(|byte| *byte == b'\n').map_or(text.len(), |length| place + length);
+        let words = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end_matches('\r').to_owned();
+        let (before, after) = (words(&text[start..place]), words(&text[place..end]));
+        let mut marked_end = range.end.saturating_sub(range.start).min(after.len());
+        while !after.is_char_boundary(marked_end) {
             marked_end += 1;
         }
-        let mut before = drawn(&line.before);
-        let mut marked = drawn(&line.after[..marked_end]);
-        let mut rest = drawn(&line.after[marked_end..]);
+        let mut before = drawn(&before);
+        let (mut marked, mut rest) = (drawn(&after[..marked_end]), drawn(&after[marked_end..]));
         if width(&before) > WIDEST / 2 {
             before = format!("…{}", last_columns(&before, WIDEST / 3));
         }

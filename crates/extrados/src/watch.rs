@@ -88,20 +88,6 @@ struct Together<'a> {
     stopped: bool,
 }
 
-impl Together<'_> {
-    fn tell(&mut self) -> Wish {
-        let done = (self.shares + 1e-9).floor();
-        let told = Progress {
-            stage: format!("{done} of {} runs", self.runs),
-            fraction: Some(self.shares / self.runs.max(1) as f64),
-            steps: 0,
-        };
-        // Who stopped has stopped all of them.
-        self.stopped |= self.watch.look(&told) == Wish::Stop;
-        if self.stopped { Wish::Stop } else { Wish::GoOn }
-    }
-}
-
 impl<'a> Crowd<'a> {
     /// For so many runs.
     pub(crate) fn new(watch: &'a mut dyn Watch, runs: usize) -> Crowd<'a> {
@@ -119,9 +105,13 @@ impl<'a> Crowd<'a> {
     }
 
     fn tell(&self, more: f64) -> Wish {
-        let mut together = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        together.shares += more;
-        together.tell()
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.shares += more;
+        let stage = format!("{} of {} runs", (all.shares + 1e-9).floor(), all.runs);
+        let fraction = Some(all.shares / all.runs.max(1) as f64);
+        // Who stopped has stopped all of them.
+        all.stopped |= all.watch.look(&Progress { stage, fraction, steps: 0 }) == Wish::Stop;
+        if all.stopped { Wish::Stop } else { Wish::GoOn }
     }
 }
 

@@ -53,7 +53,7 @@ fn _break(py: Python<'_>, deep: bool) -> PyResult<()> {
 /// Does nothing for a while, in steps of a millisecond that can be interrupted, for tests of interruption.
 #[pyfunction]
 #[pyo3(signature = (seconds, progress = None))]
-fn _wait(py: Python<'_>, seconds: f64, progress: Option<&Bound<'_, PyAny>>) -> PyResult<u64> {
+fn _wait(py: Python<'_>, seconds: f64, progress: options::Listener<'_, '_>) -> PyResult<u64> {
     let done = run::run(py, progress, move |watch| {
         let begun = std::time::Instant::now();
         let mut looks = 0;

@@ -3,10 +3,15 @@
 use crate::errors;
 use bridge::choice::Choice as Words;
 use bridge::quantity::{self, Dimension};
-use extrados::bridge::Damping;
 use extrados::{Choice, StageName};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+
+/// Options of a call as Python gives them.
+pub(crate) type Given<'a, 'py> = &'a Bound<'py, PyDict>;
+
+/// Who is told how far the work of a call is.
+pub(crate) type Listener<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 
 /// Arguments by name, each taken once; what nobody takes is refused.
 pub(crate) struct Options<'py> {
@@ -39,27 +44,36 @@ impl<'py> Options<'py> {
         errors::argument(self.given.py(), format!("{name} = {shown} cannot be used"), wanted)
     }
 
+    /// What is read of a value where it is given; what cannot be read is refused with what is wanted.
+    fn read_as<T>(
+        &self,
+        name: &str,
+        wanted: impl FnOnce() -> String,
+        read: impl FnOnce(&Bound<'py, PyAny>) -> Option<T>,
+    ) -> PyResult<Option<T>> {
+        let Some(value) = self.take(name)? else { return Ok(None) };
+        read(&value).map(Some).ok_or_else(|| self.wrong(name, &value, &wanted()))
+    }
+
     /// A text.
     pub(crate) fn text(&self, name: &str, wanted: &str) -> PyResult<Option<String>> {
-        let Some(value) = self.take(name)? else { return Ok(None) };
-        value.extract::<String>().map(Some).map_err(|_| self.wrong(name, &value, wanted))
+        self.read_as(name, || wanted.to_owned(), |value| value.extract().ok())
     }
 
     /// A word of a list.
     pub(crate) fn word<T: Words>(&self, name: &str) -> PyResult<Option<T>> {
-        let Some(value) = self.take(name)? else { return Ok(None) };
-        let word = value.extract::<String>().ok().and_then(|word| T::named(&word));
-        word.map(Some).ok_or_else(|| self.wrong(name, &value, &format!("write {}", known::<T>())))
+        self.read_as(name, || format!("write {}", known::<T>()), |value| T::named(&value.extract::<String>().ok()?))
     }
 
     /// A quantity above zero in one of these dimensions, with its unit.
     fn quantity(&self, name: &str, of: &[Dimension], example: &str) -> PyResult<Option<quantity::Quantity>> {
-        let Some(value) = self.take(name)? else { return Ok(None) };
-        let read = value.extract::<String>().ok().and_then(|text| quantity::parse(&text).ok());
-        let fits = read.and_then(|read| read.of(of)).filter(|read| read.si() > 0.0 && read.si().is_finite());
-        fits.map(Some).ok_or_else(|| {
+        let wanted = || {
             let names: Vec<&str> = of.iter().map(|dimension| dimension.name()).collect();
-            self.wrong(name, &value, &format!("write {} above zero with its unit: \"{example}\"", names.join(" or ")))
+            format!("write {} above zero with its unit: \"{example}\"", names.join(" or "))
+        };
+        self.read_as(name, wanted, |value| {
+            let read = quantity::parse(&value.extract::<String>().ok()?).ok()?.of(of)?;
+            Some(read).filter(|read| read.si() > 0.0 && read.si().is_finite())
         })
     }
 
@@ -73,42 +87,27 @@ impl<'py> Options<'py> {
         Ok(self.quantity(name, &[Dimension::Speed], "45 km/h")?.map(|read| read.si()))
     }
 
-    /// A number within bounds.
-    fn number(&self, name: &str, fits: impl FnOnce(f64) -> bool, wanted: &str) -> PyResult<Option<f64>> {
-        let Some(value) = self.take(name)? else { return Ok(None) };
-        let number = value.extract::<f64>().ok().filter(|number| fits(*number));
-        number.map(Some).ok_or_else(|| self.wrong(name, &value, wanted))
-    }
-
     /// A count of at least one.
     pub(crate) fn count(&self, name: &str) -> PyResult<Option<u64>> {
-        let Some(value) = self.take(name)? else { return Ok(None) };
-        let count = value.extract::<u64>().ok().filter(|count| *count > 0);
-        count.map(Some).ok_or_else(|| self.wrong(name, &value, "write a whole number of at least 1"))
+        let wanted = || "write a whole number of at least 1".to_owned();
+        self.read_as(name, wanted, |value| value.extract().ok().filter(|count| *count > 0))
     }
 
     /// True or false.
     pub(crate) fn flag(&self, name: &str) -> PyResult<bool> {
-        let Some(value) = self.take(name)? else { return Ok(false) };
-        value.extract::<bool>().map_err(|_| self.wrong(name, &value, "write True or False"))
+        Ok(self.read_as(name, || "write True or False".to_owned(), |value| value.extract().ok())?.unwrap_or(false))
     }
 
     /// Texts of a list.
     pub(crate) fn texts(&self, name: &str, wanted: &str) -> PyResult<Vec<String>> {
-        let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
-        value.extract::<Vec<String>>().map_err(|_| self.wrong(name, &value, wanted))
-    }
-
-    fn damping(&self) -> PyResult<Option<Damping>> {
-        let Some(value) = self.take("damping")? else { return Ok(None) };
-        let read = extrados::damping(&value.extract::<String>().unwrap_or_default());
-        let wanted = "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"";
-        read.map(Some).map_err(|_| self.wrong("damping", &value, wanted))
+        Ok(self.read_as(name, || wanted.to_owned(), |value| value.extract().ok())?.unwrap_or_default())
     }
 
     /// What takes the place of the file's plan, for a bridge of this width [m].
     pub(crate) fn choice(&self, width: f64) -> PyResult<Choice> {
         let resolution = self.quantity("resolution", &[Dimension::LineLoad, Dimension::Force], "1 kN/m")?;
+        let damping = || "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"".to_owned();
+        let tolerance = || "write a ratio above 0 and up to 0.1, such as 1e-5".to_owned();
         Ok(Choice {
             analysis: self.word("analysis")?,
             method: self.word("method")?,
@@ -116,26 +115,27 @@ impl<'py> Options<'py> {
                 Dimension::Force => read.si() / width,
                 _ => read.si(),
             }),
-            damping: self.damping()?,
+            damping: self.read_as("damping", damping, |value| {
+                extrados::damping(&value.extract::<String>().unwrap_or_default()).ok()
+            })?,
             contact: self.word("contact")?,
             contact_length: self.word("contact_length")?,
             friction: self.word("friction")?,
             contact_points: self.word("contact_points")?,
-            tolerance: self.number(
-                "tolerance",
-                |ratio| ratio > 0.0 && ratio <= 0.1,
-                "write a ratio above 0 and up to 0.1, such as 1e-5",
-            )?,
+            tolerance: self.read_as("tolerance", tolerance, |value| {
+                value.extract().ok().filter(|ratio| *ratio > 0.0 && *ratio <= 0.1)
+            })?,
             step_limit: self.count("step_limit")?,
         })
     }
 
     /// Stages that an assessment leaves out.
     pub(crate) fn stages(&self, name: &str) -> PyResult<Vec<StageName>> {
-        let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
-        let words = value.extract::<Vec<String>>().unwrap_or_else(|_| vec![String::new()]);
-        let stages: Option<Vec<StageName>> = words.iter().map(|word| StageName::named(word)).collect();
-        stages.ok_or_else(|| self.wrong(name, &value, &format!("write a list of {}", known::<StageName>())))
+        let wanted = || format!("write a list of {}", known::<StageName>());
+        let stages = self.read_as(name, wanted, |value| {
+            value.extract::<Vec<String>>().ok()?.iter().map(|word| StageName::named(word)).collect()
+        });
+        Ok(stages?.unwrap_or_default())
     }
 
     /// Refuses what is left.

@@ -4,7 +4,7 @@ use crate::answer::{Answer, Found};
 use crate::errors;
 use crate::kept::{Kept, State};
 use crate::object;
-use crate::options::{self, Options};
+use crate::options::{self, Given, Listener, Options};
 use crate::run::{self, Finished};
 use extrados::results::published;
 use extrados::{
@@ -133,7 +133,7 @@ impl Project {
 
     /// A hash of everything that the numbers of an analysis follow from: what the file means, the analysis and its options, and the
     /// build. The text does not count: a comment changes nothing.
-    fn key(&self, py: Python<'_>, analysis: &str, options: &Bound<'_, PyDict>, program: &str) -> PyResult<String> {
+    fn key(&self, py: Python<'_>, analysis: &str, options: Given<'_, '_>, program: &str) -> PyResult<String> {
         self.usable(py)?;
         let read = self.file.meaning();
         let mut pairs: Vec<(String, String)> = Vec::new();
@@ -150,28 +150,18 @@ impl Project {
     }
 
     #[pyo3(signature = (options, progress = None, resume = None))]
-    fn collapse(
-        &self,
-        py: Python<'_>,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-        resume: Option<&State>,
-    ) -> PyResult<Answer> {
+    fn collapse(&self, options: Given<'_, '_>, progress: Listener<'_, '_>, resume: Option<&State>) -> PyResult<Answer> {
+        let py = options.py();
         let width = self.usable(py)?.width;
         let choice = Options::read(options, |given| given.choice(width))?;
-        let resume = bytes(py, resume)?;
+        let resume = resume.map_or(Ok(None), |state| state.bytes(py))?;
         self.answered(py, progress, move |file, watch| {
             Ok(Found::Collapse(Box::new(extrados::collapse(file, &CollapseOptions { choice, resume }, watch)?)))
         })
     }
 
     #[pyo3(signature = (options, progress = None))]
-    fn sweep(
-        &self,
-        py: Python<'_>,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Answer> {
+    fn sweep(&self, py: Python<'_>, options: Given<'_, '_>, progress: Listener<'_, '_>) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
         let (step, choice) = Options::read(options, |given| Ok((given.length("step")?, given.choice(width)?)))?;
         if let Some(method) = choice.method.filter(|method| !extrados::sweeps(*method)) {
@@ -191,12 +181,7 @@ impl Project {
     }
 
     #[pyo3(signature = (options, progress = None))]
-    fn respond(
-        &self,
-        py: Python<'_>,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Answer> {
+    fn respond(&self, py: Python<'_>, options: Given<'_, '_>, progress: Listener<'_, '_>) -> PyResult<Answer> {
         self.usable(py)?;
         let options = Options::read(options, passage_options)?;
         self.answered(py, progress, move |file, watch| {
@@ -208,9 +193,9 @@ impl Project {
     fn update(
         &self,
         py: Python<'_>,
-        options: &Bound<'_, PyDict>,
+        options: Given<'_, '_>,
         program: String,
-        progress: Option<&Bound<'_, PyAny>>,
+        progress: Listener<'_, '_>,
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         self.usable(py)?;
@@ -233,9 +218,9 @@ impl Project {
     fn vary(
         &self,
         py: Python<'_>,
-        options: &Bound<'_, PyDict>,
+        options: Given<'_, '_>,
         program: String,
-        progress: Option<&Bound<'_, PyAny>>,
+        progress: Listener<'_, '_>,
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
@@ -269,9 +254,9 @@ impl Project {
     fn assess(
         &self,
         py: Python<'_>,
-        options: &Bound<'_, PyDict>,
+        options: Given<'_, '_>,
         program: String,
-        progress: Option<&Bound<'_, PyAny>>,
+        progress: Listener<'_, '_>,
         resume: Option<&State>,
     ) -> PyResult<Answer> {
         self.usable(py)?;
@@ -285,25 +270,15 @@ impl Project {
     }
 
     #[pyo3(signature = (options, progress = None))]
-    fn cases(
-        &self,
-        py: Python<'_>,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Answer> {
+    fn cases(&self, py: Python<'_>, options: Given<'_, '_>, progress: Listener<'_, '_>) -> PyResult<Answer> {
         let width = self.usable(py)?.width;
         let choice = Options::read(options, |given| given.choice(width))?;
         self.answered(py, progress, move |file, watch| Ok(Found::Cases(extrados::cases(file, choice, watch)?)))
     }
 
     #[pyo3(signature = (other, options, progress = None))]
-    fn compare(
-        &self,
-        py: Python<'_>,
-        other: &Project,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Answer> {
+    fn compare(&self, other: &Project, options: Given<'_, '_>, progress: Listener<'_, '_>) -> PyResult<Answer> {
+        let py = options.py();
         let width = self.usable(py)?.width;
         other.usable(py)?;
         let choice = Options::read(options, |given| given.choice(width))?;
@@ -316,7 +291,7 @@ impl Project {
 
     /// Numbers of a collapse by name, as studies have them: for loops over many bridges.
     fn collapse_numbers<'py>(&self, py: Python<'py>, options: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
-        let answer = self.collapse(py, options, None, None)?;
+        let answer = self.collapse(options, None, None)?;
         let all = PyDict::new(py);
         if let Found::Collapse(found) = &answer.found {
             for (name, number) in published::collapse_numbers(found) {
@@ -330,10 +305,6 @@ impl Project {
 /// How a train crosses.
 pub(crate) fn passage_options(given: &Options<'_>) -> PyResult<RespondOptions> {
     Ok(RespondOptions { speed: given.speed("speed")?, analysis: given.word("analysis")?, path: given.word("path")? })
-}
-
-fn bytes(py: Python<'_>, resume: Option<&State>) -> PyResult<Option<Vec<u8>>> {
-    resume.map_or(Ok(None), |state| state.bytes(py))
 }
 
 fn kept(resume: Option<&State>) -> Arc<Kept> {
@@ -366,7 +337,7 @@ impl Project {
     fn answered(
         &self,
         py: Python<'_>,
-        progress: Option<&Bound<'_, PyAny>>,
+        progress: Listener<'_, '_>,
         work: impl FnOnce(&File, &mut run::Looker) -> Result<Found, Vec<Refusal>> + Send + 'static,
     ) -> PyResult<Answer> {
         let file = Arc::clone(&self.file);
@@ -377,7 +348,7 @@ impl Project {
     fn keeping(
         &self,
         py: Python<'_>,
-        progress: Option<&Bound<'_, PyAny>>,
+        progress: Listener<'_, '_>,
         kept: Arc<Kept>,
         program: String,
         work: impl FnOnce(&File, &Means<'_>, &mut run::Looker) -> Gave + Send + 'static,
@@ -394,7 +365,7 @@ impl Project {
 /// Runs work on files; an interruption becomes an exception that holds what there is.
 fn worked(
     py: Python<'_>,
-    progress: Option<&Bound<'_, PyAny>>,
+    progress: Listener<'_, '_>,
     kept: Option<Arc<Kept>>,
     files: Vec<Arc<File>>,
     work: impl FnOnce(&mut run::Looker) -> Gave + Send + 'static,
@@ -444,15 +415,11 @@ impl BlockModel {
     }
 
     #[pyo3(signature = (options, progress = None, resume = None))]
-    fn collapse(
-        &self,
-        py: Python<'_>,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-        resume: Option<&State>,
-    ) -> PyResult<Answer> {
+    fn collapse(&self, options: Given<'_, '_>, progress: Listener<'_, '_>, resume: Option<&State>) -> PyResult<Answer> {
+        let py = options.py();
         let choice = Options::read(options, |given| given.choice(1.0))?;
-        let (blocks, options) = (Arc::clone(&self.blocks), CollapseOptions { choice, resume: bytes(py, resume)? });
+        let resume = resume.map_or(Ok(None), |state| state.bytes(py))?;
+        let (blocks, options) = (Arc::clone(&self.blocks), CollapseOptions { choice, resume });
         worked(py, progress, None, Vec::new(), move |watch| {
             Ok(Some(Found::Collapse(Box::new(extrados::collapse_of_blocks(&blocks, &options, watch)?))))
         })

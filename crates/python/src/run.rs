@@ -3,6 +3,7 @@
 
 use crate::errors;
 use crate::kept::Kept;
+use crate::options::Listener;
 use extrados::{Progress, Watch, Wish};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -100,7 +101,7 @@ impl<T> Finished<T> {
 /// Runs `work` and waits for it.
 pub(crate) fn run<T: Send + 'static>(
     py: Python<'_>,
-    progress: Option<&Bound<'_, PyAny>>,
+    progress: Listener<'_, '_>,
     work: impl FnOnce(&mut Looker) -> T + Send + 'static,
 ) -> PyResult<Finished<T>> {
     let shared = Arc::new(Shared { heard: progress.is_some(), ..Shared::default() });
@@ -147,7 +148,7 @@ fn finished<T>(
 }
 
 /// Tells the callback what is new.
-fn tell(progress: Option<&Bound<'_, PyAny>>, shared: &Shared, heard: &mut u64) -> PyResult<()> {
+fn tell(progress: Listener<'_, '_>, shared: &Shared, heard: &mut u64) -> PyResult<()> {
     let Some(callback) = progress else { return Ok(()) };
     let told = shared.told.lock().unwrap_or_else(PoisonError::into_inner).clone();
     if told.count == *heard {

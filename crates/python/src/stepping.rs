@@ -3,7 +3,7 @@
 use crate::answer::{Answer, Found};
 use crate::arrays;
 use crate::errors;
-use crate::options::Options;
+use crate::options::{Given, Listener, Options};
 use crate::project::{Project, passage_options};
 use crate::run;
 use extrados::results::passage::{Moment, PassageStatus};
@@ -26,7 +26,7 @@ fn locked<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
 fn moved<S: Send + 'static, T: Send + 'static>(
     py: Python<'_>,
     held: &Arc<Mutex<S>>,
-    progress: Option<&Bound<'_, PyAny>>,
+    progress: Listener<'_, '_>,
     work: impl FnOnce(&mut S, &mut run::Looker) -> T + Send + 'static,
 ) -> PyResult<T> {
     let own = Arc::clone(held);
@@ -46,7 +46,7 @@ pub struct CollapseRun {
 #[pymethods]
 impl CollapseRun {
     #[new]
-    fn new(py: Python<'_>, project: &Project, options: &Bound<'_, PyDict>) -> PyResult<CollapseRun> {
+    fn new(py: Python<'_>, project: &Project, options: Given<'_, '_>) -> PyResult<CollapseRun> {
         let width = project.usable(py)?.width;
         let choice = Options::read(options, |given| given.choice(width))?;
         let file = Arc::clone(&project.file);
@@ -145,11 +145,7 @@ pub struct PassageRun {
 impl PassageRun {
     #[new]
     #[pyo3(signature = (project, options, progress = None))]
-    fn new(
-        project: Bound<'_, Project>,
-        options: &Bound<'_, PyDict>,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<PassageRun> {
+    fn new(project: Bound<'_, Project>, options: Given<'_, '_>, progress: Listener<'_, '_>) -> PyResult<PassageRun> {
         let py = project.py();
         project.get().usable(py)?;
         let options = Options::read(options, passage_options)?;
@@ -161,12 +157,7 @@ impl PassageRun {
 
     /// Moves the train on by so many positions; gives the word for how the passage ended.
     #[pyo3(signature = (positions, progress = None))]
-    fn advance(
-        &self,
-        py: Python<'_>,
-        positions: usize,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Option<&'static str>> {
+    fn advance(&self, py: Python<'_>, positions: usize, progress: Listener<'_, '_>) -> PyResult<Option<&'static str>> {
         let ended = moved(py, &self.held, progress, move |held, watch| {
             held.as_mut().map_or(Ok(None), |run| run.advance(positions, watch))
         })?;
@@ -199,24 +190,17 @@ impl PassageRun {
     /// Displacements, stresses and joints there.
     fn moment(&self, py: Python<'_>) -> PyResult<Option<PassageMoment>> {
         let found = moved(py, &self.held, None, |held, _| held.as_mut().map(Passing::moment))?;
-        match found.transpose() {
-            Ok(found) => Ok(found.map(|moment| PassageMoment { moment })),
-            Err(refusal) => Err(errors::refused(py, &[refusal])),
-        }
+        let found = found.transpose().map_err(|refusal| errors::refused(py, &[refusal]))?;
+        Ok(found.map(|moment| PassageMoment { moment }))
     }
 
     /// Ends the passage where it is.
     #[pyo3(signature = (progress = None))]
-    fn finish(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Answer>> {
+    fn finish(&self, py: Python<'_>, progress: Listener<'_, '_>) -> PyResult<Option<Answer>> {
         let found = moved(py, &self.held, progress, |held, watch| held.take().map(|run| run.finish(watch)))?;
-        let files = vec![Arc::clone(&self.project.get().file)];
-        let seconds = self.begun.elapsed().as_secs_f64();
-        match found.transpose() {
-            Ok(found) => {
-                Ok(found.map(|found| Answer { found: Found::Passage(Box::new(found)), projects: files, seconds }))
-            }
-            Err(refusal) => Err(errors::refused(py, &[refusal])),
-        }
+        let found = found.transpose().map_err(|refusal| errors::refused(py, &[refusal]))?;
+        let (projects, seconds) = (vec![Arc::clone(&self.project.get().file)], self.begun.elapsed().as_secs_f64());
+        Ok(found.map(|found| Answer { found: Found::Passage(Box::new(found)), projects, seconds }))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Reports as PDF: the strings of a report (`report::data`) are set by Typst in this process. Nothing is read but what is
+//! Reports as PDF: the strings of a report (`report::Assessed::data`) are set by Typst in this process. Nothing is read but what is
 //! handed over, no file and no network; the same bytes for the same strings.
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Assessments as pages: one self-contained HTML file a bridge, and a table of many bridges. Plain data goes in, text comes
 //! out; the same text for the same data. The strings of a report are also given as data, for another typesetter.
 
+mod assessed;
 mod figure;
 mod fleet;
 mod numbers;
@@ -8,6 +9,7 @@ mod page;
 mod parts;
 mod rows;
 
+pub use assessed::Assessed;
 pub use figure::Figure;
 pub use fleet::{FleetRow, fleet_csv, fleet_html};
-pub use page::{Appendix, Material, Photograph, StageLine, StageState, data, html};
+pub use page::{Appendix, Photograph, StageLine, StageState};

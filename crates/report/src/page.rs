@@ -1,5 +1,6 @@
 //! The report of one bridge.
 
+use crate::assessed::Assessed;
 use crate::figure::Figure;
 use crate::numbers::{digits, percent, with_unit};
 use crate::parts::{self, Part};
@@ -7,7 +8,6 @@ use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow
 use askama::Template;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::checked::worst;
@@ -16,25 +16,6 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt;
-
-/// Everything that a report is made of.
-#[derive(Debug, Clone, Copy)]
-pub struct Material<'a> {
-    /// The bridge and the facts of its stages.
-    pub assessment: &'a Assessment,
-    /// Drawings of the stages.
-    pub figures: &'a [Figure],
-    /// The file, value by value.
-    pub inputs: &'a [Input],
-    /// What was found in the file: code, words, place.
-    pub findings: &'a [[String; 3]],
-    /// How to make it again.
-    pub appendix: &'a Appendix,
-    /// What identifies it, and who signs for it.
-    pub document: &'a ReportDocument,
-    /// Photographs that the file names.
-    pub photographs: &'a [Photograph],
-}
 
 /// A photograph of an inspection.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -191,24 +172,27 @@ impl Page<'_> {
     }
 }
 
-/// The page as HTML: one file, nothing beside it.
-pub fn html(material: &Material<'_>) -> String {
-    // Writing to a text never fails.
-    page(material).render().unwrap_or_default()
-}
+impl Assessed {
+    /// The report as one self-contained page.
+    pub fn html(&self) -> String {
+        // Writing to a text never fails.
+        page(self).render().unwrap_or_default()
+    }
 
-/// Every string of the page as data, by the names that the page has for them, and its drawings as they were made: for typesetters other than
-/// a browser.
-pub fn data(material: &Material<'_>) -> Value {
-    let page = page(material);
-    let mut data = json!(page);
-    data["figures"] = json!(DRAWN.iter().map(|section| (*section, page.drawn(section))).collect::<BTreeMap<_, _>>());
-    data
+    /// Every string of the page as data, by the names that the page has for them, and its drawings as they were made: for typesetters other
+    /// than a browser.
+    pub fn data(&self) -> Value {
+        let page = page(self);
+        let mut data = json!(page);
+        data["figures"] =
+            json!(DRAWN.iter().map(|section| (*section, page.drawn(section))).collect::<BTreeMap<_, _>>());
+        data
+    }
 }
 
 /// Every string of the page.
-fn page<'a>(material: &Material<'a>) -> Page<'a> {
-    let a = material.assessment;
+fn page(material: &Assessed) -> Page<'_> {
+    let a = &material.assessment;
     let (warnings, assumptions) = rows::said(a);
     let update = a.facts.update.made();
     let sensitivity = a.facts.sensitivity.made();
@@ -228,18 +212,18 @@ fn page<'a>(material: &Material<'a>) -> Page<'a> {
         columns: rows::columns(&a.checked),
         augment: augment(a),
         limits_source: a.limits_source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
-        condition: rows::condition(&a.condition, update, material.inputs),
+        condition: rows::condition(&a.condition, update, &material.inputs),
         no_update: a.facts.update.why_not().unwrap_or("the stage has no result"),
         no_service: a.facts.service.why_not().unwrap_or("the stage has no result"),
         no_collapse: a.facts.ultimate.why_not().unwrap_or("the stage has no result"),
         no_changes: a.facts.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
         update_words: update.map(rows::updated).unwrap_or_default(),
-        fit: update.map(|update| rows::fit(update, material.inputs)).unwrap_or_default(),
+        fit: update.map(|update| rows::fit(update, &material.inputs)).unwrap_or_default(),
         runs: update.map(|update| update.records.runs.iter().map(|run| match run.synthetic {
             Some(_) => format!("{}: SYNTHETIC, computed and not measured", run.name),
             None => format!("{}: measured", run.name),
         }).collect()).unwrap_or_default(),
-        channels: a.facts.service.made().map(|facts| rows::channels(facts, material.inputs)).unwrap_or_default(),
+        channels: a.facts.service.made().map(|facts| rows::channels(facts, &material.inputs)).unwrap_or_default(),
         loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [
             load.name.clone(),
             format!("{} t", digits(load.heaviest_axle_t)),
@@ -266,21 +250,21 @@ fn page<'a>(material: &Material<'a>) -> Page<'a> {
             }
         )).unwrap_or_default(),
         notes: notes(a),
-        findings: material.findings,
+        findings: &material.findings,
         warnings,
         assumptions,
-        inputs: material.inputs,
-        appendix: material.appendix,
-        front: parts::control(material.document, &a.bridge, material.appendix)
+        inputs: &material.inputs,
+        appendix: &material.appendix,
+        front: parts::control(&material.document, &a.bridge, &material.appendix)
             .into_iter()
-            .chain([parts::next_steps(a), parts::to_confirm(material.document, material.inputs, a)])
-            .chain(parts::inspections(&material.document.inspections, material.photographs))
+            .chain([parts::next_steps(a), parts::to_confirm(&material.document, &material.inputs, a)])
+            .chain(parts::inspections(&material.document.inspections, &material.photographs))
             .collect(),
         cases: parts::cases(a).into_iter().collect(),
         numbers: a.statics.iter().flat_map(parts::statics).chain(parts::vehicles(a)).collect(),
-        back: parts::check_sheet(material.document, a, a.statics.as_ref()),
-        photographs: material.photographs,
-        figures: material.figures,
+        back: parts::check_sheet(&material.document, a, a.statics.as_ref()),
+        photographs: &material.photographs,
+        figures: &material.figures,
     }
 }
 

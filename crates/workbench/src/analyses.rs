@@ -1,8 +1,8 @@
 //! Whole analyses, as the command makes them.
 
-use crate::document::Document;
+use crate::document::{Document, Read};
 use crate::one;
-use crate::result::Answer;
+use crate::result::Outcome;
 use extrados::bridge::choice::Choice as Words;
 use extrados::bridge::vary::known;
 use extrados::{
@@ -46,68 +46,68 @@ fn word<T: Words>(said: &Value, key: &str) -> Result<Option<T>, Refusal> {
 ///
 /// # Errors
 /// Those of [`extrados::collapse()`].
-pub fn collapse(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn collapse(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let options = CollapseOptions { choice: choice(choice_of)?, resume: None };
-    if let Some(blocks) = document.blocks() {
+    if let Read::Blocks(blocks) = &document.read {
         let found = extrados::collapse_of_blocks(blocks, &options, watch)?;
-        return Ok(Answer::collapse_of_blocks(blocks, &found));
+        return Ok(Outcome::collapse_of_blocks(blocks, &found));
     }
     let project = document.project()?;
-    Ok(Answer::collapse(project, &extrados::collapse(project, &options, watch)?))
+    Ok(Outcome::collapse(project, &extrados::collapse(project, &options, watch)?))
 }
 
 /// Loads or vehicles at every position; `step` [m], or the file's where it is no number.
 ///
 /// # Errors
 /// Those of [`extrados::sweep`].
-pub fn sweep(document: &Document, choice_of: &str, step: f64, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn sweep(document: &Document, choice_of: &str, step: f64, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let options = SweepOptions { choice: choice(choice_of)?, step: (step > 0.0 && step.is_finite()).then_some(step) };
     let project = document.project()?;
-    Answer::sweep(project, &extrados::sweep(project, &options, watch)?)
+    Outcome::sweep(project, &extrados::sweep(project, &options, watch)?)
 }
 
 /// Every named case.
 ///
 /// # Errors
 /// Those of [`extrados::cases`].
-pub fn cases(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn cases(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let project = document.project()?;
-    Ok(Answer::cases(project, &extrados::cases(project, choice(choice_of)?, watch)?))
+    Ok(Outcome::cases(project, &extrados::cases(project, choice(choice_of)?, watch)?))
 }
 
 /// The passage of the file's train.
 ///
 /// # Errors
 /// Those of [`extrados::respond`].
-pub fn respond(document: &Document, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn respond(document: &Document, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let project = document.project()?;
-    Ok(Answer::passage(project, extrados::respond(project, &RespondOptions::default(), watch)?))
+    Ok(Outcome::passage(project, extrados::respond(project, &RespondOptions::default(), watch)?))
 }
 
 /// Parameters from records.
 ///
 /// # Errors
 /// Those of [`extrados::update`].
-pub fn update(document: &Document, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn update(document: &Document, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let project = document.project()?;
     let found = extrados::update(project, &UpdateOptions::default(), &Means::default(), watch)?;
-    Ok(Answer::update(project, &found, false))
+    Ok(Outcome::update(project, &found, false))
 }
 
 /// The records alone.
 ///
 /// # Errors
 /// Those of [`extrados::judge`].
-pub fn judge(document: &Document, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn judge(document: &Document, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let project = document.project()?;
-    Ok(Answer::update(project, &extrados::judge(project, &Means::default(), watch)?, true))
+    Ok(Outcome::update(project, &extrados::judge(project, &Means::default(), watch)?, true))
 }
 
 /// The collapse over ranges of quantities, each by itself; those of the file where none are given.
 ///
 /// # Errors
 /// Those of [`extrados::vary`]; a stop on the way (F108).
-pub fn vary(document: &Document, settings: &str, choice_of: &str, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn vary(document: &Document, settings: &str, choice_of: &str, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let project = document.project()?;
     let texts: Vec<String> = serde_json::from_str(settings).map_err(|error| {
         Refusal::new("F107", error.to_string(), "give a list such as [\"joint.friction_angle=30deg..40deg:5\"]")
@@ -116,7 +116,7 @@ pub fn vary(document: &Document, settings: &str, choice_of: &str, watch: &mut dy
     let options = VaryOptions { choice: choice(choice_of)?, ..VaryOptions::default() };
     let found = extrados::vary(project, &requests, &options, &Means::default(), watch).map_err(one)?;
     let stopped = || Refusal::new("F108", "the study was stopped on the way", "start it again");
-    Ok(Answer::study(project, &found.study.ok_or_else(stopped)?))
+    Ok(Outcome::study(project, &found.study.ok_or_else(stopped)?))
 }
 
 /// By how much a quantity is moved down and up where nobody says.
@@ -126,10 +126,10 @@ const SHARE: f64 = 0.1;
 ///
 /// # Errors
 /// Those of [`vary`].
-pub fn tornado(document: &Document, paths: &str, choice_of: &str, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn tornado(document: &Document, paths: &str, choice_of: &str, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let asked: Vec<String> = serde_json::from_str(paths)
         .map_err(|error| Refusal::new("F107", error.to_string(), "give a list such as [\"joint.friction_angle\"]"))?;
-    let there = extrados::bridge::edit::Document::parse(document.text());
+    let there = extrados::bridge::edit::Document::parse(&document.text());
     let there: Vec<String> =
         there.map_or_else(Vec::new, |document| known(&document).into_iter().map(|one| one.path).collect());
     let paths = match asked.is_empty() {
@@ -149,7 +149,7 @@ const DOUBTED: [&str; 6] =
 ///
 /// # Errors
 /// Those of [`extrados::assess`]; a stop on the way (F108).
-pub fn assess(document: &Document, day: &str, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
+pub fn assess(document: &Document, day: &str, watch: &mut dyn Watch) -> Result<Outcome, Refusal> {
     let project = document.project()?;
     let options = AssessOptions {
         skip: Vec::new(),
@@ -158,5 +158,5 @@ pub fn assess(document: &Document, day: &str, watch: &mut dyn Watch) -> Result<A
     };
     let found = extrados::assess(project, &options, &Means::default(), watch)?;
     let stopped = || Refusal::new("F108", "the assessment was stopped on the way", "start it again");
-    Ok(Answer::assessed(project, &found.ok_or_else(stopped)?))
+    Ok(Outcome::assessed(project, &found.ok_or_else(stopped)?))
 }

@@ -1,14 +1,24 @@
 //! What the engine knows of files, codes, vehicles and examples, for completion and menus.
 
+use crate::border::Thrown;
 use crate::reading::words;
 use extrados::bridge::explain::{self, FileCard};
 use extrados::bridge::fields::{FILE, Field, Kind, Need, Section};
+use extrados::bridge::schema as schemas;
 use extrados::bridge::survey;
 use extrados::{Refusal, drawing, examples};
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
+
+/// The JSON Schema of bridge files.
+#[wasm_bindgen]
+pub fn schema() -> String {
+    schemas::schema().to_string()
+}
 
 /// The examples.
-pub fn list_of_examples() -> Value {
+#[wasm_bindgen(js_name = examples)]
+pub fn list_of_examples() -> String {
     let one = |example: &examples::Example| {
         let files: Vec<Value> =
             example.files.iter().map(|file| json!({ "name": file.name, "about": file.about() })).collect();
@@ -16,28 +26,30 @@ pub fn list_of_examples() -> Value {
             "name": example.name, "about": example.about, "main": example.main, "command": example.command(), "files": files,
         })
     };
-    examples::ALL.iter().map(one).collect()
+    Value::from_iter(examples::ALL.iter().map(one)).to_string()
 }
 
 /// A file of an example.
 ///
 /// # Errors
 /// No such file (F104).
-pub fn example_file(example: &str, file: &str) -> Result<Vec<u8>, Refusal> {
+#[wasm_bindgen]
+pub fn example_file(example: &str, file: &str) -> Result<Vec<u8>, Thrown> {
     let found = examples::named(example).and_then(|example| example.files.iter().find(|one| one.name == file));
     let found = found.map(|file| file.text.as_bytes().to_vec());
-    found.ok_or_else(|| {
+    Ok(found.ok_or_else(|| {
         let names: Vec<&str> = examples::ALL.iter().map(|example| example.name).collect();
         let message = format!("there is no file {file} of an example called {example}");
         Refusal::new("F104", message, format!("the examples are {}", names.join(", ")))
-    })
+    })?)
 }
 
 /// The cards of all keys, section by section.
-pub fn keys() -> Value {
+#[wasm_bindgen]
+pub fn keys() -> String {
     let mut all = Vec::new();
     visit(&FILE, "", false, &mut all);
-    all.into()
+    json!(all).to_string()
 }
 
 fn visit(section: &'static Section, path: &str, list: bool, all: &mut Vec<Value>) {
@@ -85,95 +97,105 @@ fn card(card: &FileCard) -> Value {
 }
 
 /// The card of a code; null where there is none.
-pub fn explained(code: &str) -> Value {
-    explain::explain(code).map_or(Value::Null, card)
+#[wasm_bindgen(js_name = explain)]
+pub fn explained(code: &str) -> String {
+    explain::explain(code).map_or(Value::Null, card).to_string()
 }
 
 /// Every card about files.
-pub fn codes() -> Value {
-    explain::cards().map(card).collect()
+#[wasm_bindgen]
+pub fn codes() -> String {
+    Value::from_iter(explain::cards().map(card)).to_string()
 }
 
 /// The ten numbers of a survey, and what several spans are asked beside them.
-pub fn survey_questions() -> Value {
+#[wasm_bindgen]
+pub fn survey_questions() -> String {
     let one = |one: &survey::Question| json!({ "key": one.key, "doc": one.doc, "unit": one.unit, "example": one.example, "assumed": one.assumed });
     let all = |list: &[survey::Question]| -> Value { list.iter().map(one).collect() };
-    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) })
+    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) }).to_string()
 }
 
 /// A bridge file from answers, an object of texts or numbers.
 ///
 /// # Errors
 /// Answers that are missing, no numbers or not possible (F108).
-pub fn from_survey(answers: &str) -> Result<String, Refusal> {
-    let given = Given::read(answers)?;
-    survey::file(&given.name(), &|key| given.said(key)).map_err(|wrong| {
+#[wasm_bindgen]
+pub fn from_survey(answers: &str) -> Result<String, Thrown> {
+    let given = given(answers)?;
+    Ok(survey::file(&name(&given), &|key| said(&given, key)).map_err(|wrong| {
         let message: Vec<&str> = wrong.iter().map(|one| one.message.as_str()).collect();
         let help: Vec<&str> = wrong.iter().map(|one| one.help.as_str()).collect();
-        refused(message.join("; "), &help.join("; "))
-    })
+        Refusal::new("F108", message.join("; "), help.join("; "))
+    })?)
 }
 
 /// Everything that is wrong with answers or doubtful, each at its key.
 ///
 /// # Errors
 /// Answers that are no object (F108).
-pub fn survey_findings(answers: &str) -> Result<Value, Refusal> {
-    let given = Given::read(answers)?;
-    let found = survey::findings(&given.name(), &|key| given.said(key));
+#[wasm_bindgen]
+pub fn survey_findings(answers: &str) -> Result<String, Thrown> {
+    let given = given(answers)?;
+    let found = survey::findings(&name(&given), &|key| said(&given, key));
     let one = |one: survey::Unusable| json!({ "key": one.key, "severity": one.severity.word(), "message": one.message, "help": one.help });
-    Ok(found.into_iter().map(one).collect())
-}
-
-fn refused(message: String, help: &str) -> Refusal {
-    Refusal::new("F108", message, help)
+    Ok(Value::from_iter(found.into_iter().map(one)).to_string())
 }
 
 /// Answers of a survey as the page gives them.
-struct Given(Value);
+fn given(answers: &str) -> Result<Value, Refusal> {
+    let help = "answer with numbers and units, such as 6.00 m";
+    serde_json::from_str(answers).map_err(|error| Refusal::new("F108", error.to_string(), help))
+}
 
-impl Given {
-    fn read(answers: &str) -> Result<Given, Refusal> {
-        let help = "answer with numbers and units, such as 6.00 m";
-        serde_json::from_str(answers).map(Given).map_err(|error| refused(error.to_string(), help))
+fn said(given: &Value, key: &str) -> Option<String> {
+    match given.get(key) {
+        Some(Value::String(text)) => Some(text.clone()),
+        Some(Value::Number(number)) => Some(number.to_string()),
+        _ => None,
     }
+}
 
-    fn said(&self, key: &str) -> Option<String> {
-        match self.0.get(key) {
-            Some(Value::String(text)) => Some(text.clone()),
-            Some(Value::Number(number)) => Some(number.to_string()),
-            _ => None,
-        }
-    }
-
-    fn name(&self) -> String {
-        self.said("name").unwrap_or_else(|| "A bridge".to_owned())
-    }
+fn name(given: &Value) -> String {
+    said(given, "name").unwrap_or_else(|| "A bridge".to_owned())
 }
 
 /// A block model file from a drawing; what the drawing does not say stands there to be filled in.
 ///
 /// # Errors
 /// A drawing that cannot be used, with its findings (D101).
-pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Refusal> {
+#[wasm_bindgen(js_name = from_dxf)]
+pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Thrown> {
     let read = drawing::read(bytes, &drawing::Options::default());
     if !read.is_usable() {
         let words: Vec<String> = read.findings.iter().take(8).map(drawing::Finding::words).collect();
-        return Err(Refusal::new("D101", words.join("; "), "mend the drawing and drop it again"));
+        return Err(Refusal::new("D101", words.join("; "), "mend the drawing and drop it again").into());
     }
     Ok(extrados::of_drawing(name, &read.drawing))
 }
 
 /// Materials of the library.
-pub fn materials() -> Value {
-    json!(extrados::materials())
+#[wasm_bindgen]
+pub fn materials() -> String {
+    json!(extrados::materials()).to_string()
+}
+
+/// The text of a bridge file with a table filled from a material of the library.
+///
+/// # Errors
+/// Those of [`extrados::with_material`], as an exception.
+#[wasm_bindgen]
+pub fn with_material(text: &str, table: &str, material: &str, keys: Vec<String>) -> Result<String, Thrown> {
+    let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+    Ok(extrados::with_material(text, table, material, &keys)?)
 }
 
 /// Vehicles and rules of the library.
 ///
 /// # Errors
 /// A file of the library that cannot be read.
-pub fn library() -> Result<Value, Refusal> {
+#[wasm_bindgen]
+pub fn library() -> Result<String, Thrown> {
     let library = extrados::library()?;
     let models: Vec<Value> = library
         .models
@@ -209,5 +231,5 @@ pub fn library() -> Result<Value, Refusal> {
             json!({ "code": rule.code, "title": rule.title, "ways": rule.ways, "judges": judges })
         })
         .collect();
-    Ok(json!({ "models": models, "rules": rules }))
+    Ok(json!({ "models": models, "rules": rules }).to_string())
 }

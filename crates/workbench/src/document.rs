@@ -1,5 +1,6 @@
 //! One bridge with the files beside it, as somebody edits it.
 
+use crate::border::Thrown;
 use crate::reading;
 use extrados::bridge::vary::{Spread, find, settle};
 use extrados::bridge::{edit, is_block_file};
@@ -7,25 +8,30 @@ use extrados::figures::bridge_as_drawn;
 use extrados::results::picture::Picture;
 use extrados::{Blocks, Memory, Project, Refusal};
 use std::path::{Path, PathBuf};
+use wasm_bindgen::prelude::*;
 
 /// A bridge file or a block model file.
+#[wasm_bindgen]
 pub struct Document {
     path: PathBuf,
     text: String,
     files: Memory,
-    read: Read,
+    /// What the text means.
+    pub(crate) read: Read,
 }
 
 /// What the text means.
-enum Read {
+pub(crate) enum Read {
     Bridge(Box<Project>),
     Blocks(Box<Blocks>),
     /// It cannot be read, or a file beside it cannot.
     Refused(Refusal),
 }
 
+#[wasm_bindgen]
 impl Document {
     /// Of a text at a path; companions are named relative to it.
+    #[wasm_bindgen(constructor)]
     pub fn new(path: &str, text: &str) -> Document {
         let mut this = Document {
             path: PathBuf::from(path),
@@ -44,6 +50,7 @@ impl Document {
     }
 
     /// Takes a file beside it away.
+    #[wasm_bindgen(js_name = drop)]
     pub fn take_away(&mut self, path: &str) {
         self.files = std::mem::take(&mut self.files).without(Path::new(path));
         self.read();
@@ -68,15 +75,15 @@ impl Document {
     }
 
     /// The text.
-    pub fn text(&self) -> &str {
-        &self.text
+    pub fn text(&self) -> String {
+        self.text.clone()
     }
 
     /// The bridge file that analyses take.
     ///
     /// # Errors
     /// Why there is none: a file beside it, or a block model file, which only collapses.
-    pub fn project(&self) -> Result<&Project, Refusal> {
+    pub(crate) fn project(&self) -> Result<&Project, Refusal> {
         match &self.read {
             Read::Bridge(project) => Ok(project),
             Read::Refused(refusal) => Err(refusal.clone()),
@@ -87,34 +94,22 @@ impl Document {
         }
     }
 
-    /// The block model file, where it is one.
-    pub fn blocks(&self) -> Option<&Blocks> {
-        match &self.read {
-            Read::Blocks(blocks) => Some(blocks),
-            _ => None,
-        }
-    }
-
-    /// Why the file could not be read.
-    pub fn refusal(&self) -> Option<&Refusal> {
-        match &self.read {
-            Read::Refused(refusal) => Some(refusal),
-            _ => None,
-        }
-    }
-
     /// Findings, what there is to analyse.
-    pub fn reading(&self) -> serde_json::Value {
-        reading::reading(self)
+    pub fn reading(&self) -> String {
+        reading::reading(self).to_string()
     }
 
     /// Values with their units, ranges and places.
-    pub fn quantities(&self) -> serde_json::Value {
-        reading::quantities(&self.text)
+    pub fn quantities(&self) -> String {
+        reading::quantities(&self.text).to_string()
     }
 
-    /// The bridge as its file describes it; none where it has errors.
-    pub fn picture(&self) -> Option<Picture> {
+    /// The bridge as its file describes it; null where it has errors.
+    pub fn picture(&self) -> String {
+        serde_json::to_string(&self.built()).unwrap_or_else(|_| "null".to_owned())
+    }
+
+    fn built(&self) -> Option<Picture> {
         match &self.read {
             Read::Bridge(project) => extrados::as_built(project).ok(),
             Read::Blocks(blocks) => blocks.as_built(),
@@ -124,14 +119,14 @@ impl Document {
 
     /// The same as a drawing (SVG).
     pub fn drawing(&self) -> String {
-        self.picture().as_ref().map(bridge_as_drawn).unwrap_or_default()
+        self.built().as_ref().map(bridge_as_drawn).unwrap_or_default()
     }
 
     /// Writes one value at its path, in the place of the one that is there; every other byte stays.
     ///
     /// # Errors
     /// A path that leads to no quantity, a value that does not fit (B501 to B503, F114).
-    pub fn set(&mut self, path: &str, literal: &str) -> Result<(), Refusal> {
+    pub fn set(&mut self, path: &str, literal: &str) -> Result<(), Thrown> {
         let unfit = || {
             let message = format!("{path}: the file has no place for it");
             Refusal::new("F114", message, "mend the text first, or write the line by hand")

@@ -1,24 +1,29 @@
 //! A load under the pointer.
 
+use crate::border::Thrown;
 use crate::document::Document;
 use extrados::results::collapse::Status;
 use extrados::results::picture::{Picture, Point};
-use extrados::{Choice, Placed, Refusal, VehicleChoice};
+use extrados::{Choice, Placed, VehicleChoice};
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
 /// The bridge prepared once.
+#[wasm_bindgen]
 pub struct Placing {
     inner: extrados::Placing,
     /// Centroid of each shape of the picture [m].
     centroids: Vec<Point>,
 }
 
+#[wasm_bindgen]
 impl Placing {
     /// With the loads of the file, where no vehicle and no rule is named, or with a vehicle.
     ///
     /// # Errors
     /// Those of [`extrados::Placing`].
-    pub fn new(document: &Document, vehicle: &str, rule: &str, leftward: bool) -> Result<Placing, Refusal> {
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &Document, vehicle: &str, rule: &str, leftward: bool) -> Result<Placing, Thrown> {
         let (project, choice) = (document.project()?, Choice::default());
         let asked = VehicleChoice { vehicle: vehicle.to_owned(), rule: rule.to_owned(), leftward };
         let inner = match vehicle.is_empty() && rule.is_empty() {
@@ -30,7 +35,7 @@ impl Placing {
     }
 
     /// What is put where, and what is assumed.
-    pub fn about(&self) -> Value {
+    pub fn about(&self) -> String {
         let [from, to] = self.inner.range();
         let driven = self.inner.driven();
         let axles: Vec<Value> = driven
@@ -45,23 +50,24 @@ impl Placing {
             "factors": self.inner.factors(), "axles": axles, "from": from, "to": to, "fast": self.inner.is_quick(), "stands": self.inner.stands(),
             "assumptions": self.inner.assumptions().iter().map(ToString::to_string).collect::<Vec<_>>(),
         })
+        .to_string()
     }
 
     /// What is carried at one of many places along the road: carried and dilatant factor, NaN where there is none, how it ended, whether joints slide.
-    pub fn factor(&mut self, position: f64) -> [f64; 4] {
-        let found = self.inner.carried(position);
+    pub fn factor(&mut self, x: f64) -> Vec<f64> {
+        let found = self.inner.carried(x);
         let number = |factor: Option<f64>| factor.unwrap_or(f64::NAN);
-        [number(found.factor), number(found.dilatant), ended(found.status), f64::from(u8::from(found.slides))]
+        vec![number(found.factor), number(found.dilatant), ended(found.status), f64::from(u8::from(found.slides))]
     }
 
     /// What is carried at a place, and how.
-    pub fn at(&mut self, position: f64) -> Answer {
-        Answer { placed: self.inner.put(position), centroids: self.centroids.clone() }
+    pub fn at(&mut self, x: f64) -> Answer {
+        Answer { placed: self.inner.put(x), centroids: self.centroids.clone() }
     }
 
     /// The same with dilatant friction alone; `open` says where less may be carried without dilation.
-    pub fn quickly(&mut self, position: f64) -> Answer {
-        Answer { placed: self.inner.put_quickly(position), centroids: self.centroids.clone() }
+    pub fn quickly(&mut self, x: f64) -> Answer {
+        Answer { placed: self.inner.put_quickly(x), centroids: self.centroids.clone() }
     }
 
     /// The zone of the line of thrust under so many times the loads: lowest and highest point of joint after joint, a point of NaN between
@@ -69,8 +75,8 @@ impl Placing {
     ///
     /// # Errors
     /// Those of [`extrados::Placing::zone`].
-    pub fn zone(&mut self, position: f64, factor: f64) -> Result<Vec<f64>, Refusal> {
-        let rings = self.inner.zone(position, factor)?;
+    pub fn zone(&mut self, x: f64, factor: f64) -> Result<Vec<f64>, Thrown> {
+        let rings = self.inner.zone(x, factor)?;
         let mut flat = Vec::new();
         for (k, ring) in rings.iter().enumerate() {
             if k > 0 {
@@ -93,14 +99,17 @@ fn ended(status: Status) -> f64 {
 }
 
 /// What is carried at a place, in numbers for drawing.
+#[wasm_bindgen]
 pub struct Answer {
     placed: Placed,
     centroids: Vec<Point>,
 }
 
+#[wasm_bindgen]
 impl Answer {
     /// Everything but geometry.
-    pub fn json(&self) -> Value {
+    #[wasm_bindgen(getter)]
+    pub fn json(&self) -> String {
         let placed = &self.placed;
         json!({
             "position": placed.position, "status": placed.status, "factor": placed.factor, "dilatant_factor": placed.dilatant,
@@ -108,15 +117,18 @@ impl Answer {
             "load": placed.factor.map(|factor| factor * placed.reference), "reference_load": placed.reference, "friction": placed.flow,
             "slides": !placed.picture.sliding.is_empty(), "open": placed.is_open, "hinges": placed.picture.hinges, "sliding": placed.picture.sliding,
         })
+        .to_string()
     }
 
     /// Points of all lines of thrust: x, y [m], thrust [N/m].
+    #[wasm_bindgen(getter)]
     pub fn thrust(&self) -> Vec<f64> {
         let points = self.placed.picture.thrust_lines.iter().flatten();
         points.flat_map(|point| [point.point[0], point.point[1], point.thrust]).collect()
     }
 
     /// At which point each line begins.
+    #[wasm_bindgen(getter)]
     pub fn thrust_starts(&self) -> Vec<u32> {
         let begins = self.placed.picture.thrust_lines.iter().scan(0u32, |next, line| {
             let begin = *next;
@@ -127,23 +139,27 @@ impl Answer {
     }
 
     /// Motion of each shape: translation x, y, rotation; empty where nothing moves.
+    #[wasm_bindgen(getter)]
     pub fn mechanism(&self) -> Vec<f64> {
         let motions = self.placed.picture.mechanism.iter().flatten();
         motions.flat_map(|motion| [motion.translation[0], motion.translation[1], motion.rotation]).collect()
     }
 
     /// Centroid of each shape: x, y [m].
+    #[wasm_bindgen(getter)]
     pub fn centroids(&self) -> Vec<f64> {
         self.centroids.concat()
     }
 
     /// Forces on the blocks at a factor of one: x, y [m], force x, y [N/m].
+    #[wasm_bindgen(getter)]
     pub fn loads(&self) -> Vec<f64> {
         let loads = self.placed.picture.loads.iter();
         loads.flat_map(|load| [load.at[0], load.at[1], load.force[0], load.force[1]]).collect()
     }
 
     /// What stands on the road: x, y, length [m], force [N/m] at a factor of one.
+    #[wasm_bindgen(getter)]
     pub fn axles(&self) -> Vec<f64> {
         self.placed.strips.iter().flat_map(|(at, length, force)| [at[0], at[1], *length, *force]).collect()
     }

@@ -1,35 +1,28 @@
 //! What a text says, for an editor: findings at their places, quantities with their ranges.
 
-use crate::document::Document;
+use crate::document::{Document, Read};
 use extrados::bridge::fields::{Field, Kind};
 use extrados::bridge::path::Path;
 use extrados::bridge::whereabouts::Whereabouts;
 use extrados::bridge::{Diagnostic, TextRange, edit, quantity, text, vary};
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
-/// Offsets as an editor in a browser counts them.
-struct Offsets<'t>(&'t str);
-
-impl Offsets<'_> {
-    /// Of a byte in UTF-16 units.
-    fn of(&self, byte: usize) -> usize {
-        let mut end = byte.min(self.0.len());
-        while !self.0.is_char_boundary(end) {
+/// Where a range of bytes begins and ends as an editor in a browser counts: in UTF-16 units.
+fn units(text: &str, range: TextRange) -> [usize; 2] {
+    [range.start, range.end].map(|byte| {
+        let mut end = byte.min(text.len());
+        while !text.is_char_boundary(end) {
             end -= 1;
         }
-        self.0[..end].encode_utf16().count()
-    }
-
-    fn range(&self, range: TextRange) -> [usize; 2] {
-        [self.of(range.start), self.of(range.end)]
-    }
+        text[..end].encode_utf16().count()
+    })
 }
 
 fn findings(of: &str, list: &[Diagnostic]) -> Vec<Value> {
-    let offsets = Offsets(of);
     let one = |finding: &Diagnostic| {
         let place = text::position(of.as_bytes(), finding.range.start);
-        let [start, end] = offsets.range(finding.range);
+        let [start, end] = units(of, finding.range);
         json!({
             "code": finding.code, "severity": finding.severity.word(), "message": finding.message, "label": finding.label,
             "note": finding.note, "help": finding.help, "start": start, "end": end, "line": place.line, "column": place.column,
@@ -40,28 +33,31 @@ fn findings(of: &str, list: &[Diagnostic]) -> Vec<Value> {
 
 /// Findings, and what there is to analyse.
 pub fn reading(document: &Document) -> Value {
-    if let Some(blocks) = document.blocks() {
-        let drawing = blocks.drawing().map_or_else(Vec::new, |(_, found)| {
-            let one = |finding: &extrados::drawing::Finding| {
-                json!({
-                    "code": finding.code, "severity": finding.severity.word(), "message": finding.words(), "label": "in the drawing",
-                    "note": null, "help": finding.help, "start": 0, "end": 0, "line": 1, "column": 1,
-                })
-            };
-            found.iter().map(one).collect()
-        });
-        let all: Vec<Value> = findings(document.text(), blocks.findings()).into_iter().chain(drawing).collect();
-        return json!({
-            "kind": "blocks", "usable": blocks.scene().is_some(), "name": blocks.name(), "width_m": null, "sections": null,
-            "refusal": null, "findings": all,
-            "inputs": blocks.drawing().map(|(place, _)| vec![place.display().to_string()]).unwrap_or_default(),
-        });
-    }
-    let Ok(project) = document.project() else {
-        return json!({
-            "kind": "bridge", "usable": false, "name": "", "width_m": null, "sections": null, "refusal": document.refusal(), "findings": [],
-            "inputs": [],
-        });
+    let project = match &document.read {
+        Read::Bridge(project) => project,
+        Read::Blocks(blocks) => {
+            let drawing = blocks.drawing().map_or_else(Vec::new, |(_, found)| {
+                let one = |finding: &extrados::drawing::Finding| {
+                    json!({
+                        "code": finding.code, "severity": finding.severity.word(), "message": finding.words(), "label": "in the drawing",
+                        "note": null, "help": finding.help, "start": 0, "end": 0, "line": 1, "column": 1,
+                    })
+                };
+                found.iter().map(one).collect()
+            });
+            let all: Vec<Value> = findings(&document.text(), blocks.findings()).into_iter().chain(drawing).collect();
+            return json!({
+                "kind": "blocks", "usable": blocks.scene().is_some(), "name": blocks.name(), "width_m": null, "sections": null,
+                "refusal": null, "findings": all,
+                "inputs": blocks.drawing().map(|(place, _)| vec![place.display().to_string()]).unwrap_or_default(),
+            });
+        }
+        Read::Refused(refusal) => {
+            return json!({
+                "kind": "bridge", "usable": false, "name": "", "width_m": null, "sections": null, "refusal": refusal, "findings": [],
+                "inputs": [],
+            });
+        }
     };
     let meaning = project.meaning();
     let bridge = meaning.bridge.as_ref();
@@ -80,7 +76,7 @@ pub fn reading(document: &Document) -> Value {
     json!({
         "kind": "bridge", "usable": bridge.is_some(), "name": bridge.map_or("", |bridge| bridge.name.as_str()),
         "width_m": bridge.map(|bridge| bridge.width), "sections": sections, "refusal": null,
-        "findings": findings(document.text(), project.findings()),
+        "findings": findings(&document.text(), project.findings()),
         "inputs": project.inputs().iter().map(|path| path.display().to_string()).collect::<Vec<_>>(),
     })
 }
@@ -88,11 +84,11 @@ pub fn reading(document: &Document) -> Value {
 /// Every quantity of a text that has a value; none where the text is no TOML.
 pub fn quantities(text: &str) -> Value {
     let Some(document) = edit::Document::parse(text) else { return json!([]) };
-    let (places, offsets) = (Whereabouts::of(text), Offsets(text));
+    let places = Whereabouts::of(text);
     let one = |known: vary::Known| {
         let path = Path::parse(&known.path)?;
         let found = vary::find(&document, &known.path).ok()?;
-        let place = places.value(&path).map(|range| offsets.range(range));
+        let place = places.value(&path).map(|range| units(text, range));
         let written = plain(&known.value);
         let measured = quantity::parse(&written).ok();
         let number = measured.map(|measured| measured.number).or_else(|| written.parse().ok());
@@ -109,19 +105,20 @@ pub fn quantities(text: &str) -> Value {
 }
 
 /// Where a text says what a path of a report names: the value, or the table where it would stand; null where there is neither.
-pub fn place(text: &str, path: &str) -> Value {
-    let (places, offsets) = (Whereabouts::of(text), Offsets(text));
+#[wasm_bindgen]
+pub fn place(text: &str, path: &str) -> String {
+    let places = Whereabouts::of(text);
     let mut wanted = path;
     while !wanted.is_empty() {
         // The first of several, where the path does not say which.
         let found = [wanted.to_owned(), format!("{wanted}[1]")].iter().find_map(|one| places.value(&Path::parse(one)?));
         if let Some(range) = found.filter(|range| range.start < range.end) {
-            let [start, end] = offsets.range(range);
-            return json!({ "start": start, "end": end, "path": wanted, "written": wanted == path });
+            let [start, end] = units(text, range);
+            return json!({ "start": start, "end": end, "path": wanted, "written": wanted == path }).to_string();
         }
         wanted = wanted.rsplit_once('.').map_or("", |(table, _)| table);
     }
-    Value::Null
+    "null".to_owned()
 }
 
 /// Words that a field may hold.

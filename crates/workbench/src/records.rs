@@ -2,12 +2,14 @@
 
 use extrados::results::records::{ReadOptions, read};
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
 /// Most samples that are handed over of a channel: more than a screen can show.
 const MOST: usize = 20_000;
 
 /// A table of measurements: its channels, and what was found in it.
-pub fn records(name: &str, bytes: &[u8]) -> Value {
+#[wasm_bindgen]
+pub fn records(name: &str, bytes: &[u8]) -> String {
     let found = read(bytes, &ReadOptions { name: name.to_owned(), ..ReadOptions::default() });
     let findings: Vec<Value> = found
         .findings
@@ -15,7 +17,7 @@ pub fn records(name: &str, bytes: &[u8]) -> Value {
         .map(|one| json!({ "code": one.code, "severity": one.severity.word(), "message": one.words(), "help": one.help }))
         .collect();
     let Some(run) = found.run else {
-        return json!({ "name": name, "channels": [], "rows": 0, "times": [], "values": [], "findings": findings, "synthetic": null });
+        return json!({ "name": name, "channels": [], "rows": 0, "times": [], "values": [], "findings": findings, "synthetic": null }).to_string();
     };
     let step = run.times.len().div_ceil(MOST).max(1);
     let thin = |values: &[f64]| values.iter().step_by(step).copied().collect::<Vec<f64>>();
@@ -29,4 +31,5 @@ pub fn records(name: &str, bytes: &[u8]) -> Value {
         "times": thin(&run.times), "values": run.channels.iter().map(|one| thin(&one.values)).collect::<Vec<_>>(),
         "findings": findings,
     })
+    .to_string()
 }

@@ -1,13 +1,17 @@
 //! The block engine, a few steps at a time, as flat numbers for drawing.
 
-use crate::analyses::choice;
+use crate::analyses;
+use crate::border::{Telling, Thrown};
 use crate::document::Document;
 use crate::live::centroids;
 use extrados::results::picture::{Picture, Point};
 use extrados::{Refusal, Watch, dem};
+use js_sys::Function;
 use std::cell::OnceCell;
+use wasm_bindgen::prelude::*;
 
 /// A collapse that goes on when it is told to.
+#[wasm_bindgen]
 pub struct Stepping {
     inner: extrados::Stepping,
     picture: Picture,
@@ -21,19 +25,31 @@ impl Stepping {
     ///
     /// # Errors
     /// Those of [`extrados::Stepping`]; a stop on the way (F108).
-    pub fn new(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Result<Stepping, Refusal> {
-        let made = extrados::Stepping::with_fill(document.project()?, &choice(choice_of)?, watch)?;
+    pub fn watched(document: &Document, choice: &str, watch: &mut dyn Watch) -> Result<Stepping, Refusal> {
+        let made = extrados::Stepping::with_fill(document.project()?, &analyses::choice(choice)?, watch)?;
         let stopped = || Refusal::new("F108", "the fill was not packed: it was stopped on the way", "start again");
         let inner = made.ok_or_else(stopped)?;
         let picture = inner.picture();
         Ok(Stepping { centroids: centroids(&picture), frame: OnceCell::new(), picture, inner })
     }
+}
+
+#[wasm_bindgen]
+impl Stepping {
+    /// The same, told to the page.
+    ///
+    /// # Errors
+    /// Those of [`watched`](Self::watched).
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &Document, choice: &str, tell: &Function) -> Result<Stepping, Thrown> {
+        Ok(Stepping::watched(document, choice, &mut Telling::to(tell))?)
+    }
 
     /// Goes on for so many steps. The word of its end, empty while it goes on.
-    pub fn advance(&mut self, steps: u32) -> &'static str {
+    pub fn advance(&mut self, steps: u32) -> String {
         self.frame.take();
         let ended = self.inner.advance(u64::from(steps)).map(extrados::Stepping::ended);
-        ended.map_or("", |status| status.word())
+        ended.map_or("", |status| status.word()).to_owned()
     }
 
     /// The state as bytes, to come back to.
@@ -45,7 +61,7 @@ impl Stepping {
     ///
     /// # Errors
     /// A state of something else.
-    pub fn restore(&mut self, state: &[u8]) -> Result<(), Refusal> {
+    pub fn restore(&mut self, state: &[u8]) -> Result<(), Thrown> {
         self.inner.take_up(state)?;
         self.frame.take();
         Ok(())
@@ -56,18 +72,26 @@ impl Stepping {
     }
 
     /// The load that acts [N/m].
+    #[wasm_bindgen(getter)]
     pub fn load(&self) -> f64 {
         self.inner.load()
     }
 
-    /// Steps so far, and out-of-balance force over acting force when the run looked last.
-    pub fn progress(&self) -> (u64, f64) {
-        self.inner.progress()
+    /// Steps so far.
+    #[wasm_bindgen(getter)]
+    pub fn steps(&self) -> f64 {
+        self.inner.progress().0 as f64
+    }
+
+    /// Out-of-balance force over acting force when the run looked last.
+    #[wasm_bindgen(getter)]
+    pub fn unbalanced(&self) -> f64 {
+        self.inner.progress().1
     }
 
     /// Shapes and particles before they moved.
-    pub fn picture(&self) -> &Picture {
-        &self.picture
+    pub fn picture(&self) -> String {
+        serde_json::to_string(&self.picture).unwrap_or_else(|_| "null".to_owned())
     }
 
     /// Pose of each shape: x, y of its centroid [m], angle [rad].

@@ -1,12 +1,16 @@
 //! A train, a few positions at a time, as flat numbers for drawing.
 
+use crate::border::{Telling, Thrown};
 use crate::document::Document;
-use crate::result::Answer;
+use crate::result::Outcome;
 use extrados::results::passage::{Moment, PairState};
-use extrados::{Refusal, RespondOptions, Unwatched, Watch};
+use extrados::{RespondOptions, Unwatched};
+use js_sys::Function;
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
 /// A passage that goes on when it is told to.
+#[wasm_bindgen]
 pub struct Passing {
     inner: extrados::Passing,
     done: usize,
@@ -16,14 +20,16 @@ pub struct Passing {
     project: extrados::Project,
 }
 
+#[wasm_bindgen]
 impl Passing {
     /// The bridge under its own weight.
     ///
     /// # Errors
     /// Those of [`extrados::Passing`].
-    pub fn new(document: &Document, watch: &mut dyn Watch) -> Result<Passing, Refusal> {
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &Document, tell: &Function) -> Result<Passing, Thrown> {
         let project = document.project()?;
-        let mut inner = extrados::Passing::new(project, &RespondOptions::default(), watch)?;
+        let mut inner = extrados::Passing::new(project, &RespondOptions::default(), &mut Telling::to(tell))?;
         let moment = inner.moment()?;
         let at_rest = moment.displacements.clone();
         Ok(Passing { inner, done: 0, moment, at_rest, project: project.clone() })
@@ -33,16 +39,23 @@ impl Passing {
     ///
     /// # Errors
     /// A part of the bridge whose law has no answer.
-    pub fn advance(&mut self, positions: u32) -> Result<&'static str, Refusal> {
+    pub fn advance(&mut self, positions: u32) -> Result<String, Thrown> {
         let ended = self.inner.advance(positions as usize, &mut Unwatched)?;
         self.done = self.inner.done();
         self.moment = self.inner.moment()?;
-        Ok(ended.map_or("", |status| status.word()))
+        Ok(ended.map_or("", |status| status.word()).to_owned())
     }
 
-    /// Positions in all, and those that are done.
-    pub fn counts(&self) -> [usize; 2] {
-        [self.inner.setup().positions.len(), self.done]
+    /// Positions in all.
+    #[wasm_bindgen(getter)]
+    pub fn count(&self) -> u32 {
+        self.inner.setup().positions.len() as u32
+    }
+
+    /// Positions that are done.
+    #[wasm_bindgen(getter)]
+    pub fn done(&self) -> u32 {
+        self.done as u32
     }
 
     /// Time [s] and place of the first axle [m] of every position.
@@ -52,7 +65,7 @@ impl Passing {
     }
 
     /// What is recorded.
-    pub fn sensors(&self) -> Value {
+    pub fn sensors(&self) -> String {
         let places = self.inner.sensor_places();
         let all = self.inner.setup().sensors.iter().zip(places).map(|(sensor, at)| {
             json!({
@@ -60,7 +73,7 @@ impl Passing {
                 "scale": sensor.quantity.scale(), "at": at,
             })
         });
-        all.collect()
+        Value::from_iter(all).to_string()
     }
 
     /// Values of the sensors at the position that was reached last [SI].
@@ -69,8 +82,8 @@ impl Passing {
     }
 
     /// The mesh as built.
-    pub fn mesh(&self) -> Value {
-        json!(self.inner.setup().meshed.picture())
+    pub fn mesh(&self) -> String {
+        json!(self.inner.setup().meshed.picture()).to_string()
     }
 
     /// Displacement of every node since the bridge stood under its own weight [m].
@@ -109,8 +122,8 @@ impl Passing {
     ///
     /// # Errors
     /// Those of [`advance`](Self::advance).
-    pub fn finish(self, watch: &mut dyn Watch) -> Result<Answer, Refusal> {
-        let found = self.inner.finish(watch)?;
-        Ok(Answer::passage(&self.project, found))
+    pub fn finish(self, tell: &Function) -> Result<Outcome, Thrown> {
+        let found = self.inner.finish(&mut Telling::to(tell))?;
+        Ok(Outcome::passage(&self.project, found))
     }
 }

@@ -5,7 +5,6 @@ mod pdf;
 
 use super::source::Source;
 use crate::args::Assess as Arguments;
-use crate::clock::Clock;
 use crate::desk::Desk;
 use crate::folder::{self, Folder};
 use crate::program;
@@ -15,9 +14,9 @@ use crate::shelf::{FolderShelf, Resume};
 use crate::signs;
 use crate::status::Status;
 use crate::summary;
-use crate::watcher::{Silent, watched};
+use crate::watcher::{silent, watched};
 use extrados::{AssessOptions, Assessed, Disk, Files, Means, Refusal, WholeDisk};
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
 pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refusal> {
@@ -46,7 +45,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     }
     let mut written = extrados::written::assessed(&done);
     let mut named = "report.html";
-    match pdf::pdf(&done.material()) {
+    match pdf::pdf(&done) {
         Ok(bytes) => {
             written.files.push(figures::File { name: "report.pdf".to_owned(), bytes });
             named = "report.html, report.pdf";
@@ -96,11 +95,11 @@ fn assessed(
         command: command(arguments, source.project.name()),
         day: today(),
     };
-    let clock = Clock::start();
-    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program };
+    let clock = Instant::now();
+    let means = Means { shelf: &shelf, clock: &|| clock.elapsed().as_secs_f64(), program };
     let project = &source.project;
     Ok(match quiet {
-        true => extrados::assess(project, &options, &means, &mut Silent)?,
+        true => extrados::assess(project, &options, &means, &mut silent)?,
         false => watched(false, |spectator| extrados::assess(project, &options, &means, spectator))?,
     })
 }

@@ -39,10 +39,7 @@ pub(super) fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Refusal> {
     }
 }
 
-/// What a measure does.
-type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
-
-fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Refusal> {
+fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisError>) -> Result<Report, Refusal> {
     let bridge = of_example("bridgemill", "case-1.toml")?;
     let Repeated { least, middle, last: found } = repeated(arguments, || method(&bridge))?;
     let report = Report::new(Status::Completed)

@@ -33,7 +33,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     if arguments.sweep {
         return sweep(desk, arguments, &source, choice, &folder);
     }
-    let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
+    let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher<'_>| {
         extrados::collapse(&source.project, &CollapseOptions { choice, resume }, watcher)
     };
     let checkpoint = Checkpoint::of(&bridge, &folder);
@@ -69,7 +69,7 @@ pub(super) fn analyse(
     mut report: Report,
     checkpoint: Checkpoint,
     folder: &Folder,
-    run: impl FnOnce(Option<Vec<u8>>, &mut Watcher) -> Result<Collapse, Refusal>,
+    run: impl FnOnce(Option<Vec<u8>>, &mut Watcher<'_>) -> Result<Collapse, Refusal>,
 ) -> Result<Report, Refusal> {
     let resume = if arguments.resume { checkpoint.take_up()? } else { None };
     if let Some(words) = if arguments.resume { None } else { checkpoint.make_way()? } {
@@ -79,11 +79,12 @@ pub(super) fn analyse(
         let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
         report.warn(&mut desk.screen, "F110", &message);
     }
-    let mut watcher =
-        Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
-    let found = run(resume, &mut watcher);
-    let kept = watcher.has_kept();
-    let trouble = watcher.finish();
+    let keep_every = Duration::from_secs_f64(arguments.keep_every);
+    let (found, kept, trouble) = watched(desk.screen.quiet, |spectator| {
+        let checkpoint = &checkpoint;
+        let mut watcher = Watcher { spectator, checkpoint, keep_every, kept: None, trouble: None };
+        (run(resume, &mut watcher), watcher.kept.is_some(), watcher.trouble)
+    });
     let found = found?;
     if let Some(failure) = trouble {
         report.warn(&mut desk.screen, failure.code, &failure.message);

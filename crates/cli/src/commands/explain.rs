@@ -14,12 +14,6 @@ struct Entry {
     text: String,
 }
 
-impl Entry {
-    fn new(code: &str, title: impl Into<String>, text: impl Into<String>) -> Entry {
-        Entry { code: code.to_owned(), title: title.into(), text: text.into() }
-    }
-}
-
 /// Prints one card, or the list of all.
 pub(super) fn run(code: Option<&str>) -> Result<Report, Refusal> {
     match code {
@@ -53,21 +47,23 @@ fn list() -> Report {
 
 /// Every entry there is: of files, of analyses, of checks, of drawings, of records, of the command, of its statuses.
 fn all() -> Vec<Entry> {
-    let plain = |card: &Card| Entry::new(card.code, card.title, card.text);
-    let file = bridge::explain::cards().map(|card| Entry::new(card.code, card.title, of_file(card)));
+    let entry =
+        |code: &str, title: &str, text: &str| Entry { code: code.into(), title: title.into(), text: text.into() };
+    let plain = |card: &Card| entry(card.code, card.title, card.text);
+    let file = bridge::explain::cards().map(|card| entry(card.code, card.title, &of_file(card)));
     let analysis = outcome::warning::CARDS.iter().map(plain);
     let check = assess::checks::CHECKS.iter().map(|card| {
         let text = format!("{}\n\nClause: {}\n\nSource: {}", card.text, card.clause, card.source);
-        Entry::new(card.code, card.title, text)
+        entry(card.code, card.title, &text)
     });
     let drawing = drawing::cards::CARDS.iter().map(plain);
     let record = records::CARDS.iter().map(|card| {
-        Entry::new(card.code, card.title, format!("Found in measured records. What is done about it: {}.", card.text))
+        entry(card.code, card.title, &format!("Found in measured records. What is done about it: {}.", card.text))
     });
     let command = failure::CARDS.iter().map(plain);
     let status = status::ALL
         .iter()
-        .map(|status| Entry::new(status.name(), format!("status, exit code {}", status.exit_code()), status.meaning()));
+        .map(|status| entry(status.name(), &format!("status, exit code {}", status.exit_code()), status.meaning()));
     file.chain(analysis).chain(check).chain(drawing).chain(record).chain(command).chain(status).collect()
 }
 

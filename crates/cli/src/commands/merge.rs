@@ -26,7 +26,7 @@ pub(super) fn run(desk: &mut Desk, dirs: &[PathBuf], whole: &Path) -> Result<Rep
     desk.schema = format!("extrados.{}/1", first.command());
     let mut command = own.command;
     let (sharing, out) = part_of(&mut command).ok_or_else(|| not_a_shard(&shards[0].0))?;
-    *sharing = Sharing { shard: None, merged: Some(Merged::new(identity, shards)) };
+    *sharing = Sharing { shard: None, merged: Some(Merged { identity, shards }) };
     *out = Some(whole.to_owned());
     desk.words = words;
     obey(desk, &command)
@@ -47,7 +47,7 @@ fn gathered(dirs: &[PathBuf]) -> Result<Vec<(PathBuf, Portion)>, Vec<Refusal>> {
     let mut refusals = Vec::new();
     let mut shards = Vec::new();
     for dir in dirs {
-        match Portion::read(dir).and_then(|portion| Some((portion.part()?, portion))) {
+        match Portion::read(dir).and_then(|portion| Some((portion.shard.parse().ok()?, portion))) {
             Some((part, portion)) => shards.push((dir, part, portion)),
             None => refusals.push(not_a_shard(dir)),
         }

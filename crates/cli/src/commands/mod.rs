@@ -25,7 +25,6 @@ mod verify;
 mod workbench;
 
 use crate::args::{Arguments, Command};
-use crate::clock::Clock;
 use crate::desk::Desk;
 use crate::failure;
 use crate::host::{self, Ended};
@@ -40,10 +39,11 @@ use clap::{CommandFactory, FromArgMatches};
 use extrados::Refusal;
 use std::ffi::OsString;
 use std::path::Path;
+use std::time::Instant;
 
 /// Runs the command line and gives the exit code.
 pub(crate) fn run(words: Vec<OsString>) -> u8 {
-    let clock = Clock::start();
+    let clock = Instant::now();
     let parsed = Arguments::command().try_get_matches_from(&words);
     let parsed = parsed.and_then(|said| Ok((Arguments::from_arg_matches(&said)?, said)));
     let (Arguments { command, speech }, said) = match parsed {
@@ -77,10 +77,10 @@ pub(crate) fn run(words: Vec<OsString>) -> u8 {
         Ok(answer) => speak(&mut desk, &answer),
         Err(failure) => {
             desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-            if desk.screen.json { speak(&mut desk, &failed(&failure)) } else { failure::status(&failure).exit_code() }
+            speak(&mut desk, &failed(&failure))
         }
     };
-    match desk.screen.failed() {
+    match desk.screen.failed.take() {
         Some(error) => {
             let failure = failure::not_written(Path::new("the standard output"), &error);
             desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
@@ -119,7 +119,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
 }
 
 /// A command line that cannot be understood, or one that asks for help.
-fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
+fn misspoken(words: &[OsString], error: &clap::Error, clock: Instant) -> u8 {
     let json = words.iter().any(|word| word == "--json");
     let mut screen = Screen::new(json, false);
     let text = error.render();
@@ -134,9 +134,6 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     let lines: Vec<&str> = plain.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
     let message = lines.join(" ").trim_start_matches("error: ").to_owned();
     let failure = Refusal::new("F107", message, "extrados --help lists commands and options");
-    if json {
-        let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned(), words: Vec::new() };
-        return speak(&mut desk, &failed(&failure));
-    }
-    failure::status(&failure).exit_code()
+    let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned(), words: Vec::new() };
+    speak(&mut desk, &failed(&failure))
 }

@@ -129,7 +129,7 @@ pub(super) fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, 
     let scene = model.0.planned(&CollapseOptions { choice, resume: None })?;
     let out = folder::named(&arguments.out, &arguments.file);
     let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
-    let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher| {
+    let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher<'_>| {
         collapse_of_blocks(&model.0, &CollapseOptions { choice, resume }, watcher)
     };
     let checkpoint = Checkpoint::of(&scene, &folder);

@@ -30,7 +30,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     }
     let shelf = FolderShelf::new(&folder, if arguments.resume { Resume::Asked } else { Resume::No });
     let clock = desk.clock;
-    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program: &program::hash() };
+    let means = Means { shelf: &shelf, clock: &|| clock.elapsed().as_secs_f64(), program: &program::hash() };
     let options = UpdateOptions { search: arguments.search, variant: arguments.variant, start: arguments.start };
     let project = &source.project;
     let found = watched(desk.screen.quiet, |spectator| extrados::update(project, &options, &means, spectator));
@@ -57,7 +57,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
 /// The records alone, beside one passage of the start model. Exit code 1 where somebody should look at them.
 fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, Refusal> {
     let clock = desk.clock;
-    let means = Means { clock: &|| clock.seconds(), ..Means::default() };
+    let means = Means { clock: &|| clock.elapsed().as_secs_f64(), ..Means::default() };
     let found = watched(desk.screen.quiet, |spectator| extrados::judge(&source.project, &means, spectator))?;
     if found.status == UpdateStatus::Cancelled {
         return Ok(source.report(Status::Cancelled).saying("interrupted; nothing was written\n"));
@@ -75,7 +75,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, R
 fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
     for (finding, file) in found.records.findings.iter().zip(&found.records.places) {
         if finding.severity > outcome::records::Severity::Note {
-            report.warn_at(&mut desk.screen, file, finding);
+            report.warn_with(&mut desk.screen, written::finding_in_records(file, finding));
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::shards;
 use crate::shelf::{self, FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
-use crate::watcher::{self, Silent};
+use crate::watcher::{self, silent};
 use extrados::shard::Shard;
 use extrados::{Looking, Means, Refusal};
 use outcome::published;
@@ -86,7 +86,7 @@ fn answered(means: &Means<'_>, corpus: &Corpus, job: &Job, key: &str) -> io::Res
     if watcher::asked_to_stop() {
         return Ok(None);
     }
-    let answer = predict(corpus, job, &mut Looking(&mut Silent));
+    let answer = predict(corpus, job, &mut Looking(&mut silent));
     // One that was stopped on its way is no answer.
     if watcher::asked_to_stop() {
         return Ok(None);

@@ -60,7 +60,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     signs::keeps("cache", &cache, kept);
     let own = plan.own();
     let clock = desk.clock;
-    let means = Means { shelf: &shelf, clock: &|| clock.seconds(), program: &program::hash() };
+    let means = Means { shelf: &shelf, clock: &|| clock.elapsed().as_secs_f64(), program: &program::hash() };
     if let Some(merged) = &arguments.sharing.merged {
         match plan.identity(&means) {
             Ok(identity) => merged.bring(&identity, &folder)?,

@@ -4,7 +4,7 @@
 
 use super::{SEAL, write_whole};
 use extrados::files::{LONGEST, head, read_at_most};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -56,10 +56,9 @@ impl List {
 
     /// Writes it, whole or not at all.
     pub(super) fn write(&self, folder: &Path) -> io::Result<()> {
-        let made: Map<String, Value> = self.made.iter().map(|(name, hashes)| (name.clone(), json!(hashes))).collect();
         let about = "Files that extrados made here, and may replace as long as they are as it made them.";
         let value = json!({
-            "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": made,
+            "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": self.made,
         });
         let bytes = format!("{value:#}\n").into_bytes();
         let mut written = Ok(());

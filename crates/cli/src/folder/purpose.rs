@@ -14,7 +14,7 @@ pub(crate) struct Purpose {
     inputs: Vec<PathBuf>,
     /// Stems of the files that it may write; `*` at the end stands for anything.
     stems: &'static [&'static str],
-    /// Names of its figures, or how they begin.
+    /// Names of its figures, or how they begin: numbers such as "-1-2" may follow.
     figures: Vec<&'static str>,
 }
 
@@ -78,7 +78,10 @@ impl Purpose {
         ENDINGS.contains(&ending)
             && (stem.contains('/')
                 || name == crate::workbook::NAME
-                || self.figures.iter().any(|known| stem.strip_prefix(known).is_some_and(numbered))
+                || self
+                    .figures
+                    .iter()
+                    .any(|known| stem.strip_prefix(known).is_some_and(|rest| rest.is_empty() || rest.starts_with('-')))
                 || self.stems.iter().any(|known| fits(known)))
     }
 
@@ -91,11 +94,6 @@ impl Purpose {
     pub(crate) fn of(&self) -> String {
         self.of.display().to_string()
     }
-}
-
-/// Whether the rest of a figure's name is nothing, or numbers such as "-1-2".
-fn numbered(rest: &str) -> bool {
-    rest.is_empty() || rest.starts_with('-')
 }
 
 #[cfg(test)]

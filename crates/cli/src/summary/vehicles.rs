@@ -38,7 +38,9 @@ pub(crate) fn vehicles(found: &VehicleSweep, out: &str) -> Page {
             0 => String::new(),
             open => format!(", {open} of {} positions not converged", v.envelope.len()),
         };
-        let both = v.deformable.as_ref().map_or(String::new(), |own| both(v.rigid, own.adequacy));
+        let told = |factor: Option<f64>| factor.map_or("-".to_owned(), |factor| format!("{factor:.3}"));
+        let both = |gives: Option<f64>| format!("  {:>8}  {:>8}", told(v.rigid), told(gives));
+        let both = v.deformable.as_ref().map_or(String::new(), |own| both(own.adequacy));
         let _ = writeln!(page, "  {:<22}  {factor:>8}{both}  {place}{open}", v.code);
     }
     for one in found.grades() {
@@ -84,12 +86,6 @@ pub(crate) fn vehicles(found: &VehicleSweep, out: &str) -> Page {
         let _ = writeln!(page, "  by discrete elements     {words}");
     }
     Page { body: page, assumptions: outcome::note::words(&found.assumptions), place: format!("Results are in {out}") }
-}
-
-/// The factors of rigid blocks and of deformable joints.
-fn both(rigid: Option<f64>, gives: Option<f64>) -> String {
-    let told = |factor: Option<f64>| factor.map_or("-".to_owned(), |factor| format!("{factor:.3}"));
-    format!("  {:>8}  {:>8}", told(rigid), told(gives))
 }
 
 fn place(c: &Case) -> String {

@@ -17,7 +17,7 @@ pub(super) struct Finished<T> {
 
 /// A stage that was finished from the same input. A piece that is damaged or of another input is none.
 pub(super) fn get<T: DeserializeOwned>(means: &Means<'_>, stage: &str, key: &str) -> Option<Finished<T>> {
-    let value: Value = serde_json::from_slice(&means.shelf.find(&name(stage))?).ok()?;
+    let value: Value = serde_json::from_slice(&means.shelf.find(&format!("stages/{stage}"))?).ok()?;
     if value["key"].as_str() != Some(key) {
         return None;
     }
@@ -41,9 +41,5 @@ pub(super) fn put<T: Serialize>(means: &Means<'_>, stage: &str, key: &str, finis
         .collect();
     let Ok(facts) = serde_json::to_value(&finished.facts) else { return };
     let value = json!({ "key": key, "seconds": finished.seconds, "facts": facts, "figures": figures });
-    let _ = means.shelf.put(&name(stage), value.to_string().as_bytes());
-}
-
-fn name(stage: &str) -> String {
-    format!("stages/{stage}")
+    let _ = means.shelf.put(&format!("stages/{stage}"), value.to_string().as_bytes());
 }

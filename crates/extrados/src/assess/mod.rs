@@ -8,15 +8,10 @@ use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Remembering, Watch};
-use bridge::document::ReportDocument;
-use bridge::inputs::Input;
 use findings::visible::one_line;
-use outcome::assessment::Assessment;
-use outcome::published;
-use outcome::warning::{self, Warning};
-use report::{Appendix, Figure, Material, Photograph, StageLine, StageState};
-use serde_json::{Value, json};
-use stages::{Halt, Stages};
+use report::Appendix;
+pub use report::Assessed;
+use stages::Stages;
 
 bridge::choice! {
     /// A stage that can be left out.
@@ -49,25 +44,6 @@ pub struct AssessOptions {
     pub day: String,
 }
 
-/// A bridge that was judged.
-#[derive(Debug)]
-pub struct Assessed {
-    /// Its facts, its checks and the verdict.
-    pub assessment: Assessment,
-    /// Drawings of its stages.
-    pub figures: Vec<Figure>,
-    /// Its file, value by value.
-    pub inputs: Vec<Input>,
-    /// What was found in the file: code, message, place.
-    pub findings: Vec<[String; 3]>,
-    /// How it was made.
-    pub appendix: Appendix,
-    /// What identifies it, and who signs for it.
-    pub document: ReportDocument,
-    /// Photographs that the file names.
-    pub photographs: Vec<Photograph>,
-}
-
 /// Makes every stage that the file asks for and judges the bridge. Stages are kept on the shelf as they are finished; none is given
 /// where somebody asked to stop.
 ///
@@ -83,8 +59,7 @@ pub fn assess(
     let mut stages = Stages { project, skip: &options.skip, means, watch, figures: Vec::new(), lines: Vec::new() };
     let assessment = match stages.run() {
         Ok(made) => made,
-        Err(Halt::Stopped) => return Ok(None),
-        Err(Halt::Refused(refusal)) => return Err(refusal),
+        Err(halt) => return halt.map_or(Ok(None), Err),
     };
     let Stages { figures, lines, .. } = stages;
     let appendix = Appendix {
@@ -105,62 +80,4 @@ pub fn assess(
     let document = project.meaning().document.clone().unwrap_or_default();
     let photographs = project.photographs().to_vec();
     Ok(Some(Assessed { assessment, figures, inputs, findings, appendix, document, photographs }))
-}
-
-impl Assessed {
-    /// What its report is made of.
-    pub fn material(&self) -> Material<'_> {
-        Material {
-            assessment: &self.assessment,
-            figures: &self.figures,
-            inputs: &self.inputs,
-            findings: &self.findings,
-            appendix: &self.appendix,
-            document: &self.document,
-            photographs: &self.photographs,
-        }
-    }
-
-    /// The report as one self-contained page.
-    pub fn html(&self) -> String {
-        report::html(&self.material())
-    }
-
-    /// The answer for scripts.
-    pub fn object(&self) -> published::Object {
-        self.assessment.object()
-    }
-
-    /// The stages in their order: name, state, key.
-    pub fn stages(&self) -> Value {
-        let one = |stage: &StageLine| json!({ "name": stage.name, "state": stage.state.to_string(), "key": stage.key });
-        self.appendix.stages.iter().map(one).collect()
-    }
-
-    /// The checks as a table (CSV).
-    pub fn table(&self) -> String {
-        published::checks_table(&self.assessment.checked)
-    }
-
-    /// Warnings of its stages, each once; whether strength stayed open; and the stages that failed.
-    pub fn warnings(&self) -> Vec<Warning> {
-        let mut all: Vec<Warning> = Vec::new();
-        let stage = self.assessment.governing_stage();
-        for (of, warning) in self.assessment.facts.warnings() {
-            // Where a load goes is told of the position that governs.
-            let elsewhere = stage.is_some_and(|stage| stage != of) && warning::OF_A_POSITION.contains(&warning.code());
-            if !elsewhere && !all.contains(warning) {
-                all.push(warning.clone());
-            }
-        }
-        let missing = &self.assessment.verdict.strength.missing;
-        if !missing.is_empty() {
-            all.push(warning::Command::StrengthOpen { missing: missing.clone() }.into());
-        }
-        let failed = self.appendix.stages.iter().filter(|stage| matches!(stage.state, StageState::Failed(_)));
-        all.extend(failed.map(|stage| -> Warning {
-            warning::Command::StageFailed { stage: stage.name.to_string(), state: stage.state.to_string() }.into()
-        }));
-        all
-    }
 }

@@ -27,7 +27,7 @@ use outcome::update::{Update, UpdateStatus};
 use report::{Figure, StageLine, StageState};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::fmt::{Debug, Display};
+use std::fmt::Debug;
 
 /// What the stages of one bridge are made from.
 pub(super) struct Stages<'a> {
@@ -48,19 +48,8 @@ pub(super) struct Stages<'a> {
 /// What became of a stage's run: facts and drawings, none where somebody asked to stop, or why it came to no end.
 type Ran<T> = Result<Option<(T, Vec<Figure>)>, String>;
 
-/// Why there is no assessment.
-pub(super) enum Halt {
-    /// Somebody asked to stop.
-    Stopped,
-    /// The file cannot be used.
-    Refused(Refusal),
-}
-
-impl From<Refusal> for Halt {
-    fn from(refusal: Refusal) -> Halt {
-        Halt::Refused(refusal)
-    }
-}
+/// Why there is no assessment: the file cannot be used, or, without a refusal, somebody asked to stop.
+pub(super) type Halt = Option<Refusal>;
 
 impl Stages<'_> {
     /// Every stage in its order.
@@ -69,8 +58,8 @@ impl Stages<'_> {
         let asked = self.project.meaning().assess.clone().unwrap_or_default();
         let (update, bridge, document) = self.updated(&own)?;
         let built: Stage<Statics> = self.stage("built", &bridge, |_| {
-            let picture = analysis::as_built(&bridge).map_err(told)?;
-            let statics = analysis::statics(&bridge).map_err(told)?;
+            let picture = analysis::as_built(&bridge).map_err(|error| error.to_string())?;
+            let statics = analysis::statics(&bridge).map_err(|error| error.to_string())?;
             Ok(Some((statics, pictures::built(&picture, &analysis::ground_plan(&bridge, None)))))
         })?;
         let service = self.service(&bridge, &asked)?;
@@ -103,15 +92,15 @@ impl Stages<'_> {
         let part = format!("{}: stage {name}", self.project.name());
         self.watch.begin(&part);
         if self.watch.look(&Progress { stage: part, fraction: None, steps: 0 }) == Wish::Stop {
-            return Err(Halt::Stopped);
+            return Err(None);
         }
         let begun = (self.means.clock)();
         let ran = run(&mut self.watch);
         let seconds = (self.means.clock)() - begun;
         match ran {
             // What was cut short is no fact.
-            _ if self.watch.stopped => Err(Halt::Stopped),
-            Ok(None) => Err(Halt::Stopped),
+            _ if self.watch.stopped => Err(None),
+            Ok(None) => Err(None),
             Ok(Some((facts, figures))) => {
                 let finished = Finished { facts, figures, seconds };
                 kept::put(self.means, name, &key, &finished);
@@ -138,10 +127,6 @@ impl Stages<'_> {
         Stage::NotAsked(why.to_owned())
     }
 
-    fn skipped(&self, stage: StageName) -> bool {
-        self.skip.contains(&stage)
-    }
-
     /// A stage that the file asks for and the command leaves out.
     fn left_out<T>(&mut self, name: &str, more: &str) -> Stage<T> {
         let why = format!("left out by --skip {name}{more}");
@@ -159,7 +144,7 @@ impl Stages<'_> {
     ) -> Result<Stage<T>, Halt> {
         match why_not {
             Some(why) => Ok(self.not_asked(stage.word(), why)),
-            None if self.skipped(stage) => Ok(self.left_out(stage.word(), "")),
+            None if self.skip.contains(&stage) => Ok(self.left_out(stage.word(), "")),
             None => self.stage(stage.word(), input, run),
         }
     }
@@ -171,7 +156,7 @@ impl Stages<'_> {
         let Some(asked) = named else {
             return Ok((self.not_asked("update", "the file names no [records]"), own.clone(), whole));
         };
-        if self.skipped(StageName::Update) {
+        if self.skip.contains(&StageName::Update) {
             return Ok((self.left_out("update", "; the file's own values count"), own.clone(), whole));
         }
         let document = update::document(self.project)?;
@@ -201,7 +186,7 @@ impl Stages<'_> {
         let input = (bridge, &asked.service_loads, &limits.rule, limits.loaded_length, limits.cushion);
         self.asked(StageName::Service, why, &input, |watch| {
             let found = chain::service(bridge, asked, chain::Scope::Everything, &mut Looking(watch));
-            let (facts, passages) = found.map_err(told)?;
+            let (facts, passages) = found.map_err(|error| error.to_string())?;
             if facts.loads.iter().any(|load| load.status == PassageStatus::Cancelled) {
                 return Ok(None);
             }
@@ -218,7 +203,9 @@ impl Stages<'_> {
     fn ultimate(&mut self, bridge: &Bridge) -> Result<Stage<UltimateFacts>, Halt> {
         let why = bridge.loads.is_empty().then_some("the file describes no [[load]]");
         self.asked(StageName::Collapse, why, bridge, |watch| {
-            let Some(found) = chain::ultimate(bridge, &mut Looking(watch)).map_err(told)? else { return Ok(None) };
+            let Some(found) = chain::ultimate(bridge, &mut Looking(watch)).map_err(|error| error.to_string())? else {
+                return Ok(None);
+            };
             let figures = pictures::ultimate(&found, &bridge.name);
             Ok(Some((found.facts, figures)))
         })
@@ -227,7 +214,7 @@ impl Stages<'_> {
     fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
         let why = bridge.sweep.is_none().then_some("the file has no [sweep] of vehicles");
         self.asked(StageName::Vehicles, why, bridge, |watch| {
-            let found = analysis::vehicle_sweep(bridge, &mut Looking(watch)).map_err(told)?;
+            let found = analysis::vehicle_sweep(bridge, &mut Looking(watch)).map_err(|error| error.to_string())?;
             let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
             Ok(Some((chain::vehicle_facts(bridge, &found), figures)))
         })
@@ -251,7 +238,7 @@ impl Stages<'_> {
     fn movement(&mut self, bridge: &Bridge) -> Result<Stage<MovementFacts>, Halt> {
         let why = bridge.plan.support_movement.is_none().then_some("the file describes no [support_movement]");
         self.asked(StageName::SupportMovement, why, bridge, |watch| {
-            let found = chain::movement(bridge, &mut Looking(watch)).map_err(told)?;
+            let found = chain::movement(bridge, &mut Looking(watch)).map_err(|error| error.to_string())?;
             if found.status == Status::Cancelled {
                 return Ok(None);
             }
@@ -268,7 +255,7 @@ impl Stages<'_> {
     ) -> Result<Stage<SensitivityFacts>, Halt> {
         let worst = governing(checked);
         let why = match worst {
-            _ if self.skipped(StageName::Sensitivity) => Some("left out by --skip sensitivity"),
+            _ if self.skip.contains(&StageName::Sensitivity) => Some("left out by --skip sensitivity"),
             None => Some("no check could be made, so that none governs"),
             Some((worst, _)) if CHECKS[worst].probe == Probe::Whole => {
                 Some("every value takes a whole analysis of the support movement: make them with extrados vary")
@@ -277,15 +264,11 @@ impl Stages<'_> {
         };
         let input = (document.text(), &evidence.bridge, &evidence.asked, worst);
         self.asked(StageName::Sensitivity, why, &input, |watch| {
-            let facts = chain::sensitivity(document, evidence, checked, &mut Looking(watch)).map_err(told)?;
+            let facts = chain::sensitivity(document, evidence, checked, &mut Looking(watch))
+                .map_err(|error| error.to_string())?;
             Ok(facts.map(|facts| (facts, Vec::new())))
         })
     }
-}
-
-/// Why an analysis came to no end.
-fn told(error: impl Display) -> String {
-    error.to_string()
 }
 
 /// Doubtful values of the file.
@@ -299,7 +282,7 @@ fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ra
     let known = means.shelf.evaluations(&task.identity()).map_err(|refusal| refusal.message)?;
     let mut watch = Seeking { watch, shelf: means.shelf };
     let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: means.clock };
-    let found = analysis::update::update(task, known, lent).map_err(told)?;
+    let found = analysis::update::update(task, known, lent).map_err(|error| error.to_string())?;
     if found.status == UpdateStatus::Cancelled {
         return Ok(None);
     }

@@ -48,6 +48,13 @@ pub(super) struct Job {
     pub key: String,
 }
 
+impl Job {
+    /// Kept by its numbers: comments, order and units of the file do not enter; every number does to its last bit.
+    fn of(bridge: Bridge, analysis: &Analysis, means: &Means<'_>) -> Job {
+        Job { key: format!("runs/{}", means.key(analysis.command.word(), &bridge)), bridge }
+    }
+}
+
 impl Source<'_> {
     /// Whether every value of every quantity gives a bridge by itself, and whether each quantity says something that the
     /// choice does not overrule.
@@ -81,15 +88,20 @@ impl Source<'_> {
         let counts: Vec<usize> = varied.iter().map(|one| one.values.len()).collect();
         let list = runs(self.design, &counts);
         let mut refusals = Vec::new();
-        let mut jobs = Jobs { analysis, means, known: BTreeMap::new(), list: Vec::new() };
-        let (mut job_of, mut warnings) = (Vec::new(), Vec::new());
+        let mut known: BTreeMap<String, usize> = BTreeMap::new();
+        let (mut jobs, mut job_of, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
         for run in &list {
             let values = varied.iter().zip(&run.choice);
             let values: Vec<(&Varied, &str)> =
                 values.filter_map(|(one, choice)| Some((one, one.values.get((*choice)?)?.literal.as_str()))).collect();
             match self.read(&values) {
                 Ok((bridge, doubts)) => {
-                    job_of.push(jobs.number_of(self.chosen(bridge)));
+                    let job = Job::of(self.chosen(bridge), analysis, means);
+                    let number = *known.entry(job.key.clone()).or_insert(jobs.len());
+                    if number == jobs.len() {
+                        jobs.push(job);
+                    }
+                    job_of.push(number);
                     warnings.push(doubts);
                 }
                 Err(found) => refusals.extend(found),
@@ -102,15 +114,14 @@ impl Source<'_> {
         let own: Vec<&'static str> = warnings.first().cloned().unwrap_or_default();
         let new = |doubts: Vec<&'static str>| doubts.into_iter().filter(|code| !own.contains(code)).collect();
         let new_warnings = warnings.into_iter().map(new).collect();
-        Ok(Runs { list, job_of, jobs: jobs.list, new_warnings })
+        Ok(Runs { list, job_of, jobs, new_warnings })
     }
 
     /// The bridge as its file has it, alone.
     pub(super) fn alone(&self, analysis: &Analysis, means: &Means<'_>) -> Runs {
-        let bridge = self.chosen(self.own.clone());
-        let key = key(analysis, means, &bridge);
+        let job = Job::of(self.chosen(self.own.clone()), analysis, means);
         let list = runs(Design::OneAtATime, &[]);
-        Runs { list, job_of: vec![0], jobs: vec![Job { bridge, key }], new_warnings: vec![Vec::new()] }
+        Runs { list, job_of: vec![0], jobs: vec![job], new_warnings: vec![Vec::new()] }
     }
 
     /// The file with these values, read again; doubts are codes of its warnings.
@@ -153,29 +164,4 @@ fn refused(shown: &str, finding: &Diagnostic) -> Refusal {
     let message = format!("{shown}: {} ({}; {})", finding.message, finding.label, finding.code);
     let help = finding.help.clone().unwrap_or_else(|| format!("extrados explain {}", finding.code));
     Refusal::new("F114", message, help)
-}
-
-/// The name of a run on the shelf. Comments, order and units of the file do not enter; every number does to its last bit.
-fn key(analysis: &Analysis, means: &Means<'_>, bridge: &Bridge) -> String {
-    format!("runs/{}", means.key(analysis.command.word(), bridge))
-}
-
-/// Jobs by their keys.
-struct Jobs<'a> {
-    analysis: &'a Analysis,
-    means: &'a Means<'a>,
-    known: BTreeMap<String, usize>,
-    list: Vec<Job>,
-}
-
-impl Jobs<'_> {
-    fn number_of(&mut self, bridge: Bridge) -> usize {
-        let key = key(self.analysis, self.means, &bridge);
-        let next = self.list.len();
-        let number = *self.known.entry(key.clone()).or_insert(next);
-        if number == next {
-            self.list.push(Job { bridge, key });
-        }
-        number
-    }
 }

@@ -9,8 +9,17 @@ fn tiny() -> Document {
     Document::new("bridge.toml", include_str!("../../../../examples/tiny/bridge.toml"))
 }
 
+fn value(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+/// How many shapes a picture has.
+fn shapes(picture: &str) -> usize {
+    value(picture)["shapes"].as_array().map_or(0, Vec::len)
+}
+
 fn quantity(document: &Document, path: &str) -> Value {
-    let all = document.quantities();
+    let all = value(&document.quantities());
     let found = all.as_array().and_then(|all| all.iter().find(|one| one["path"] == path));
     found.cloned().unwrap_or_else(|| panic!("{path} is none of {all}"))
 }
@@ -23,22 +32,17 @@ fn every_example_opens_draws_and_lists_its_quantities() {
             for other in example.files.iter().filter(|other| other.name != file.name) {
                 document.put(other.name, other.text.as_bytes().to_vec());
             }
-            let (name, reading) = (format!("{}/{}", example.name, file.name), document.reading());
+            let (name, reading) = (format!("{}/{}", example.name, file.name), value(&document.reading()));
             assert_eq!(
                 (&reading["usable"], &reading["refusal"]),
                 (&Value::Bool(true), &Value::Null),
                 "{name}: {reading}"
             );
-            let picture = document.picture().unwrap_or_else(|| panic!("{name} has no picture"));
+            let shapes = shapes(&document.picture());
             let drawn = document.drawing();
-            assert!(
-                picture.shapes.len() > 5 && drawn.contains("<svg"),
-                "{name}: {} shapes, {:.80}",
-                picture.shapes.len(),
-                drawn
-            );
+            assert!(shapes > 5 && drawn.contains("<svg"), "{name}: {} shapes, {:.80}", shapes, drawn);
             if reading["kind"] == "bridge" {
-                assert!(document.quantities().as_array().is_some_and(|all| all.len() > 8), "{name}");
+                assert!(value(&document.quantities()).as_array().is_some_and(|all| all.len() > 8), "{name}");
             }
         }
     }
@@ -62,12 +66,13 @@ fn a_value_is_edited_at_its_place_and_everything_else_stays() {
     let before = document.text().to_owned();
     for (path, literal) in [("span[7].rise", "3 m"), ("nowhere", "1"), ("span", "1"), ("bridge.name", "x")] {
         let refused = document.set(path, literal).unwrap_err();
+        let refused = refused.0;
         assert!(refused.code.starts_with('B') && !refused.help.is_empty(), "{path}: {refused}");
         assert_eq!(document.text(), before);
     }
     // What is no length is found by the reader, at its place, as if it were typed.
     document.set("span[1].rise", "3 kN").unwrap();
-    let reading = document.reading();
+    let reading = value(&document.reading());
     assert_eq!((&reading["usable"], &reading["findings"][0]["code"]), (&false.into(), &"B104".into()));
 }
 
@@ -77,7 +82,7 @@ fn a_path_of_a_report_leads_to_its_place() {
     let text = "# ä\n[assess]\nadequacy_factor = 1.5\n\n[[sensor]]\nname = \"a\"\n[[sensor]]\nname = \"b\"\n[masonry]\ndensity = \"1 t\"\n";
     let units: Vec<u16> = text.encode_utf16().collect();
     let shown = |path: &str| {
-        let place = reading::place(text, path);
+        let place = value(&reading::place(text, path));
         let at = ["start", "end"].map(|key| place[key].as_u64().map(|at| at as usize));
         let [Some(start), Some(end)] = at else { return (String::new(), false) };
         (String::from_utf16_lossy(&units[start..end]), place["written"] == true)
@@ -88,7 +93,7 @@ fn a_path_of_a_report_leads_to_its_place() {
     assert_eq!(shown("sensor[2]"), ("[[sensor]]".to_owned(), true));
     assert!(shown("sensor").0.starts_with("[[sensor]]"));
     assert_eq!(shown("sweep.rule"), (String::new(), false));
-    let second = reading::place(text, "sensor[2]")["start"].as_u64().unwrap() as usize;
+    let second = value(&reading::place(text, "sensor[2]"))["start"].as_u64().unwrap() as usize;
     assert_eq!(second, "# ä\n[assess]\nadequacy_factor = 1.5\n\n[[sensor]]\nname = \"a\"\n".encode_utf16().count());
 }
 
@@ -103,7 +108,7 @@ fn a_table_is_filled_from_the_library_with_sources_beside_the_values() {
     assert!(line("density").contains(density), "{text}");
     assert!(line("compressive_strength").contains("assumed: that of squared sandstone"), "{text}");
     assert_eq!(before.lines().count(), text.lines().count());
-    let usable = |text: &str| Document::new("bridge.toml", text).reading()["usable"] == true;
+    let usable = |text: &str| value(&Document::new("bridge.toml", text).reading())["usable"] == true;
     assert!(usable(&text), "{text}");
     for (table, material, keys) in [
         ("joint", "granite", &["density"][..]),
@@ -124,7 +129,7 @@ fn a_table_is_filled_from_the_library_with_sources_beside_the_values() {
 #[test]
 fn completion_and_schema_say_the_same() {
     let schema = extrados::bridge::schema::schema();
-    let sections = cards::keys();
+    let sections = value(&cards::keys());
     let sections = sections.as_array().unwrap();
     let mut compared = [0; 3];
     for section in sections {
@@ -157,15 +162,15 @@ fn completion_and_schema_say_the_same() {
 fn findings_stand_at_their_place() {
     let text = include_str!("../../../../examples/tiny/bridge.toml").replace("rise = \"1.0 m\"", "rise = \"1.0 kN\"");
     let document = Document::new("bridge.toml", &text);
-    let reading = document.reading();
+    let reading = value(&document.reading());
     assert_eq!(reading["usable"], false);
     let finding = &reading["findings"][0];
     let units: Vec<u16> = text.encode_utf16().collect();
     let place = ["start", "end"].map(|key| finding[key].as_u64().unwrap() as usize);
     assert_eq!(String::from_utf16_lossy(&units[place[0]..place[1]]), "\"1.0 kN\"");
     assert_eq!((finding["severity"].as_str(), finding["line"].as_u64()), (Some("error"), Some(8)));
-    assert!(document.picture().is_none() && document.drawing().is_empty());
-    assert!(!cards::explained(finding["code"].as_str().unwrap()).is_null());
+    assert!(document.picture() == "null" && document.drawing().is_empty());
+    assert!(cards::explained(finding["code"].as_str().unwrap()) != "null");
     assert!(live::Placing::new(&document, "", "", false).is_err());
 }
 
@@ -178,14 +183,14 @@ fn hostile_texts_do_nothing_worse_than_findings() {
         .replace("bridge = { name = \"Tiny\", width = \"3.0 m\" }", name);
     for text in [&deep, &many, "\u{0}\u{1}", "span = 1e999", "=", "[a]\n[a]\n", &tiny] {
         let document = Document::new("bridge.toml", text);
-        let reading = document.reading().to_string();
+        let reading = document.reading();
         assert!(reading.len() < 4_000_000, "{}", reading.len());
         document.quantities();
         assert!(!document.drawing().contains("<script"), "{}", document.drawing());
     }
     for bytes in [&b"0\nSECTION\n2\nENTITIES\n"[..], b"", b"\xff\xfe\x00", b"AutoCAD Binary DXF\r\n\x1a\x00"] {
         assert!(cards::from_drawing("a", bytes).is_err());
-        assert!(records::records("a.csv", bytes)["findings"].as_array().is_some_and(|all| !all.is_empty()));
+        assert!(value(&records::records("a.csv", bytes))["findings"].as_array().is_some_and(|all| !all.is_empty()));
     }
 }
 
@@ -194,18 +199,18 @@ fn a_survey_becomes_a_bridge_that_answers() {
     let answers = r#"{ "name": "Mill Lane", "span": "6 m", "rise": 1.5, "thickness": "450 mm", "width": "5 m", "cover": "0.5 m" }"#;
     let text = cards::from_survey(answers).unwrap();
     let document = Document::new("mill-lane.toml", &text);
-    assert_eq!(document.reading()["usable"], true, "{}", document.reading());
+    assert_eq!(value(&document.reading())["usable"], true, "{}", document.reading());
     let mut placing = live::Placing::new(&document, "", "", false).unwrap();
-    let [factor, dilatant, ended, _] = placing.factor(1.5);
+    let [factor, dilatant, ended, _] = placing.factor(1.5)[..] else { panic!("four numbers") };
     assert!(factor > 1.0 && factor <= dilatant && ended == 0.0, "{factor} {dilatant} {ended}");
-    let questions = cards::survey_questions();
+    let questions = value(&cards::survey_questions());
     assert_eq!(["ten", "pier"].map(|list| questions[list].as_array().map(Vec::len)), [Some(10), Some(2)]);
-    assert!(cards::from_survey("{}").unwrap_err().message.contains("span"));
+    assert!(cards::from_survey("{}").unwrap_err().0.message.contains("span"));
 }
 
 #[test]
 fn rules_say_for_whom_they_are_and_whether_a_verdict_comes_of_them() {
-    let library = cards::library().unwrap();
+    let library = value(&cards::library().unwrap());
     let of = |code: &str| {
         let rule = library["rules"].as_array().unwrap().iter().find(|rule| rule["code"] == code).unwrap();
         (rule["ways"].clone(), rule["judges"].clone())
@@ -222,15 +227,17 @@ fn an_answer_at_a_place_has_flat_numbers_that_fit_its_picture() {
     let document = tiny();
     let mut placing = live::Placing::new(&document, "", "", false).unwrap();
     let answer = placing.at(1.0);
-    let shapes = document.picture().unwrap().shapes.len();
+    let shapes = shapes(&document.picture());
     assert_eq!((answer.mechanism().len(), answer.centroids().len()), (3 * shapes, 2 * shapes));
     assert_eq!(answer.thrust().len() % 3, 0);
     assert_eq!(answer.thrust_starts(), [0]);
     assert_eq!(answer.axles().len(), 4);
-    assert!(answer.loads().len() >= 8 && answer.json()["hinges"].as_array().is_some_and(|hinges| hinges.len() >= 4));
-    let zone = placing.zone(1.0, 0.5 * answer.json()["factor"].as_f64().unwrap()).unwrap();
+    assert!(
+        answer.loads().len() >= 8 && value(&answer.json())["hinges"].as_array().is_some_and(|hinges| hinges.len() >= 4)
+    );
+    let zone = placing.zone(1.0, 0.5 * value(&answer.json())["factor"].as_f64().unwrap()).unwrap();
     assert_eq!(zone.len(), answer.thrust().len() / 3 * 4);
-    let about = live::Placing::new(&document, "hl-93-truck", "", true).unwrap().about();
+    let about = value(&live::Placing::new(&document, "hl-93-truck", "", true).unwrap().about());
     assert_eq!(about["axles"].as_array().map(Vec::len), Some(3), "{about}");
 }
 
@@ -238,7 +245,7 @@ fn an_answer_at_a_place_has_flat_numbers_that_fit_its_picture() {
 fn results_hold_every_file_and_an_archive_of_them() {
     let answer = analyses::collapse(&tiny(), "{}", &mut Unwatched).unwrap();
     let result: Value = serde_json::from_str(&answer.json()).unwrap();
-    assert_eq!((result["schema"].as_str(), answer.status()), (Some("extrados.collapse/1"), "collapsed"));
+    assert_eq!((result["schema"].as_str(), answer.status().as_str()), (Some("extrados.collapse/1"), "collapsed"));
     let names = answer.names();
     for name in ["result.json", "mechanism.svg", "model.dxf", "hinges.csv", "bridge.toml", "paraview/mechanism.vtu"] {
         assert!(names.iter().any(|one| one == name), "{name} in {names:?}");
@@ -265,8 +272,8 @@ fn a_tornado_moves_what_a_survey_doubts() {
 fn steps_have_flat_numbers_and_can_be_taken_back() {
     let text = include_str!("../../../../examples/bridgemill/case-1.toml");
     let document = Document::new("case-1.toml", text);
-    let mut run = stepped::Stepping::new(&document, "{\"method\": \"dem\"}", &mut Unwatched).unwrap();
-    let shapes = run.picture().shapes.len();
+    let mut run = stepped::Stepping::watched(&document, "{\"method\": \"dem\"}", &mut Unwatched).unwrap();
+    let shapes = shapes(&run.picture());
     assert_eq!(run.advance(500), "");
     assert_eq!((run.poses().len(), run.centroids().len(), run.stresses().len()), (3 * shapes, 2 * shapes, 3 * shapes));
     assert!(!run.contacts().is_empty() && run.contacts().len().is_multiple_of(8) && run.particles().is_empty());
@@ -274,6 +281,6 @@ fn steps_have_flat_numbers_and_can_be_taken_back() {
     run.advance(500);
     assert_ne!(run.poses(), then);
     run.restore(&state).unwrap();
-    assert_eq!((run.poses(), run.progress().0), (then, 500));
+    assert_eq!((run.poses(), run.steps()), (then, 500.0));
     assert!(run.restore(&state[8..]).is_err());
 }

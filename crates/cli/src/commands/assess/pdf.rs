@@ -1,18 +1,18 @@
 //! report.pdf, where the typesetter of reports (crates/report-pdf) lies beside this program.
 
 use ::outcome::warning;
-use ::report::Material;
+use extrados::Assessed;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The report as PDF, or code and words of the warning that stands in its place.
-pub(super) fn pdf(material: &Material<'_>) -> Result<Vec<u8>, [String; 2]> {
+pub(super) fn pdf(done: &Assessed) -> Result<Vec<u8>, [String; 2]> {
     let Some(typesetter) = beside() else {
         let words = "report.pdf is not written, report.html holds the same; to have both: cargo install --path crates/report-pdf";
         return Err([warning::WITHOUT_PDF.to_owned(), words.to_owned()]);
     };
-    set(&typesetter, &::report::data(material).to_string())
+    set(&typesetter, &done.data().to_string())
         .map_err(|error| [warning::UNSET_PDF.to_owned(), format!("report.pdf is not written: {error}")])
 }
 

@@ -3,7 +3,6 @@
 use super::repeated::least_and_middle;
 use crate::args::Bench;
 use crate::checkpoint::Checkpoint;
-use crate::clock::Clock;
 use crate::folder::{Folder, Purpose};
 use crate::report::Report;
 use crate::status::Status;
@@ -13,6 +12,7 @@ use findings::words::counted;
 use mechanics::dem::{State, Workspace, begin, step};
 use mechanics::kept::digest;
 use mechanics::watch::{Progress, Watch, Wish};
+use std::time::Instant;
 use verification::disks::{Disks, SOLID_FRACTION, disks, mean_radius, settings};
 
 /// Steps of one repeat: at least as many as there may be between two searches for neighbours, and enough for a clock.
@@ -55,9 +55,9 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
         if asked_to_stop() {
             return Ok(Report::new(Status::Cancelled));
         }
-        let clock = Clock::start();
+        let clock = Instant::now();
         stepped = run_steps(&disks, (&mut state, &mut work), steps);
-        alone.push(clock.seconds());
+        alone.push(clock.elapsed().as_secs_f64());
         if !copies.is_empty() {
             together.push(side_by_side(&disks, &mut copies, steps)?);
         }
@@ -135,14 +135,14 @@ fn from_the_packing(onlooker: &mut dyn Watch, arguments: &Bench, count: usize, s
         state = State::from_bytes(&disks.model, &kept).map_err(foreign)?;
     }
     let resumed = state.steps;
-    let (mut keeping, mut kept, mut keeps) = (0.0, Clock::start(), 0);
-    let clock = Clock::start();
+    let (mut keeping, mut kept, mut keeps) = (0.0, Instant::now(), 0);
+    let clock = Instant::now();
     while state.steps < steps {
-        if let Some(checkpoint) = checkpoint.as_ref().filter(|_| kept.seconds() > KEEP_EVERY) {
-            let clock = Clock::start();
+        if let Some(checkpoint) = checkpoint.as_ref().filter(|_| kept.elapsed().as_secs_f64() > KEEP_EVERY) {
+            let clock = Instant::now();
             checkpoint.keep(&state.bytes())?;
-            keeping += clock.seconds();
-            (kept, keeps) = (Clock::start(), keeps + 1);
+            keeping += clock.elapsed().as_secs_f64();
+            (kept, keeps) = (Instant::now(), keeps + 1);
         }
         let next = LOOK.min(steps - state.steps);
         let stepped = run_steps(&disks, (&mut state, &mut work), next);
@@ -153,7 +153,7 @@ fn from_the_packing(onlooker: &mut dyn Watch, arguments: &Bench, count: usize, s
             return Ok(Report::new(Status::Cancelled));
         }
     }
-    let seconds = clock.seconds() - keeping;
+    let seconds = clock.elapsed().as_secs_f64() - keeping;
     if let Some(checkpoint) = checkpoint {
         checkpoint.remove();
     }
@@ -202,11 +202,11 @@ fn side_by_side(disks: &Disks, copies: &mut [(State, Workspace)], steps: u64) ->
         |error: rayon::ThreadPoolBuildError| Refusal::new("F108", error.to_string(), "ask for fewer copies");
     let pool = |_| rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(no_thread);
     let pools: Vec<rayon::ThreadPool> = (0..copies.len()).map(pool).collect::<Result<_, _>>()?;
-    let clock = Clock::start();
+    let clock = Instant::now();
     std::thread::scope(|scope| {
         for (pool, (state, work)) in pools.iter().zip(copies) {
             scope.spawn(move || pool.install(|| run_steps(disks, (state, work), steps)));
         }
     });
-    Ok(clock.seconds())
+    Ok(clock.elapsed().as_secs_f64())
 }

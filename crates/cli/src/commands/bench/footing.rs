@@ -2,13 +2,13 @@
 
 use super::repeated::least_and_middle;
 use crate::args::Bench;
-use crate::clock::Clock;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::asked_to_stop;
 use extrados::Refusal;
 use mechanics::fem;
 use mechanics::watch::Watch;
+use std::time::Instant;
 use verification::footing::{Ground, footing, prandtl, settings};
 
 /// Elements along the ground where `--count` does not say.
@@ -24,10 +24,10 @@ pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report,
     let refused = |error: String| Refusal::new("F108", error, "ask for less");
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
-        let clock = Clock::start();
+        let clock = Instant::now();
         let mesh = footing(columns, ground, fem::Element::Q4).map_err(|error| refused(error.to_string()))?;
         let pushed = mesh.push(&settings(TOLERANCE), onlooker).map_err(|error| refused(error.to_string()))?;
-        seconds.push(clock.seconds());
+        seconds.push(clock.elapsed().as_secs_f64());
         last = Some((pushed, mesh.model.equations()));
         if asked_to_stop() {
             break;

@@ -2,7 +2,6 @@
 
 use super::of_example;
 use crate::args::Bench;
-use crate::clock::Clock;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{asked_to_stop, watched};
@@ -11,7 +10,8 @@ use bridge::Bridge;
 use bridge::passage::PassagePath;
 use extrados::{Looking, Refusal};
 use mechanics::watch::{Progress, Watch, Wish};
-use outcome::passage::PassageStatus;
+use outcome::passage::{Part, PassageStatus};
+use std::time::Instant;
 
 /// Length of an element near the rings [m] where `--count` does not say: 60,000 unknowns and more.
 const SIZE: f64 = 0.045;
@@ -26,11 +26,11 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
     bridge.service.mesh.size = Some(arguments.count.map_or(SIZE, |count| 1.0 / f64::from(count)));
     let (mut runs, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
-        let clock = Clock::start();
+        let clock = Instant::now();
         let made = setup(&bridge)?;
-        let seconds_mesh = clock.seconds();
+        let seconds_mesh = clock.elapsed().as_secs_f64();
         let (found, until_positions) = timed(quiet, clock, &bridge, &made)?;
-        runs.push([clock.seconds(), seconds_mesh, until_positions]);
+        runs.push([clock.elapsed().as_secs_f64(), seconds_mesh, until_positions]);
         last = Some((made, found));
         if asked_to_stop() {
             break;
@@ -45,7 +45,9 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
         PassageStatus::NotConverged => Status::Undetermined,
         PassageStatus::Cancelled => Status::Cancelled,
     };
-    let (positions, iterations) = (found.values.first().map_or(0, Vec::len), iterations(&found));
+    let positions = found.values.first().map_or(0, Vec::len);
+    let crossing = found.log.iter().filter(|step| step.stage == Part::Passage);
+    let iterations: usize = crossing.map(|step| step.iterations).sum();
     let plastic = found.log.iter().map(|step| step.plastic_points).max().unwrap_or(0);
     let opened = found.log.iter().map(|step| step.open_joints).max().unwrap_or(0);
     let retained = found.condensed_degrees_of_freedom;
@@ -87,10 +89,6 @@ pub(super) fn run(quiet: bool, arguments: &Bench) -> Result<Report, Refusal> {
         )))
 }
 
-fn iterations(found: &Solution) -> usize {
-    found.log.iter().filter(|step| step.stage == ::outcome::passage::Part::Passage).map(|step| step.iterations).sum()
-}
-
 /// The plain path beside the condensed one.
 struct Compared {
     /// How the plain path ended: positions that it did not reach are not compared.
@@ -110,9 +108,9 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Refu
     let thinned = |all: &[f64]| all.iter().skip(middle).step_by(EVERY).take(COMPARED).copied().collect::<Vec<f64>>();
     let mut few = Setup { times: thinned(&setup.times), positions: thinned(&setup.positions), ..setup.clone() };
     let go = |few: &Setup| -> Result<(Solution, f64), Refusal> {
-        let clock = Clock::start();
+        let clock = Instant::now();
         let (found, until_positions) = timed(quiet, clock, bridge, few)?;
-        Ok((found, clock.seconds() - until_positions))
+        Ok((found, clock.elapsed().as_secs_f64() - until_positions))
     };
     let (condensed, _) = go(&few)?;
     few.plan.path = PassagePath::Plain;
@@ -136,12 +134,12 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Refu
 /// An onlooker that notes when the positions begin.
 struct Timed<'a> {
     spectator: Looking<'a>,
-    clock: Clock,
+    clock: Instant,
     until_positions: Option<f64>,
 }
 
 /// A passage, and what a clock says when its positions begin [s].
-fn timed(quiet: bool, clock: Clock, bridge: &Bridge, setup: &Setup) -> Result<(Solution, f64), Refusal> {
+fn timed(quiet: bool, clock: Instant, bridge: &Bridge, setup: &Setup) -> Result<(Solution, f64), Refusal> {
     watched(quiet, |spectator| {
         let mut onlooker = Timed { spectator: Looking(spectator), clock, until_positions: None };
         let found = solve(bridge, setup, Scope::Sensors, &[], &mut onlooker)?;
@@ -152,7 +150,7 @@ fn timed(quiet: bool, clock: Clock, bridge: &Bridge, setup: &Setup) -> Result<(S
 impl Watch for Timed<'_> {
     fn look(&mut self, progress: &Progress) -> Wish {
         if progress.stage.starts_with("position") {
-            self.until_positions.get_or_insert(self.clock.seconds());
+            self.until_positions.get_or_insert(self.clock.elapsed().as_secs_f64());
         }
         self.spectator.look(progress)
     }

@@ -1,9 +1,9 @@
 //! Measures that are repeated.
 
 use crate::args::Bench;
-use crate::clock::Clock;
 use assess::analysis::AnalysisError;
 use extrados::Refusal;
+use std::time::Instant;
 
 /// What was measured often.
 pub(super) struct Repeated<T> {
@@ -40,7 +40,7 @@ pub(super) fn least_and_middle(seconds: &mut [f64]) -> [f64; 2] {
 
 /// What some work gives, and how long it takes [s].
 pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
-    let clock = Clock::start();
+    let clock = Instant::now();
     let found = work();
-    (found, clock.seconds())
+    (found, clock.elapsed().as_secs_f64())
 }

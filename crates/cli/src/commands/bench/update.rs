@@ -3,7 +3,6 @@
 use super::of_example;
 use super::repeated::least_and_middle;
 use crate::args::Bench;
-use crate::clock::Clock;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::asked_to_stop;
@@ -11,6 +10,7 @@ use assess::analysis::passage::{WantedSlices, setup, slices};
 use extrados::Refusal;
 use mechanics::watch::{Progress, Unwatched, Watch};
 use outcome::passage::PassageStatus;
+use std::time::Instant;
 
 /// Slices of an evaluation: one for each channel of the railway paper.
 const SLICES: usize = 6;
@@ -31,9 +31,9 @@ pub(super) fn run(onlooker: &mut dyn Watch, arguments: &Bench) -> Result<Report,
         other.service.fill.elastic_modulus = scaled(bridge.service.fill.elastic_modulus, 0.8 + 0.4 * share);
         other.service.mortar.elastic_modulus = scaled(bridge.service.mortar.elastic_modulus, 1.2 - 0.4 * share);
         onlooker.look(&Progress { stage: "evaluations".into(), fraction: Some(share), steps: u64::from(k) });
-        let clock = Clock::start();
+        let clock = Instant::now();
         let found = slices(&other, &base, WantedSlices { expected: &usual, ..asked }, &mut Unwatched)?;
-        seconds.push(clock.seconds());
+        seconds.push(clock.elapsed().as_secs_f64());
         iterations += found.log.iter().map(|step| step.iterations).sum::<usize>();
         completed &= found.status == PassageStatus::Completed;
         if asked_to_stop() {
