@@ -52,7 +52,7 @@ cards! {
     frequency: Kind::Quantity(Dimension::Frequency), "Hz";
     frequencies: Kind::Quantities(Dimension::Frequency), "Hz";
 }
-pub(crate) use unit;
+pub(crate) use unit as unit_of;
 
 /// One of the words of a choice.
 pub(crate) const fn word<C: Choice>(key: &'static str, doc: &'static str, example: &'static str) -> Field {

@@ -82,7 +82,7 @@ macro_rules! of_keys {
         $(#[$meta])*
         $vis struct $name {
             $(
-                #[doc = concat!($doc, $crate::cards::unit!($kind), ".")]
+                #[doc = concat!($doc, $crate::cards::unit_of!($kind), ".")]
                 $(#[doc = $crate::values::of_keys!(@about $method $($argument)*)])*
                 $(#[$about])*
                 $of $field: $type,

@@ -240,7 +240,6 @@ impl Blocks {
                 limit::ContactPoints::Rounded
             },
             crushing: self.joint.crushing_pa.is_some(),
-            ..limit::Settings::default()
         };
         let o = limit::collapse_load(model, loading, &settings).map_err(|e| e.to_string())?;
         let (hinges, sliding) = o.mechanism.as_ref().map_or((0, 0), |m| (m.hinges.len(), m.sliding.len()));

@@ -31,7 +31,6 @@ pub fn settings_of(plan: &Plan, crushing: bool) -> limit::Settings {
             ContactPoints::FullRing => limit::ContactPoints::FullRing,
         },
         crushing,
-        ..limit::Settings::default()
     }
 }
 
