@@ -23,6 +23,7 @@ pub fn steps(evidence: &Evidence, checked: &[Checked], verdict: &Verdict) -> Vec
     let mut list = Vec::new();
     restrict(evidence, checked, verdict, &mut list);
     inspect(evidence, &mut list);
+    rings(evidence, verdict, &mut list);
     monitor(evidence, checked, &mut list);
     refine(evidence, checked, verdict, &mut list);
     list
@@ -99,6 +100,20 @@ fn inspect(evidence: &Evidence, list: &mut Vec<Step>) {
     if let Some((_, found)) = across {
         let what = "measure lanes or tracks, and the distance of the nearest wheel or rail from the edge of the barrel";
         list.push(step(Action::Inspect, what, format!("{}: {}", found.code(), found.message()), SURVEY));
+    }
+}
+
+/// Bonded rings may carry several times what separated ones do: worth a cheap look where separated ones are not enough.
+fn rings(evidence: &Evidence, verdict: &Verdict, list: &mut Vec<Step>) {
+    let collapse = evidence.facts.ultimate.made().and_then(|facts| facts.collapse.as_deref());
+    let known = collapse.and_then(|found| found.carried().zip(found.bonded_rings_load));
+    if let Some((apart, bonded)) = known.filter(|(apart, bonded)| bonded > apart)
+        && verdict.status != Judgement::Adequate
+    {
+        let what = "sound the barrel and core it: rings that still hold together may be described as one";
+        let because =
+            format!("apart they carry {:.1} kN/m, as one {:.1} kN/m by limit analysis", apart / 1e3, bonded / 1e3);
+        list.push(step(Action::Inspect, what, because, SURVEY));
     }
 }
 
@@ -215,7 +230,7 @@ mod tests {
     use bridge::defect::{Defect, Face};
     use outcome::assessment::{Facts, Stage};
     use outcome::checked::{NotMade, Rung, Strength, Unit};
-    use outcome::facts::{ChangeFacts, SensitivityFacts, VehicleFacts};
+    use outcome::facts::{ChangeFacts, SensitivityFacts, UltimateFacts, VehicleFacts};
     use outcome::vehicles::Graded;
 
     fn evidence() -> Evidence {
@@ -260,6 +275,26 @@ mod tests {
 
     fn actions(list: &[Step]) -> Vec<Action> {
         list.iter().map(|one| one.action).collect()
+    }
+
+    #[test]
+    fn rings_are_sounded_where_they_do_not_carry_enough_apart() {
+        let mut own = evidence();
+        let ring = own.bridge.spans[0].rings[0].clone();
+        let half = bridge::Ring {
+            crown_thickness: 0.5 * ring.crown_thickness,
+            springing_thickness: 0.5 * ring.springing_thickness,
+            ..ring
+        };
+        own.bridge.spans[0].rings = vec![half.clone(), half];
+        own.bridge.plan.method = bridge::Method::Limit;
+        let found = crate::analysis::collapse(&own.bridge, None, &mut mechanics::watch::Unwatched).unwrap();
+        own.facts.ultimate = Stage::Made(UltimateFacts { collapse: Some(Box::new(found)), ..UltimateFacts::default() });
+        let open = steps(&own, &[check(0.5)], &verdict(Judgement::Undetermined));
+        assert!(open.iter().any(|one| one.action == Action::Inspect && one.because.starts_with("apart they carry")));
+        assert!(
+            steps(&own, &[check(0.5)], &verdict(Judgement::Adequate)).iter().all(|one| one.action != Action::Inspect)
+        );
     }
 
     /// Without a fact there is no step; every step names its fact and its rule.
