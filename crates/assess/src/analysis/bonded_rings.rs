@@ -11,22 +11,21 @@ use outcome::note;
 use structure::discretise::continuum;
 
 /// Puts the limit load of the rings as one beside a load. Whether mortar still bonds them moves a load more than most that is known of a bridge, and
-/// no drawing tells it: rings are analysed with friction alone between them, and this is the other end.
-///
-/// # Errors
-/// Rings that cannot be drawn as one.
-pub(super) fn beside(bridge: &Bridge, found: &mut Collapse, watch: &mut dyn Watch) -> Result<(), AnalysisError> {
+/// no drawing tells it: rings are analysed with friction alone between them, and this is the other end. Rings that cannot be drawn as one have none.
+pub(super) fn beside(bridge: &Bridge, found: &mut Collapse, watch: &mut dyn Watch) {
     let is_load = matches!(found.sought, Sought::Load) && !found.is_cancelled();
-    if !is_load || !bridge.spans.iter().any(|span| span.rings.len() > 1) || continuum::wanted(bridge).is_some() {
-        return Ok(());
+    if is_load && bridge.spans.iter().any(|span| span.rings.len() > 1) && continuum::wanted(bridge).is_none() {
+        found.bonded_rings_load = as_one(bridge, watch).unwrap_or_default();
+        found.assumptions.extend(found.bonded_rings_load.map(|load| note::Barrel::RingsApart { bonded: load }.into()));
     }
+}
+
+/// The limit load of the rings as one [N/m], where there is any.
+fn as_one(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<f64>, AnalysisError> {
     let by_limit = with(bridge, &[Change::Method(Method::Limit)]);
     let own = with(&bare(&by_limit), &[Change::BondedRings, Change::LoadsThroughCover]);
     let d = rigid::loaded(rigid::prepared(&own)?)?;
-    let factor = rigid::watched(&d, &rigid::single(&own, &d), watch)?.factor;
-    found.bonded_rings_load = factor.map(|factor| d.load(factor));
-    found.assumptions.extend(found.bonded_rings_load.map(|load| note::Barrel::RingsApart { bonded: load }.into()));
-    Ok(())
+    Ok(rigid::watched(&d, &rigid::single(&own, &d), watch)?.factor.map(|factor| d.load(factor)))
 }
 
 #[cfg(test)]
@@ -68,6 +67,21 @@ mod tests {
         two.spans[0].defects =
             vec![Defect { kind: off, from_to: shares.map(|share| share * two.spans[0].span), shares }];
         assert_eq!(of(&two).bonded_rings_load, Some(bonded));
+    }
+
+    /// A number beside a load never takes the load away: what is left of rings as one may be no stone at all.
+    #[test]
+    fn rings_that_cannot_be_drawn_as_one_have_a_load_apart() {
+        let mut b = two_rings();
+        let (shares, depth) = ([0.3, 0.5], 0.5 * b.spans[0].rings[1].crown_thickness);
+        let from_to = shares.map(|share| share * b.spans[0].span);
+        let thin = DefectKind::ThinRing { face: Face::Extrados, depth: depth + b.spans[0].rings[0].crown_thickness };
+        b.spans[0].defects = [DefectKind::MissingStones, thin].map(|kind| Defect { kind, from_to, shares }).to_vec();
+        assert!(super::as_one(&b, &mut Unwatched).is_err());
+        let mut found = collapse(&two_rings(), None, &mut Unwatched).unwrap();
+        let carried = found.carried();
+        super::beside(&b, &mut found, &mut Unwatched);
+        assert_eq!((found.carried(), found.bonded_rings_load), (carried, None));
     }
 
     #[test]

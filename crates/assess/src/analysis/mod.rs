@@ -82,7 +82,7 @@ fn beside_bonded_rings(
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     let mut found = governing(bridge, resume, watch)?;
-    bonded_rings::beside(bridge, &mut found, watch)?;
+    bonded_rings::beside(bridge, &mut found, watch);
     Ok(found)
 }
 
