@@ -164,6 +164,10 @@ impl Banded {
             for side in &mut right {
                 side.swap(k, self.exchanged[k] as usize);
                 let value = side[k];
+                // Forces on one joint alone leave all rows before it as they are.
+                if value == 0.0 {
+                    continue;
+                }
                 for (other, share) in side[k + 1..=k + count].iter_mut().zip(taken) {
                     *other -= share * value;
                 }

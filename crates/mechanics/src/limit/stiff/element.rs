@@ -169,6 +169,31 @@ impl Element {
         [[normal[0][0], normal[0][1], 0.0], [normal[1][0], normal[1][1], 0.0], [slides(0), slides(1), sticks]]
     }
 
+    /// How far elastic forces may surely go, in sum, before the piece changes.
+    pub(super) fn room(&self, shapes: &[Shape], piece: Piece, elastic: [f64; 3]) -> f64 {
+        let normal = match self.normal {
+            Normal::One([least, most]) => match piece.normal {
+                Part::Corner(0) => least - elastic[0],
+                Part::Corner(_) => elastic[0] - most,
+                _ => (elastic[0] - least).min(most - elastic[0]),
+            },
+            Normal::Two { shape, unit } => {
+                unit * shapes[shape].room(piece.normal, vec2(elastic[0] / unit, elastic[1] / unit))
+            }
+        };
+        if !(self.friction.is_finite() && self.stiffness[2] > 0.0) {
+            return normal.max(0.0);
+        }
+        let limit = self.limit(self.compressions(shapes, piece.normal, elastic));
+        let shear = match piece.sliding {
+            Sliding::Sticks => limit - elastic[2].abs(),
+            Sliding::Positive => elastic[2] - limit,
+            Sliding::Negative => -elastic[2] - limit,
+        };
+        // Compressions that are drawn back change by no more than the elastic ones, and their sum by less than twice that.
+        normal.min(shear / (2.0 * self.friction).max(1.0)).max(0.0)
+    }
+
     /// The next piece within `most` of a way along which elastic forces change by `rate`.
     pub(super) fn next(
         &self,

@@ -19,9 +19,9 @@ use super::equilibrium::Equilibrium;
 use super::program::Solution;
 use crate::watch::CancelToken;
 use element::Piece;
-use rates::Tangent;
+use rates::{Tangent, largest};
 use system::System;
-use way::{End, Load, State, Way, follow, largest};
+use way::{End, Load, State, Way, follow};
 
 /// By how much bond is stronger than it has to be at first, relative.
 const MORE: f64 = 1e-3;

@@ -188,6 +188,35 @@ impl Shape {
         next
     }
 
+    /// How far compressions may surely go, in sum, before the nearest part changes.
+    pub(super) fn room(&self, part: Part, at: Vec2) -> f64 {
+        match (part, self.parabolas) {
+            (Part::Inside, Some([tension, from])) => {
+                let shifted = at + vec2(tension, tension);
+                let share = shifted.x + shifted.y;
+                // Neither slope of the parabola's distance is above two, and chords miss it by less than this.
+                let within = shifted.x.min(shifted.y) - 0.5 * share * share - 1.0 / (CHORDS * CHORDS) as f64;
+                (0.5 * within).min(share - from).max(0.0)
+            }
+            (Part::Inside, None) => {
+                (0..self.along.len()).map(|edge| self.within(edge, at)).fold(f64::INFINITY, f64::min).max(0.0)
+            }
+            (Part::Edge(edge), _) => {
+                let edge = edge as usize;
+                let before = |corner: Option<usize>, sign: f64| {
+                    corner.map_or(f64::INFINITY, |corner| sign * self.along[edge].dot(self.corners[corner] - at))
+                };
+                (-self.within(edge, at)).min(before(self.ends(edge), 1.0)).min(before(self.begins(edge), -1.0)).max(0.0)
+            }
+            (Part::Corner(corner), _) => {
+                let corner = corner as usize;
+                let apart = at - self.corners[corner];
+                let after = (corner + 1) % self.along.len();
+                (-self.along[after].dot(apart)).min(self.along[corner].dot(apart)).max(0.0)
+            }
+        }
+    }
+
     /// Whether compressions surely lie within. A way that ends there crosses no edge.
     fn holds(&self, at: Vec2) -> bool {
         if !at.is_finite() {
@@ -261,6 +290,8 @@ mod tests {
                 let mut count = 0;
                 while let Some(change) = shape.next(part, at, rate, left) {
                     assert!(change.onward.dot(rate) > 0.0);
+                    let gone = change.after * (rate.x.abs() + rate.y.abs());
+                    assert!(shape.room(part, at) <= gone + 1e-12, "{from:?} {to:?} {part:?}");
                     at += rate * change.after;
                     let (before, behind) = (shape.drawn_back(part, at), shape.drawn_back(change.to, at));
                     assert!((before - behind).norm() < 1e-10, "no jump {k} {at:?}");

@@ -6,7 +6,7 @@
 //! with the direction of the load.
 
 use super::element::{Event, Piece};
-use super::rates::{Tangent, dot};
+use super::rates::{Tangent, dot, largest};
 use super::system::System;
 use crate::watch::CancelToken;
 
@@ -26,6 +26,8 @@ const STEPS: usize = 4;
 const SLOW: f64 = 1e-9;
 /// Corrections of displacements for what round-off has left out of balance, over elastic ones.
 const CORRECTED: f64 = 1e-8;
+/// Room that an element must have to be passed over, over what is needed: a little more than round-off.
+const ROOM: f64 = 1.0 + 1e-6;
 /// Limits after which balance is looked at.
 const LOOKED_AT: usize = 32;
 /// Most limits for each element in all; a load that has come this far comes and goes as well.
@@ -118,15 +120,16 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         oriented: None,
         moved: Vec::new(),
         passed: None,
+        room: vec![0.0; system.elements.len()],
+        speeds: vec![0.0; system.elements.len()],
         steps: 0,
     };
     let (mut best, mut grown) = (this.most, 0);
     let mut least: Option<(State, Vec<f64>)> = None;
     loop {
-        let Some((rate, mut rates, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
+        let Some((rate, speed, mut rates, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
             return this.ends(End::Lost);
         };
-        let speed = largest(&rate);
         let unit = load.displacement(this.most);
         let reach = largest(&this.state.displacements);
         load.bind(&mut rates, direction);
@@ -182,13 +185,17 @@ struct Follower<'a> {
     moved: Vec<f64>,
     /// The element that has passed a limit, and what grows beyond it.
     passed: Option<(usize, [f64; 3])>,
+    /// How far the elastic forces of each element may surely go before its piece changes.
+    room: Vec<f64>,
+    /// How fast they go.
+    speeds: Vec<f64>,
     steps: usize,
 }
 
 impl Follower<'_> {
-    /// Displacements along the way, their elastic forces, and the direction of the factor; none where no number is left.
-    fn rate(&mut self) -> Option<(Vec<f64>, Vec<[f64; 3]>, f64)> {
-        let (mut rate, direction) = loop {
+    /// Displacements along the way, the largest of them, their elastic forces, and the direction of the factor; none where no number is left.
+    fn rate(&mut self) -> Option<(Vec<f64>, f64, Vec<[f64; 3]>, f64)> {
+        let (mut rate, most, direction) = loop {
             let rate = self.tangent.rate(&self.state.pieces);
             let most = largest(&rate.displacements);
             if !most.is_finite() {
@@ -204,19 +211,19 @@ impl Follower<'_> {
             }
             if self.oriented.is_none() {
                 self.oriented = Some(self.load.direction * rate.sign);
-                break (rate, self.load.direction);
+                break (rate, most, self.load.direction);
             }
             let by_motion = || {
                 let along: f64 = self.moved.iter().zip(&rate.displacements).map(|(a, b)| a * b).sum();
                 if along < 0.0 { -1.0 } else { 1.0 }
             };
             let direction = by_limit.or(by_sign).unwrap_or_else(by_motion);
-            break (rate, direction);
+            break (rate, most, direction);
         };
         rate.displacements.iter_mut().for_each(|x| *x *= direction);
         rate.elastic.iter_mut().flatten().for_each(|y| *y *= direction);
         self.moved.clone_from(&rate.displacements);
-        Some((rate.displacements, rate.elastic, direction))
+        Some((rate.displacements, most, rate.elastic, direction))
     }
 
     /// The direction in which the element that has passed a limit goes on beyond it; none where it hardly moves.
@@ -231,12 +238,19 @@ impl Follower<'_> {
         (speed.abs() > SLOW * size).then(|| speed.signum())
     }
 
-    /// The first element that passes a limit.
-    fn next(&self, rates: &[[f64; 3]], mut most: f64) -> Option<(usize, Event)> {
-        let mut first = None;
+    /// The first element that passes a limit. Those with room are not looked at: 28 % of the time of five rings went by with them.
+    fn next(&mut self, rates: &[[f64; 3]], mut most: f64) -> Option<(usize, Event)> {
+        for (speed, rate) in self.speeds.iter_mut().zip(rates) {
+            *speed = rate[0].abs() + rate[1].abs() + rate[2].abs();
+        }
+        let mut first: Option<(usize, Event)> = None;
         for (k, element) in self.system.elements.iter().enumerate() {
-            let of = (self.state.elastic[k], rates[k]);
-            if let Some(event) = element.next(&self.system.shapes, self.state.pieces[k], of, most) {
+            if self.room[k] > ROOM * self.speeds[k] * most {
+                continue;
+            }
+            let elastic = self.state.elastic[k];
+            self.room[k] = element.room(&self.system.shapes, self.state.pieces[k], elastic);
+            if let Some(event) = element.next(&self.system.shapes, self.state.pieces[k], (elastic, rates[k]), most) {
                 most = event.after;
                 first = Some((k, event));
             }
@@ -250,13 +264,15 @@ impl Follower<'_> {
         for (elastic, rates) in state.elastic.iter_mut().zip(rates) {
             elastic.iter_mut().zip(rates).for_each(|(y, rate)| *y += after * rate);
         }
+        self.room.iter_mut().zip(&self.speeds).for_each(|(room, speed)| *room -= after * speed);
         state.factor += after * direction;
         self.most = self.most.max(state.factor);
     }
 
     fn pass(&mut self, element: usize, event: Event) {
-        let from = std::mem::replace(&mut self.state.pieces[element], event.to);
-        self.tangent.pass(&self.state.pieces, element, from);
+        self.state.pieces[element] = event.to;
+        self.tangent.pass(&self.state.pieces, element);
+        self.room[element] = 0.0;
         self.passed = Some((element, event.onward));
         self.steps += 1;
         if self.steps.is_multiple_of(LOOKED_AT) {
@@ -281,6 +297,7 @@ impl Follower<'_> {
             state.elastic = self.system.elastic(&state.displacements);
             self.load.bind(&mut state.elastic, state.factor);
         }
+        self.room.fill(0.0);
     }
 
     fn ends(self, end: End) -> Way {
@@ -293,9 +310,4 @@ impl Follower<'_> {
         let velocities = rate.iter().map(|v| v / fastest).collect();
         Way { end, state: self.state, most: self.most, velocities, steps: self.steps }
     }
-}
-
-/// Largest size; infinite where one is no number.
-pub(super) fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, v| if v.is_finite() { v.abs().max(most) } else { f64::INFINITY })
 }
