@@ -15,6 +15,8 @@ const SHIFT: f64 = 1e-13;
 /// Displacements for each unit of the load factor.
 pub(super) struct Rate {
     pub displacements: Vec<f64>,
+    /// The largest of them.
+    pub speed: f64,
     /// Elastic forces of each element with them, without bond.
     pub elastic: Vec<[f64; 3]>,
     /// Sign of the determinant.
@@ -176,8 +178,9 @@ impl<'a> Tangent<'a> {
             for _ in 0..4 {
                 let elastic = self.system.elastic(&displacements);
                 let left = self.left(&elastic);
-                if !(largest(&left) > LEFT[0] * largest(&self.growing) + LEFT[1] * largest(&displacements)) {
-                    return Rate { displacements, elastic, sign };
+                let speed = largest(&displacements);
+                if !(largest(&left) > LEFT[0] * largest(&self.growing) + LEFT[1] * speed) {
+                    return Rate { displacements, speed, elastic, sign };
                 }
                 let mut more = left;
                 self.factors.solve(&mut more);
@@ -185,7 +188,8 @@ impl<'a> Tangent<'a> {
                 displacements.iter_mut().zip(more).for_each(|(to, more)| *to += more);
             }
             if attempt == 1 || self.changes.is_empty() {
-                return Rate { elastic: self.system.elastic(&displacements), displacements, sign };
+                let speed = largest(&displacements);
+                return Rate { elastic: self.system.elastic(&displacements), displacements, speed, sign };
             }
             self.anew(pieces);
         }

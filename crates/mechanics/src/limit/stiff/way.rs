@@ -6,7 +6,7 @@
 //! with the direction of the load.
 
 use super::element::{Event, Piece};
-use super::rates::{Tangent, dot, largest};
+use super::rates::{Rate, Tangent, dot, largest};
 use super::system::System;
 use crate::watch::CancelToken;
 
@@ -127,9 +127,10 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
     let (mut best, mut grown) = (this.most, 0);
     let mut least: Option<(State, Vec<f64>)> = None;
     loop {
-        let Some((rate, speed, mut rates, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
+        let Some((rate, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
             return this.ends(End::Lost);
         };
+        let Rate { displacements: rate, speed, elastic: mut rates, .. } = rate;
         let unit = load.displacement(this.most);
         let reach = largest(&this.state.displacements);
         load.bind(&mut rates, direction);
@@ -193,11 +194,11 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// Displacements along the way, the largest of them, their elastic forces, and the direction of the factor; none where no number is left.
-    fn rate(&mut self) -> Option<(Vec<f64>, f64, Vec<[f64; 3]>, f64)> {
-        let (mut rate, most, direction) = loop {
+    /// Displacements along the way and the direction of the factor; none where no number is left.
+    fn rate(&mut self) -> Option<(Rate, f64)> {
+        let (mut rate, direction) = loop {
             let rate = self.tangent.rate(&self.state.pieces);
-            let most = largest(&rate.displacements);
+            let most = rate.speed;
             if !most.is_finite() {
                 return None;
             }
@@ -211,19 +212,19 @@ impl Follower<'_> {
             }
             if self.oriented.is_none() {
                 self.oriented = Some(self.load.direction * rate.sign);
-                break (rate, most, self.load.direction);
+                break (rate, self.load.direction);
             }
             let by_motion = || {
                 let along: f64 = self.moved.iter().zip(&rate.displacements).map(|(a, b)| a * b).sum();
                 if along < 0.0 { -1.0 } else { 1.0 }
             };
             let direction = by_limit.or(by_sign).unwrap_or_else(by_motion);
-            break (rate, most, direction);
+            break (rate, direction);
         };
         rate.displacements.iter_mut().for_each(|x| *x *= direction);
         rate.elastic.iter_mut().flatten().for_each(|y| *y *= direction);
         self.moved.clone_from(&rate.displacements);
-        Some((rate.displacements, most, rate.elastic, direction))
+        Some((rate, direction))
     }
 
     /// The direction in which the element that has passed a limit goes on beyond it; none where it hardly moves.
