@@ -259,3 +259,49 @@ impl Element {
         next
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn element(normal: Normal, forces: usize, friction: f64) -> Element {
+        let (equations, parts) = (Vec::new(), [[0.0; 6]; 3]);
+        Element { column: 0, forces, equations, parts, stiffness: [1.0; 3], normal, friction, cohesion: 0.05 }
+    }
+
+    /// Straight ways between forces about all limits: an element with room is passed over on them, so that none may be shorter than its room.
+    #[test]
+    fn no_limit_is_nearer_than_an_element_has_room() {
+        let shapes = [Shape::of_tension(0.1, 0.05), Shape::of_crushing(0.1, 0.05)];
+        let two = |shape| Normal::Two { shape, unit: 2.0 };
+        let all = [
+            element(Normal::One([-0.1, f64::INFINITY]), 2, 0.6),
+            element(Normal::One([0.0, 0.4]), 1, f64::INFINITY),
+            element(two(0), 3, 0.6),
+            element(two(1), 3, 0.6),
+            element(two(1), 3, 1.5),
+        ];
+        let at = |k: u32| {
+            let part = |prime: u32, from: f64, to: f64| from + (to - from) * f64::from(k * prime % 101) / 101.0;
+            [part(17, -0.5, 1.5), part(29, -0.5, 1.5), part(43, -1.0, 1.0)]
+        };
+        let (mut limits, mut with_room) = (0, 0);
+        for element in &all {
+            for (from, to, only) in (0..404).map(|k| (at(k), at(7 * k + 3), k as usize % 4)) {
+                // One force alone, or all of them.
+                let moves = |k: usize| only == 3 || only == k;
+                let rate: [f64; 3] = std::array::from_fn(|k| if moves(k) { to[k] - from[k] } else { 0.0 });
+                let (mut elastic, mut piece, mut left) = (from, element.piece(&shapes, from), 1.0);
+                while let Some(event) = element.next(&shapes, piece, (elastic, rate), left) {
+                    let gone = event.after * rate.iter().map(|r| r.abs()).sum::<f64>();
+                    let room = element.room(&shapes, piece, elastic);
+                    assert!(room <= gone + 1e-12, "{element:?} {piece:?} {elastic:?}: {room} {gone}");
+                    (limits, with_room) = (limits + 1, with_room + u32::from(room > 0.01));
+                    (0..3).for_each(|k| elastic[k] += event.after * rate[k]);
+                    (piece, left) = (event.to, left - event.after);
+                }
+            }
+        }
+        assert!(limits > 10_000 && with_room > 500, "{limits} {with_room}");
+    }
+}
