@@ -114,7 +114,7 @@ impl Report {
     }
 
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,
-    /// `wall_seconds` and `threads`.
+    /// `wall_seconds`, `threads` and `version`.
     pub(crate) fn object(&self, schema: &str, clock: Instant) -> Value {
         let (fields, warnings) = (self.fields.clone(), self.warnings.clone());
         let mut object = extrados::written::headed(schema, self.status.name(), fields, warnings);
@@ -123,6 +123,7 @@ impl Report {
         }
         object.insert("wall_seconds".to_owned(), json!(clock.elapsed().as_secs_f64()));
         object.insert("threads".to_owned(), json!(rayon::current_num_threads()));
+        object.insert("version".to_owned(), json!(extrados::VERSION));
         Value::Object(object)
     }
 }

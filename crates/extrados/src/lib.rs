@@ -61,6 +61,12 @@ mod vary;
 mod watch;
 pub mod written;
 
+/// Version, and the commit where a release names it (`.ci/release` sets `EXTRADOS_VERSION`).
+pub const VERSION: &str = match option_env!("EXTRADOS_VERSION") {
+    Some(version) => version,
+    None => env!("CARGO_PKG_VERSION"),
+};
+
 pub use crate::assess::{AssessOptions, Assessed, StageName, assess};
 pub use crate::blocks::{Blocks, collapse_of_blocks};
 pub use crate::built::{as_built, library};

@@ -116,6 +116,7 @@ impl Answer {
         let mut whole = written::headed(&format!("extrados.{schema}/1"), status, fields, warnings);
         whole.insert("wall_seconds".to_owned(), json!(self.seconds));
         whole.insert("threads".to_owned(), json!(run::threads()));
+        whole.insert("version".to_owned(), json!(extrados::VERSION));
         whole
     }
 

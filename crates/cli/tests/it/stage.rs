@@ -151,6 +151,7 @@ pub(crate) fn object(stdout: &str) -> Value {
     assert!(value["status"].is_string() && value["warnings"].is_array(), "{value}");
     assert!(value["wall_seconds"].as_f64().is_some_and(|seconds| seconds >= 0.0), "{value}");
     assert!(value["threads"].as_u64().is_some_and(|threads| threads >= 1), "{value}");
+    assert_eq!(value["version"].as_str(), Some(extrados::VERSION));
     for warning in value["warnings"].as_array().into_iter().flatten() {
         assert!(warning["code"].is_string() && warning["message"].is_string(), "{warning}");
     }

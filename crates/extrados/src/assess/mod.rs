@@ -63,7 +63,7 @@ pub fn assess(
     };
     let Stages { figures, lines, .. } = stages;
     let appendix = Appendix {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
+        version: crate::VERSION.to_owned(),
         program: means.program.to_owned(),
         file: one_line(project.name()).into_owned(),
         input: blake3::hash(project.text()).to_hex().to_string(),

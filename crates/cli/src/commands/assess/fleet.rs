@@ -93,7 +93,7 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     report.summary += &format!("\nfleet.html and fleet.csv are in {}\n", folder.path().display());
     let made = format!(
         "Made by extrados {}: {}",
-        env!("CARGO_PKG_VERSION"),
+        extrados::VERSION,
         command(arguments, &arguments.file.display().to_string())
     );
     let title = arguments.file.display().to_string();
