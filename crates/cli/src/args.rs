@@ -3,11 +3,13 @@
 mod analyses;
 mod bench;
 mod choice;
+mod new;
 mod respond;
 mod words;
 
 pub(crate) use analyses::{Assess, CalibrateFill, Cases, Collapse, Compare, Update, Vary};
 pub(crate) use bench::{Bench, BenchName};
+pub(crate) use new::{New, Survey};
 pub(crate) use respond::{Logger, RecordNoise, Respond};
 
 use crate::shards::Sharing;
@@ -19,7 +21,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(
     name = "extrados",
-    version,
+    version = extrados::VERSION,
     about,
     after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml"
 )]
@@ -35,14 +37,8 @@ pub(crate) struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Write a working example to edit
-    New {
-        /// The folder to write; it must be new or empty
-        dir: PathBuf,
-        /// Which example
-        #[arg(long, value_name = "NAME", default_value = "bridgemill")]
-        from: String,
-    },
+    /// Write the file of your bridge from what a survey measured, or a working example to edit
+    New(Box<New>),
     /// Read a bridge file, report every problem with its place, and draw the bridge; computes nothing
     Check(Check),
     /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
@@ -72,10 +68,10 @@ pub(crate) enum Command {
     },
     /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
     CalibrateFill(CalibrateFill),
-    /// Tell what an error, a warning or a status means
+    /// Tell what an error, a warning or a status means, and find those and the keys of bridge files that are about some words
     Explain {
-        /// A code such as B104, or a status such as collapsed; without one, all are listed
-        code: Option<String>,
+        /// A code such as B104, a status such as collapsed, or words such as ring separation; without any, all codes are listed
+        words: Vec<String>,
     },
     /// List the vehicles and rules of the library: their names, loads, factors and sources
     Vehicles {
@@ -97,6 +93,16 @@ pub(crate) enum Command {
     Workbench(Workbench),
     /// Measure the speed of one method on this machine
     Bench(Bench),
+    /// Print what makes a shell complete commands and flags
+    Completions {
+        /// Which shell
+        shell: clap_complete::Shell,
+    },
+    /// Write the manual pages of all commands into a folder
+    Man {
+        /// The folder, such as share/man/man1
+        dir: PathBuf,
+    },
 }
 
 /// How a command speaks.

@@ -99,20 +99,15 @@ impl<'a> Answers<'a> {
         }
     }
 
-    /// The rule that the bridge is judged by, and codes of vehicles.
+    /// The rule that the bridge is judged by, and codes of vehicles: none for all that go with the rule.
     pub(super) fn judged(&mut self) -> Option<(String, Vec<String>)> {
         let code = |text: &str| text.chars().filter(|c| c.is_alphanumeric() || ".-_".contains(*c)).collect::<String>();
         let vehicles = self.said("vehicles").unwrap_or_default();
         let vehicles: Vec<String> = vehicles.split(',').map(code).filter(|code| !code.is_empty()).collect();
-        match (self.said("rule"), vehicles.is_empty()) {
-            (Some(rule), false) => Some((code(&rule), vehicles)),
-            (None, true) => None,
-            (Some(_), true) => {
-                self.refuse("vehicles", "vehicles is missing".to_owned(), "name a vehicle of the rule".to_owned())
-            }
-            (None, false) => {
-                self.refuse("rule", "rule is missing".to_owned(), "name the rule of these vehicles".to_owned())
-            }
+        match self.said("rule") {
+            Some(rule) => Some((code(&rule), vehicles)),
+            None if vehicles.is_empty() => None,
+            None => self.refuse("rule", "rule is missing".to_owned(), "name the rule of these vehicles".to_owned()),
         }
     }
 
@@ -128,7 +123,9 @@ impl<'a> Answers<'a> {
             Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
                 // Feet and inches are written with marks that end a text in the file.
                 let marked = text.contains(['"', '\\']);
-                let text = if marked { format!("{} m", found.si()) } else { text };
+                // To a thousandth of a millimetre: feet are 0.3048 m, which binary numbers do not hit.
+                let metres = || format!("{} m", (found.si() * 1e6).round() / 1e6);
+                let text = if marked { metres() } else { text };
                 Answer { key: key.to_owned(), text, si: found.si(), assumed: String::new() }
             }
             Ok(found) => {

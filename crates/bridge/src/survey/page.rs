@@ -16,7 +16,7 @@ pub(super) struct Sheet {
     pub density: Answer,
     pub strength: Answer,
     pub axle: Answer,
-    /// Code of a rule and codes of vehicles.
+    /// Code of a rule, and codes of vehicles; none for all of the rule.
     pub judged: Option<(String, Vec<String>)>,
 }
 
@@ -85,8 +85,12 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
         (1.8 + sheet.cover.si.max(0.0)).min(sheet.width.si)
     );
     if let Some((rule, vehicles)) = &sheet.judged {
+        let _ = writeln!(page, "\n[sweep]\nrule = \"{rule}\"");
         let vehicles: Vec<String> = vehicles.iter().map(|code| format!("\"{code}\"")).collect();
-        let _ = writeln!(page, "\n[sweep]\nrule = \"{rule}\"\nvehicles = [{}]", vehicles.join(", "));
+        page += &match vehicles.is_empty() {
+            true => "# every vehicle of the library that goes with the rule\n".to_owned(),
+            false => format!("vehicles = [{}]\n", vehicles.join(", ")),
+        };
     }
     (page + "\n[analysis]\nmethod = \"limit\"\n", lines)
 }

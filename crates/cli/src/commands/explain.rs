@@ -1,8 +1,9 @@
-//! `extrados explain`: what a code or a status means.
+//! `extrados explain`: what a code or a status means, and which codes and keys are about some words.
 
 use crate::failure;
 use crate::report::Report;
 use crate::status::{self, Status};
+use bridge::fields::Need;
 use extrados::Refusal;
 use findings::Card;
 use std::fmt::Write;
@@ -14,31 +15,104 @@ struct Entry {
     text: String,
 }
 
-/// Prints one card, or the list of all.
-pub(super) fn run(code: Option<&str>) -> Result<Report, Refusal> {
-    match code {
-        Some(code) => one(code),
-        None => Ok(list()),
+/// Most entries that words find.
+const MOST: usize = 20;
+
+/// Prints one card, those that are about some words, or the list of all.
+pub(super) fn run(words: &[String]) -> Result<Report, Refusal> {
+    let cards = all();
+    match words {
+        [] => Ok(list(&cards)),
+        [code] if cards.iter().any(|card| card.code.eq_ignore_ascii_case(code)) => {
+            Ok(one(cards.iter().find(|card| card.code.eq_ignore_ascii_case(code)).expect("it was found")))
+        }
+        words => about(words, cards.into_iter().chain(keys()).collect()),
     }
 }
 
-fn one(code: &str) -> Result<Report, Refusal> {
-    let cards = all();
-    let card = cards.iter().find(|card| card.code.eq_ignore_ascii_case(code)).ok_or_else(|| {
-        let message = format!("there is no error, warning or status {code}");
-        Refusal::new("F105", message, "extrados explain lists them all; extrados vehicles lists vehicles and rules")
-    })?;
-    Ok(Report::new(Status::Completed)
+fn one(card: &Entry) -> Report {
+    Report::new(Status::Completed)
         .with("code", card.code.as_str())
         .with("title", card.title.as_str())
         .with("text", card.text.as_str())
-        .saying(format!("{}: {}\n\n{}\n", card.code, card.title, folded(&card.text))))
+        .saying(format!("{}: {}\n\n{}\n", card.code, card.title, folded(&card.text)))
 }
 
-fn list() -> Report {
+/// The entries that have all of these words, those first that have them in their name or title.
+fn about(words: &[String], entries: Vec<Entry>) -> Result<Report, Refusal> {
+    let asked: Vec<String> = words.iter().flat_map(|text| parts(text)).collect();
+    let mut found: Vec<(usize, &Entry)> =
+        entries.iter().filter_map(|entry| Some((weight(&asked, entry)?, entry))).collect();
+    found.sort_by_key(|(weight, _)| std::cmp::Reverse(*weight));
+    match &found[..] {
+        [] => {
+            let said = words.join(" ");
+            let message = format!("there is no error, warning, status or key about {said}");
+            let help = "extrados explain lists errors, warnings and statuses; docs/input/reference.md has the keys";
+            Err(Refusal::new("F105", message, help))
+        }
+        [(_, only)] => Ok(one(only)),
+        several => {
+            let shown: Vec<&Entry> = several.iter().take(MOST).map(|(_, entry)| *entry).collect();
+            let longest = shown.iter().map(|entry| entry.code.len()).max().unwrap_or(0);
+            let mut summary = String::new();
+            for entry in &shown {
+                let _ = writeln!(summary, "{:<longest$} {}", entry.code, entry.title);
+            }
+            if several.len() > MOST {
+                let _ = writeln!(summary, "and {} more: more words find fewer", several.len() - MOST);
+            }
+            let cards: Vec<serde_json::Value> =
+                shown.iter().map(|entry| serde_json::json!({ "code": entry.code, "title": entry.title })).collect();
+            Ok(Report::new(Status::Completed).with("cards", cards).saying(summary))
+        }
+    }
+}
+
+/// Letters and digits, word by word, small; a plural as its singular.
+fn parts(text: &str) -> Vec<String> {
+    let words = text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let small = words.map(str::to_lowercase);
+    small.map(|word| word.strip_suffix('s').filter(|word| word.len() > 3).map_or(word.clone(), str::to_owned)).collect()
+}
+
+/// How much an entry is about these words: none where it lacks one.
+fn weight(asked: &[String], entry: &Entry) -> Option<usize> {
+    let named = [parts(&entry.code), parts(&entry.title)].concat();
+    let said = parts(&entry.text);
+    let has = |words: &[String], asked: &str| words.iter().any(|word| word.starts_with(asked));
+    let of = |asked: &String| match (has(&named, asked), has(&said, asked)) {
+        (true, _) => Some(4),
+        (false, true) => Some(1),
+        (false, false) => None,
+    };
+    asked.iter().map(of).sum::<Option<usize>>().filter(|_| !asked.is_empty())
+}
+
+/// Every key of a bridge file.
+fn keys() -> impl Iterator<Item = Entry> {
+    let sections = bridge::fields::sections_of(&bridge::fields::FILE);
+    sections.into_iter().flat_map(|section| {
+        section.fields.iter().map(|field| {
+            let code =
+                if section.path.is_empty() { field.key.to_owned() } else { format!("{}.{}", section.path, field.key) };
+            let missing = match field.need {
+                Need::Required => "It must be given.".to_owned(),
+                Need::Optional(meaning) => format!("Where it is not given: {meaning}."),
+                Need::Default(value) => format!("Where it is not given: {value}."),
+            };
+            let example =
+                if field.example.is_empty() { String::new() } else { format!("\n\nFor example: {}", field.example) };
+            let text = format!("A key of a bridge file. {missing}{example}\n\ndocs/input/reference.md has all keys.");
+            Entry { code, title: field.doc.to_owned(), text }
+        })
+    })
+}
+
+fn list(cards: &[Entry]) -> Report {
     let mut summary = String::new();
     let mut codes = Vec::new();
-    for card in all() {
+    for card in cards {
         let _ = writeln!(summary, "{:<28} {}", card.code, card.title);
         codes.push(serde_json::json!({ "code": card.code, "title": card.title }));
     }
@@ -108,6 +182,34 @@ fn folded(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Words of the trade lead to keys and findings that are about them.
+    #[test]
+    fn words_find_what_is_about_them() {
+        let first = |words: &[&str]| {
+            let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+            let report = run(&words).map_err(|refusal| refusal.code)?;
+            let fields = &report.fields;
+            let codes = match fields.get("cards") {
+                Some(cards) => cards.as_array().unwrap().iter().map(|card| card["code"].as_str().unwrap()).collect(),
+                None => vec![fields["code"].as_str().unwrap()],
+            };
+            Ok(codes.into_iter().map(str::to_owned).collect::<Vec<_>>())
+        };
+        for (words, code) in [
+            (&["compressive", "strength"][..], "masonry.compressive_strength"),
+            (&["friction angle"], "joint.friction_angle"),
+            (&["a124"], "A124"),
+            (&["backing"], "backing.height"),
+            (&["Skew"], "span.skew"),
+            (&["separated", "rings"], "defect.ring"),
+        ] {
+            let found = first(words).unwrap();
+            assert!(found.contains(&code.to_owned()) && found.len() <= MOST, "{words:?}: {found:?}");
+        }
+        assert_eq!(first(&["zeppelin"]), Err("F105"));
+        assert_eq!(first(&["backing", "zeppelin"]), Err("F105"));
+    }
 
     #[test]
     fn every_code_has_one_card_that_says_something() {

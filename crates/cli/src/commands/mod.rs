@@ -16,6 +16,7 @@ mod model;
 mod new;
 mod respond;
 mod schema;
+mod shell;
 mod source;
 mod update;
 mod validate;
@@ -37,6 +38,7 @@ use answer::{failed, speak};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
 use extrados::Refusal;
+pub(crate) use new::examples_of_new;
 use std::ffi::OsString;
 use std::path::Path;
 use std::time::Instant;
@@ -95,7 +97,7 @@ const BROKEN: u8 = 101;
 
 fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
     match command {
-        Command::New { dir, from } => new::run(dir, from),
+        Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(desk, arguments),
         Command::Collapse(arguments) => collapse::run(desk, arguments),
         Command::Cases(arguments) => cases::run(desk, arguments),
@@ -107,7 +109,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
         Command::Update(arguments) => update::run(desk, arguments),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments),
         Command::Merge { dirs, out } => merge::run(desk, dirs, out),
-        Command::Explain { code } => explain::run(code.as_deref()),
+        Command::Explain { words } => explain::run(words),
         Command::Vehicles { name } => vehicles::run(name.as_deref()),
         Command::Materials { name } => materials::run(name.as_deref()),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
@@ -115,6 +117,8 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
         Command::Validate(arguments) => validate::run(desk, arguments),
         Command::Workbench(arguments) => workbench::run(desk, arguments),
         Command::Bench(arguments) => bench::run(desk, arguments),
+        Command::Completions { shell } => Ok(shell::completions(*shell)),
+        Command::Man { dir } => shell::pages(dir),
     }
 }
 

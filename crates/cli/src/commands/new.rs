@@ -1,27 +1,53 @@
-//! `extrados new`: a working example to edit.
+//! `extrados new`: the file of a bridge from what a survey measured, or a working example to edit.
 
+use crate::args::{New, Survey};
 use crate::failure;
 use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
+use assess::vehicles;
+use bridge::survey::{self, Unusable};
 use extrados::Refusal;
-use extrados::examples::{self, Example, File};
+use extrados::examples;
+use findings::words::counted;
 use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Writes the example's files into a new or empty folder.
-pub(super) fn run(dir: &Path, from: &str) -> Result<Report, Refusal> {
+/// The example that is written where nothing else is asked for.
+const FIRST: &str = "bridgemill";
+/// The file of a surveyed bridge.
+const BRIDGE: &str = "bridge.toml";
+
+/// Writes the files into a new or empty folder.
+pub(super) fn run(arguments: &New) -> Result<Report, Refusal> {
+    match arguments.survey.span {
+        Some(_) => surveyed(&arguments.dir, &arguments.survey),
+        None => example(&arguments.dir, arguments.from.as_deref().unwrap_or(FIRST)),
+    }
+}
+
+/// The examples, a line each, for the end of the help.
+pub(crate) fn examples_of_new() -> String {
+    let mut page = String::from("Examples for --from:\n");
+    for example in examples::ALL {
+        let _ = writeln!(page, "  {:<14} {}", example.name, example.about);
+    }
+    page + "\nYour own bridge:\n  extrados new mill-lane --span 6 --rise 1.5 --ring 0.45 --width 5 --cover 0.5 --rule cs-454"
+}
+
+fn example(dir: &Path, from: &str) -> Result<Report, Refusal> {
     let example = examples::named(from).ok_or_else(|| unknown(from))?;
-    write(example, dir)?;
-    let names: Vec<&str> = example.files.iter().map(|file| file.name).collect();
+    let files: Vec<(&str, &str)> = example.files.iter().map(|file| (file.name, file.text)).collect();
+    write(&files, dir)?;
     let first = dir.join(example.main);
     let mut summary = format!("{}: {}\n", dir.display(), example.about);
     for file in example.files {
         let _ = writeln!(summary, "  {:<16} {}", file.name, file.about());
     }
     let _ = writeln!(summary, "next: extrados {} {}", example.command(), first.display());
+    let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
     Ok(Report::new(Status::Completed)
         .with("example", example.name)
         .with("folder", dir.display().to_string())
@@ -29,8 +55,86 @@ pub(super) fn run(dir: &Path, from: &str) -> Result<Report, Refusal> {
         .saying(summary))
 }
 
+/// The bridge file of these answers.
+fn surveyed(dir: &Path, said: &Survey) -> Result<Report, Refusal> {
+    let name = said.name.clone().or_else(|| dir.file_name().map(|name| name.to_string_lossy().into_owned()));
+    let text = survey::file(name.as_deref().unwrap_or("Bridge"), &|key| said.answer(key)).map_err(slips)?;
+    known(&text)?;
+    write(&[(BRIDGE, &text)], dir)?;
+    let assumed: Vec<&str> = text.lines().filter(|line| line.contains("# assumed")).map(str::trim).collect();
+    let first = dir.join(BRIDGE);
+    let mut summary = format!(
+        "{}: what was measured; assumed, to be replaced by what is known: {}\n",
+        first.display(),
+        counted(assumed.len(), "value")
+    );
+    assumed.iter().for_each(|line| summary.push_str(&format!("  {line}\n")));
+    let next = if said.rule.is_some() { "assess" } else { "collapse" };
+    let _ = writeln!(summary, "next: extrados {next} {}", first.display());
+    Ok(Report::new(Status::Completed)
+        .with("folder", dir.display().to_string())
+        .with("files", vec![BRIDGE])
+        .with("assumed", assumed)
+        .saying(summary))
+}
+
+/// What the flags are called that answer the questions of a survey otherwise named.
+const FLAGS: [(&str, &str); 5] = [
+    ("thickness", "--ring"),
+    ("unit", "--stone"),
+    ("pier_width", "--pier-width"),
+    ("pier_height", "--pier-height"),
+    ("vehicles", "--vehicle"),
+];
+
+impl Survey {
+    /// The answer to a question.
+    fn answer(&self, key: &str) -> Option<String> {
+        match key {
+            "span" => self.span.clone(),
+            "rise" => self.rise.clone(),
+            "thickness" => self.ring.clone(),
+            "width" => self.width.clone(),
+            "cover" => self.cover.clone(),
+            "unit" => self.stone.clone(),
+            "backing" => self.backing.clone(),
+            "density" => self.density.clone(),
+            "strength" => self.strength.clone(),
+            "axle" => self.axle.clone(),
+            "spans" => self.spans.clone(),
+            "pier_width" => self.pier_width.clone(),
+            "pier_height" => self.pier_height.clone(),
+            "rule" => self.rule.clone(),
+            "vehicles" => Some(self.vehicle.join(",")),
+            _ => None,
+        }
+    }
+}
+
+/// All answers that are none, by their flags.
+fn slips(wrong: Vec<Unusable>) -> Refusal {
+    let said = |text: &str, key: &str| {
+        let flag = FLAGS.iter().find(|(one, _)| *one == key).map_or(format!("--{key}"), |(_, flag)| (*flag).to_owned());
+        text.replacen(key, &flag, 1)
+    };
+    let message: Vec<String> = wrong.iter().map(|one| said(&one.message, &one.key)).collect();
+    let help: Vec<String> = wrong.iter().map(|one| said(&one.help, &one.key)).collect();
+    Refusal::new("F108", message.join("; "), help.join("; "))
+}
+
+/// Refuses a rule or vehicles that the library has not, or that do not go together.
+fn known(text: &str) -> Result<(), Refusal> {
+    let Some(bridge) = bridge::read(text.as_bytes()).bridge else { return Ok(()) };
+    match bridge.sweep.as_ref().map(|plan| vehicles::chosen(&bridge, plan)) {
+        Some(Err(refused)) => {
+            Err(Refusal::new("F126", refused.to_string(), "extrados vehicles lists rules and vehicles"))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Writes the files into a folder beside the place, which then takes its name: it is there whole or not at all.
-fn write(example: &Example, dir: &Path) -> Result<(), Refusal> {
+fn write(files: &[(&str, &str)], dir: &Path) -> Result<(), Refusal> {
     let unwritable = |error: io::Error| failure::unwritable(dir, &error);
     match fs::read_dir(dir) {
         Ok(mut entries) => {
@@ -39,7 +143,7 @@ fn write(example: &Example, dir: &Path) -> Result<(), Refusal> {
                 return Err(Refusal::new("F103", message, "name a folder that does not exist yet"));
             }
             // The folder may be the current one, which nothing can take the place of.
-            return fill(example, dir).map_err(unwritable);
+            return fill(files, dir).map_err(unwritable);
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => {}
         Err(error) => return Err(unwritable(error)),
@@ -48,16 +152,16 @@ fn write(example: &Example, dir: &Path) -> Result<(), Refusal> {
         fs::create_dir_all(parent).map_err(unwritable)?;
     }
     let beside = folder::partial(dir);
-    let written = fill(example, &beside).and_then(|()| fs::rename(&beside, dir));
+    let written = fill(files, &beside).and_then(|()| fs::rename(&beside, dir));
     if written.is_err() {
         let _ = fs::remove_dir_all(&beside);
     }
     written.map_err(unwritable)
 }
 
-fn fill(example: &Example, dir: &Path) -> io::Result<()> {
-    let write = |file: &File| folder::write_whole(folder::with_room(&dir.join(file.name))?, file.text.as_bytes());
-    example.files.iter().try_for_each(write)
+fn fill(files: &[(&str, &str)], dir: &Path) -> io::Result<()> {
+    let write = |(name, text): &(&str, &str)| folder::write_whole(folder::with_room(&dir.join(name))?, text.as_bytes());
+    files.iter().try_for_each(write)
 }
 
 fn unknown(name: &str) -> Refusal {

@@ -25,6 +25,7 @@ mod library;
 mod loads;
 mod messages;
 mod misuse;
+mod new;
 mod particles;
 mod pressure;
 mod records;
