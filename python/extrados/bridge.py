@@ -13,6 +13,7 @@ from typing import Any, Literal, TypeVar, Union, cast
 
 from . import _extrados
 from ._extrados import Answer, BlockModel, Project, State
+from ._held import same_file
 from ._keys import Method
 from ._progress import Wanted, told
 from .errors import BridgeError, Finding, Interrupted, argument
@@ -99,6 +100,14 @@ class Check:
         counts = f"{len(self.errors)} errors, {len(self.warnings)} warnings"
         end = f"{self._project.name()}: {counts}; the file can{'' if self.is_usable else 'not'} be used"
         return "\n".join([*(f"{one}\n" for one in self.findings), end])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Check):
+            return NotImplemented
+        return self.findings == other.findings and _same_bridge(self._project, other._project)
+
+    def __hash__(self) -> int:
+        return hash((self.is_usable, self.findings))
 
     def __repr__(self) -> str:
         return f"<extrados.Check: {len(self.errors)} errors, {len(self.warnings)} warnings>"
@@ -213,6 +222,20 @@ class Bridge:
 
     def __reduce__(self) -> tuple[Any, tuple[str, str, dict[str, bytes]]]:
         return _restored, (self.text, self.name, self._project.files())
+
+    def __copy__(self) -> Bridge:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Bridge:
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Bridge):
+            return NotImplemented
+        return self is other or _same_bridge(self._project, other._project)
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.text))
 
     def with_(self, edits: Mapping[str, Value] | None = None, /, **values: Value) -> Bridge:
         """The same bridge with other values, by path or by keyword: `with_({"span[1].thickness": "0.6 m"})` is
@@ -407,6 +430,24 @@ class Blocks:
     def __init__(self, model: BlockModel) -> None:
         self._model = model
 
+    def __reduce__(self) -> tuple[Any, tuple[BlockModel]]:
+        return Blocks, (self._model,)
+
+    def __copy__(self) -> Blocks:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Blocks:
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        return same_file(self._model, other._model) if isinstance(other, Blocks) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self._model.name(), self._model.text()))
+
+    def __repr__(self) -> str:
+        return f"<extrados.Blocks: {self._model.name()}>"
+
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Blocks:
         """Reads a block model file and the drawing that it names."""
@@ -433,6 +474,13 @@ def _made(kind: Callable[[Answer], _Made], progress: Wanted, call: Callable[[Any
 
 def _swept(answer: Answer) -> Sweep | VehicleSweep:
     return VehicleSweep(answer) if answer.is_of_vehicles() else Sweep(answer)
+
+
+def _same_bridge(one: Project, other: Project) -> bool:
+    """Whether two files say the same, and mean the same: what they name may have changed on the disk between the two."""
+    if not same_file(one, other):
+        return False
+    return one.is_usable() == other.is_usable() and (not one.is_usable() or one.key("", {}, "") == other.key("", {}, ""))
 
 
 def _restored(text: str, name: str, files: dict[str, bytes]) -> Bridge:

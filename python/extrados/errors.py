@@ -130,6 +130,9 @@ class Interrupted(KeyboardInterrupt):
         self.state = state
         """An :class:`extrados.State`, which can be pickled; None where the call keeps none."""
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Interrupted, (self.result, self.state)
+
 
 _KINDS: dict[str, type[Error]] = {
     "argument": ArgumentError,

@@ -6,13 +6,13 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from . import _keys
-from ._extrados import Answer, PassageMoment
+from ._held import Answered, Told, columns, same_columns
 from .errors import argument
 
 if TYPE_CHECKING:
@@ -63,8 +63,34 @@ class Figure(str):
         return path
 
 
+_OF_THE_CALL = ("wall_seconds", "seconds", "threads", "runs_from_cache", "evaluations_taken_up")
+"""Fields that tell how a call went, and not what it found."""
+
+
+def _found(value: Any) -> Any:
+    """What was found, without how the call went."""
+    if isinstance(value, dict):
+        return {key: _found(one) for key, one in value.items() if key not in _OF_THE_CALL}
+    return [_found(one) for one in value] if isinstance(value, list) else value
+
+
+class _Part:
+    """A part of a result. It does not change: copies look into the same result."""
+
+    def __copy__(self) -> Any:
+        copied = object.__new__(type(self))
+        copied.__dict__.update(self.__dict__)
+        return copied
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return self.__copy__()
+
+
 class Result:
-    """What an analysis found. Every field of the command's `result.json` is an attribute of the same name."""
+    """What an analysis found. Every field of the command's `result.json` is an attribute of the same name.
+
+    Results can be pickled and copied. Two are equal where they found the same to the last bit, however long that took.
+    """
 
     status: str
     """How the analysis ended: "collapsed", "completed", "not-converged" and so on; `extrados explain STATUS` tells more."""
@@ -84,9 +110,33 @@ class Result:
     _main: tuple[str, ...] = ()
     _shown: tuple[str, ...] = ("status",)
 
-    def __init__(self, answer: Answer) -> None:
+    def __init__(self, answer: Answered) -> None:
         self._answer = answer
         self._object: dict[str, Any] | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._answer,)
+
+    def __copy__(self) -> Any:
+        return type(self)(self._answer)
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return self.__copy__()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Result) or type(self) is not type(other):
+            return NotImplemented
+        if self._answer is other._answer:
+            return True
+        return (
+            _found(self._answer.object()) == _found(other._answer.object())
+            and self._answer.tables() == other._answer.tables()
+            and same_columns(columns(self._answer), columns(other._answer))
+        )
+
+    def __hash__(self) -> int:
+        shown = (getattr(self, name) for name in self._shown if name not in _OF_THE_CALL)
+        return hash((type(self).__name__, *shown))
 
     def _whole(self) -> dict[str, Any]:
         if self._object is None:
@@ -203,16 +253,27 @@ def _cell(text: str) -> Any:
     return {"true": True, "false": False}.get(text, text)
 
 
-class Snapshot:
+class Snapshot(_Part):
     """The blocks under one load. Arrays look into the result and cannot be written."""
 
-    def __init__(self, answer: Answer, number: int, load_kn_per_m: float) -> None:
+    def __init__(self, answer: Answered, number: int, load_kn_per_m: float) -> None:
         self._answer, self._number = answer, number
         self.load_kn_per_m = load_kn_per_m
         """The load [kN/m]; a support movement in m where supports are moved."""
 
     def _array(self, name: str) -> Any:
         return self._answer.array(name, self._number)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Snapshot):
+            return NotImplemented
+        return self.load_kn_per_m == other.load_kn_per_m and _same_columns(self, other)
+
+    def __hash__(self) -> int:
+        return hash(self.load_kn_per_m)
+
+    def __repr__(self) -> str:
+        return f"<extrados.Snapshot: {self.load_kn_per_m:.6g} kN/m, {len(self.rotations_rad)} blocks, {len(self.contact_points_m)} contacts>"
 
     translations_m: Numbers = _column("translation", "Movement of each block's centroid, (blocks, 2).")
     rotations_rad: Numbers = _column("rotation", "Rotation of each block, anticlockwise, (blocks,).")
@@ -315,10 +376,10 @@ class VehicleSweep(_keys.VehicleSweep, Result):
         return governing and governing.get("adequacy_factor")
 
 
-class Channel:
+class Channel(_Part):
     """The record of a sensor."""
 
-    def __init__(self, answer: Answer, number: int, name: str, unit: str, scale: float) -> None:
+    def __init__(self, answer: Answered, number: int, name: str, unit: str, scale: float) -> None:
         self._answer, self._number = answer, number
         self.name = name
         self.unit = unit
@@ -341,21 +402,40 @@ class Channel:
         """Values in `unit`: an array of its own."""
         return self.values_si * self.units_per_si
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Channel):
+            return NotImplemented
+        return (self.name, self.unit) == (other.name, other.unit) and _same_columns(self, other)
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.unit))
+
     def __repr__(self) -> str:
-        return f"<extrados.Channel: {self.name} [{self.unit}]>"
+        return f"<extrados.Channel: {self.name} [{self.unit}], {len(self.values_si)} values>"
 
 
-class Moment:
+class Moment(_Part):
     """The bridge at one moment of a passage."""
 
-    def __init__(self, held: Answer | PassageMoment, name: str, number: int = 0) -> None:
+    def __init__(self, held: Answered | Told, name: str, number: int | None = None) -> None:
         self._held, self._number = held, number
         self.name = name
 
     def _array(self, name: str, within: int = 0) -> Any:
-        if isinstance(self._held, PassageMoment):
+        if self._number is None:
             return self._held.array(name, within)
-        return self._held.array(name, self._number, within)
+        return cast(Answered, self._held).array(name, self._number, within)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Moment):
+            return NotImplemented
+        return self.name == other.name and _same_columns(self, other) and same_columns(_pairs(self), _pairs(other))
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __repr__(self) -> str:
+        return f"<extrados.Moment: {self.name}, {len(self.displacements_m)} nodes, {len(self.stresses_pa)} elements>"
 
     displacements_m: Numbers = _column("displacement", "Displacement of every node, self-weight included, (nodes, 2).")
     stresses_pa: Numbers = _column("stress", "Stress xx, yy, xy, zz of every element, tension positive, (elements, 4).")
@@ -368,6 +448,25 @@ class Moment:
         if arrays["points_m"] is None:
             raise argument(f"number = {number} cannot be used", "joints are numbered from 0")
         return arrays
+
+
+def _pairs(moment: Moment) -> Iterator[tuple[Any, Any]]:
+    """Arrays of all joints of a moment."""
+    number = 0
+    while moment._array("pair_point", number) is not None:
+        yield from (((name, number), array) for name, array in moment.joint(number).items())
+        number += 1
+
+
+def _same_columns(one: Any, other: Any) -> bool:
+    """Whether all columns of two parts are the same, by the names that they have in their class."""
+
+    def own(part: Any) -> Iterator[tuple[str, Any]]:
+        for name, member in vars(type(part)).items():
+            if isinstance(member, property) and (array := getattr(part, name)) is not None:
+                yield name, array
+
+    return same_columns(own(one), own(other))
 
 
 class Passage(_keys.Passage, Result):

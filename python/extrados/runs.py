@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 __all__ = ["CollapseRun", "Ended", "Frame", "PassageRun"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Frame:
     """Blocks, contacts and particles at one moment: arrays of their own, which the run does not change."""
 
@@ -35,6 +35,16 @@ class Frame:
     particle_centres_m: Numbers
     particle_radii_m: Numbers
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Frame):
+            return NotImplemented
+        import numpy
+
+        return all(numpy.array_equal(value, getattr(other, name), equal_nan=True) for name, value in vars(self).items())
+
+    def __hash__(self) -> int:
+        return hash((self.load_kn_per_m, self.iterations))
+
 
 @dataclass(frozen=True)
 class Ended:
@@ -45,7 +55,14 @@ class Ended:
     iterations_total: int
 
 
-class CollapseRun:
+class _Run:
+    """A run in the hands of its caller."""
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {type(self).__name__} goes on where it was made and cannot be pickled or copied; what it gives can be")
+
+
+class CollapseRun(_Run):
     """A collapse by discrete elements that goes on when it is told to. Its numbers are those of `collapse(method="dem")`. Ctrl-C leaves it
     where it is: `advance` goes on from there.
 
@@ -78,7 +95,7 @@ class CollapseRun:
         return Ended(*_held(self._run.finish()))
 
 
-class PassageRun:
+class PassageRun(_Run):
     """A passage that goes on when it is told to. Its numbers are those of :meth:`extrados.Bridge.respond`."""
 
     def __init__(self, project: _extrados.Project, options: dict[str, Any], tell: Any = None) -> None:

@@ -23,6 +23,17 @@ use std::time::Instant;
 #[derive(Clone, Default)]
 struct Beside(Arc<BTreeMap<PathBuf, Vec<u8>>>);
 
+impl Beside {
+    /// Their bytes, by their paths.
+    fn listed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for (path, bytes) in &*self.0 {
+            all.set_item(path.to_string_lossy(), pyo3::types::PyBytes::new(py, bytes))?;
+        }
+        Ok(all)
+    }
+}
+
 impl Files for Beside {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.0.get(path).map_or_else(|| Disk.read(path), |bytes| Ok(bytes.clone()))
@@ -75,11 +86,7 @@ impl Project {
 
     /// Files that are held in memory.
     fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let all = PyDict::new(py);
-        for (path, bytes) in &*self.beside.0 {
-            all.set_item(path.to_string_lossy(), pyo3::types::PyBytes::new(py, bytes))?;
-        }
-        Ok(all)
+        self.beside.listed(py)
     }
 
     /// Everything that was found in it.
@@ -388,14 +395,18 @@ fn worked(
 #[pyclass(frozen, module = "extrados")]
 pub struct BlockModel {
     blocks: Arc<extrados::Blocks>,
+    beside: Beside,
 }
 
 #[pymethods]
 impl BlockModel {
-    /// Reads a block model file and its drawing.
+    /// Reads a block model file and its drawing. `files` are held in memory and take the place of those of the disk.
     #[staticmethod]
-    fn read(py: Python<'_>, path: PathBuf) -> PyResult<BlockModel> {
-        let read = run::run(py, None, move |_| extrados::Blocks::read(&path, &Disk))?.given(py)?;
+    #[pyo3(signature = (path, files = None))]
+    fn read(py: Python<'_>, path: PathBuf, files: Option<&Bound<'_, PyDict>>) -> PyResult<BlockModel> {
+        let beside = Beside(Arc::new(options::files(files)?.into_iter().collect()));
+        let own = beside.clone();
+        let read = run::run(py, None, move |_| extrados::Blocks::read(&path, &own))?.given(py)?;
         let blocks = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
         if blocks.scene().is_none() {
             let own = blocks.findings().iter().map(|finding| {
@@ -411,7 +422,22 @@ impl BlockModel {
             let text: Vec<&str> = all.iter().filter_map(|one| one["text"].as_str()).collect();
             return Err(errors::exception(py, "bridge", &all, &text.join("\n")));
         }
-        Ok(BlockModel { blocks: Arc::new(blocks) })
+        Ok(BlockModel { blocks: Arc::new(blocks), beside })
+    }
+
+    /// The path of the file, as it was given.
+    fn name(&self) -> &str {
+        self.blocks.name()
+    }
+
+    /// The text of the file.
+    fn text(&self) -> String {
+        String::from_utf8_lossy(self.blocks.text()).into_owned()
+    }
+
+    /// Files that are held in memory.
+    fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.beside.listed(py)
     }
 
     #[pyo3(signature = (options, progress = None, resume = None))]
