@@ -6,12 +6,13 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
-from . import _keys
+from . import _extrados, _keys
 from ._held import Answered, Told, columns, same_columns
 from .errors import argument
 
@@ -49,6 +50,8 @@ def _column(name: str, about: str) -> Any:
 class Figure(str):
     """A drawing as SVG: a text that notebooks show as a picture."""
 
+    __slots__ = ()
+
     def _repr_html_(self) -> str:
         # Within a page there is no declaration of XML, and the drawing is as wide as there is room.
         return f'<div style="max-width:720px;background:#fff">{self[self.find("<svg"):]}</div>'
@@ -56,11 +59,33 @@ class Figure(str):
     def _repr_svg_(self) -> str:
         return str(self)
 
-    def save(self, path: str | Path) -> Path:
-        """Writes the drawing to a file, and gives its path."""
+    def save(self, path: str | os.PathLike[str], *, width_px: int | None = None) -> Path:
+        """Writes the drawing to a file, and gives its path. The end of its name says as what: ".svg", ".png" (`width_px` pixels wide, 2400 where
+        nothing is said) or ".pdf", by matplotlib where it is installed."""
         path = Path(path)
-        path.write_text(self, encoding="utf-8")
+        suffix = path.suffix.lower()
+        if suffix not in (".svg", ".png", ".pdf"):
+            told = f"drawings are not written as {suffix!r}" if suffix else "its name does not say as what"
+            raise argument(f"path = {str(path)!r} cannot be used: {told}", 'end the name with ".svg", ".png" or ".pdf"')
+        if width_px is not None and suffix != ".png":
+            raise argument(f"width_px = {width_px} cannot be used for a file {suffix!r}", 'leave it out, or end the name with ".png"')
+        if suffix == ".svg":
+            path.write_text(self, encoding="utf-8", newline="\n")
+        elif suffix == ".png":
+            path.write_bytes(_extrados.png(self, _pixels(width_px)))
+        else:
+            from ._pdf import written
+
+            path.write_bytes(written(self))
         return path
+
+
+def _pixels(wanted: Any) -> int:
+    if wanted is None:
+        return _extrados.png_width()
+    if isinstance(wanted, bool) or not hasattr(wanted, "__index__") or not 0 <= wanted.__index__() < 2**32:
+        raise argument(f"width_px = {wanted!r} cannot be used", "give a whole number of pixels, 1 to 20000")
+    return wanted.__index__()
 
 
 _OF_THE_CALL = ("wall_seconds", "seconds", "threads", "runs_from_cache", "evaluations_taken_up")

@@ -14,6 +14,7 @@ mod stepping;
 mod view;
 
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 /// The version of the program.
 #[pyfunction]
@@ -37,6 +38,25 @@ fn example(name: &str) -> Option<examples::Example> {
 #[pyfunction]
 fn examples_known() -> Vec<&'static str> {
     examples::names()
+}
+
+/// A drawing in SVG as a picture in PNG, so many pixels wide.
+#[pyfunction]
+fn png(py: Python<'_>, svg: String, width_px: u32) -> PyResult<Bound<'_, PyBytes>> {
+    let drawn = run::run(py, None, move |_| figures::png(&svg, width_px))?.given(py)?;
+    let bytes = drawn.map_err(|error| match error {
+        figures::RasterError::Size(..) => {
+            errors::argument(py, format!("width_px = {width_px} cannot be used: {error}"), "give 1 to 20000 pixels")
+        }
+        _ => errors::argument(py, error.to_string(), "give a drawing as a result has it"),
+    })?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// Width of a picture where none is said [pixels].
+#[pyfunction]
+fn png_width() -> u32 {
+    figures::PNG_WIDTH
 }
 
 /// Breaks, for the tests of what happens then.
@@ -106,6 +126,8 @@ fn _extrados(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(threads, module)?)?;
     module.add_function(wrap_pyfunction!(example, module)?)?;
     module.add_function(wrap_pyfunction!(examples_known, module)?)?;
+    module.add_function(wrap_pyfunction!(png, module)?)?;
+    module.add_function(wrap_pyfunction!(png_width, module)?)?;
     module.add_function(wrap_pyfunction!(_break, module)?)?;
     module.add_function(wrap_pyfunction!(_wait, module)?)?;
     module.add_function(wrap_pyfunction!(_limit_loads, module)?)?;
