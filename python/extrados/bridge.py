@@ -16,7 +16,7 @@ from ._extrados import Answer, BlockModel, Project, State
 from ._held import same_file
 from ._keys import Method
 from ._progress import Wanted, told
-from .errors import BridgeError, Finding, Interrupted, argument
+from .errors import BridgeError, Finding, Interrupted, argument, near
 from .records import Records, as_files
 from .results import (
     Assessment,
@@ -263,10 +263,8 @@ class Bridge:
         known = self._known
         if keyword in known:
             return known[keyword]
-        import difflib
-
-        near = difflib.get_close_matches(keyword, known, n=3)
-        meant = f"did you mean {', '.join(near)}?" if near else "bridge.quantities lists them"
+        alike = near(keyword, known)
+        meant = f"did you mean {', '.join(alike)}?" if alike else "bridge.quantities lists them"
         text = f"error[B501]: this bridge has no quantity {keyword}\n  help: {meant}; or give its path: with_({{'joint.cohesion': '1 kPa'}})"
         raise BridgeError(text, [Finding("B501", "error", f"no quantity {keyword}", help=meant, text=text)])
 

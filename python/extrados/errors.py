@@ -17,7 +17,7 @@ answers with a status, and no errors.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -153,3 +153,12 @@ def argument(message: str, help: str) -> ArgumentError:
     """An argument that cannot be used, by its name."""
     text = f"error[F107]: {message}\n  help: {help}"
     return ArgumentError(text, [Finding("F107", "error", message, help=help, text=text)])
+
+
+def near(word: str, known: Iterable[str]) -> list[str]:
+    """What was meant by a word that is not known, the nearest first: what begins like it, and what is written like it."""
+    import difflib
+
+    known = list(known)
+    begun = [one for one in known if len(word) > 2 and one.startswith(word)]
+    return list(dict.fromkeys([*begun, *difflib.get_close_matches(word, known, n=3)]))[:3]

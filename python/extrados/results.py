@@ -7,14 +7,15 @@ from __future__ import annotations
 import csv
 import io
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
-from html import escape
+from html import escape, unescape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _extrados, _keys
 from ._held import Answered, Told, columns, same_columns
-from .errors import argument
+from .errors import argument, near
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,6 +38,7 @@ __all__ = [
     "Snapshot",
     "Study",
     "Sweep",
+    "Table",
     "Update",
     "VehicleSweep",
 ]
@@ -51,6 +53,12 @@ class Figure(str):
     """A drawing as SVG: a text that notebooks show as a picture."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        sides = re.search(r'width="([\d.]+)mm" height="([\d.]+)mm"', self)
+        size = f"{sides[1]} mm x {sides[2]} mm" if sides else f"{len(self)} characters"
+        titles = [unescape(words) for words in re.findall(r"<text[^>]*>([^<]+)</text>", self)[:2]]
+        return f"<extrados.Figure: {'; '.join([size, *titles])}>"
 
     def _repr_html_(self) -> str:
         # Within a page there is no declaration of XML, and the drawing is as wide as there is room.
@@ -78,6 +86,17 @@ class Figure(str):
 
             path.write_bytes(written(self))
         return path
+
+
+class Table(str):
+    """A table as CSV, with units in the names of its columns."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        names = next(csv.reader(io.StringIO(self)), [])
+        shown = [*names[:8], f"and {len(names) - 8} more"] if len(names) > 9 else names
+        return f"<extrados.Table: {self.count(chr(10)) - 1} rows of {len(names)} columns: {', '.join(shown)}>"
 
 
 def _pixels(wanted: Any) -> int:
@@ -183,8 +202,10 @@ class Result:
             try:
                 return self._whole()[name]
             except KeyError:
-                known = ", ".join(sorted(self._whole()))
-                raise AttributeError(f"this result has no `{name}`; it has {known}") from None
+                known = [one for one in dir(self) if not one.startswith("_")]
+                meant = near(name, known)
+                told = f"did you mean {' or '.join(meant)}?" if meant else f"it has {', '.join(known)}"
+                raise AttributeError(f"this result has no `{name}`; {told}") from None
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._whole()})
@@ -232,9 +253,9 @@ class Result:
     # ---- tables
 
     @property
-    def tables(self) -> Mapping[str, str]:
+    def tables(self) -> Mapping[str, Table]:
         """The command's tables as CSV, by their names; those without a row are left out."""
-        return {name: text for name, text in self._answer.tables().items() if text.count("\n") > 1}
+        return {name: Table(text) for name, text in self._answer.tables().items() if text.count("\n") > 1}
 
     def _columns(self, table: str | None) -> dict[str, list[Any]]:
         tables = self.tables
