@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape, unescape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from . import _extrados, _keys
 from ._held import Answered, Told, columns, same_columns
@@ -20,6 +20,7 @@ from .errors import argument, near
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+    from matplotlib.axes import Axes
 
     Numbers = npt.NDArray[np.float64]
     Counts = npt.NDArray[np.uint64]
@@ -395,6 +396,13 @@ class Collapse(_keys.Collapse, Result):
     particle_centres_m: Numbers = _column("particle_centre", "Centres of the particles as packed, (particles, 2).")
     particle_radii_m: Numbers = _column("particle_radius", "Radii of the particles, (particles,).")
 
+    def plot(self, kind: Literal["load-displacement", "mechanism", "thrust-line"] | None = None, *, ax: Axes | None = None) -> Axes:
+        """Draws on axes of matplotlib, new ones where none are given, and gives them: "load-displacement" (the load path), "mechanism" (no size of its
+        own: the largest movement is drawn as a twentieth of the bridge) or "thrust-line". Where no kind is named, the first of them that there is."""
+        from . import _plots
+
+        return _plots.collapse(self, kind, ax)
+
     @property
     def snapshots(self) -> Sequence[Snapshot]:
         """The bridge at rest under each load, and on its way down."""
@@ -408,6 +416,12 @@ class Sweep(_keys.Sweep, Result):
     _main = ("envelope",)
     _shown = ("status",)
 
+    def plot(self, *, ax: Axes | None = None) -> Axes:
+        """Draws the load factor over the position of the loads on axes of matplotlib, new ones where none are given, and gives them."""
+        from . import _plots
+
+        return _plots.sweep(self, ax)
+
 
 class VehicleSweep(_keys.VehicleSweep, Result):
     """The vehicles of `[sweep]` at every position."""
@@ -420,6 +434,13 @@ class VehicleSweep(_keys.VehicleSweep, Result):
         """What the governing vehicle may be multiplied by; None where it is not known."""
         governing = self._whole().get("governing")
         return governing and governing.get("adequacy_factor")
+
+    def plot(self, vehicles: Sequence[str] | None = None, *, ax: Axes | None = None) -> Axes:
+        """Draws the adequacy factor of vehicles that are named by their codes, or of the governing one, over their position on axes of matplotlib, new
+        ones where none are given, and gives them. Factors of more than five times the least lie outside."""
+        from . import _plots
+
+        return _plots.vehicles(self, vehicles, ax)
 
 
 class Channel(_Part):
@@ -533,6 +554,13 @@ class Passage(_keys.Passage, Result):
     influence_positions_m: Numbers | None = _column("influence_position", "Places of the axle of influence lines.")
     nodes_m: Numbers = _column("node", "Nodes of the mesh, (nodes, 2).")
     element_nodes: Counts = _column("element", "Corners of every quadrilateral, anticlockwise, (elements, 4).")
+
+    def plot(self, records: Sequence[str] | None = None, *, ax: Axes | None = None) -> Axes:
+        """Draws records of one unit, those that are named or all that have the unit of the first, over the position of the first axle on axes of
+        matplotlib, new ones where none are given, and gives them."""
+        from . import _plots
+
+        return _plots.passage(self, records, ax)
 
     @property
     def fields(self) -> Sequence[Moment]:
