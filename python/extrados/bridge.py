@@ -6,7 +6,8 @@ import functools
 import hashlib
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeVar, Union, cast
@@ -16,6 +17,7 @@ from ._extrados import Answer, BlockModel, Project, State
 from ._held import same_file
 from ._keys import Method
 from ._progress import Wanted, told
+from ._units import plain
 from .errors import BridgeError, Finding, Interrupted, argument, near
 from .records import Records, as_files
 from .results import (
@@ -212,7 +214,7 @@ class Bridge:
     def key(self, analysis: str = "", **options: Any) -> str:
         """Hash of everything that the numbers of an analysis follow from: what the file means, the options, and this build. A comment in the
         file does not change it."""
-        return self._project.key(analysis, options, program())
+        return self._project.key(analysis, {name: plain(name, value) for name, value in options.items()}, program())
 
     def __repr__(self) -> str:
         return f"<extrados.Bridge: {self.name}>"
@@ -237,30 +239,33 @@ class Bridge:
     def __hash__(self) -> int:
         return hash((self.name, self.text))
 
-    def with_(self, edits: Mapping[str, Value] | None = None, /, **values: Value) -> Bridge:
+    def with_(self, edits: Mapping[str, Any] | None = None, /, **values: Any) -> Bridge:
         """The same bridge with other values, by path or by keyword: `with_({"span[1].thickness": "0.6 m"})` is
-        `with_(span_1_thickness="0.6 m")`. Units, limits and doubts are those of the file.
+        `with_(span_1_thickness="0.6 m")`, `with_({"span[1].thickness [m]": 0.6})`, and with pint `with_(span_1_thickness=0.6 * units.m)`. Units,
+        limits and doubts are those of the file.
 
         >>> import extrados
         >>> bridge = extrados.Bridge.example("tiny")
         >>> bridge.with_({"joint.friction_angle": "30 deg"}, masonry_density="x1.1")
         <extrados.Bridge: tiny.toml>
         """
-        paths = dict(edits or {})
-        for keyword, value in values.items():
-            paths[self._path(keyword)] = value
+        paths = {_plain_path(path): (path, value) for path, value in (edits or {}).items()}
+        paths |= {(path := self._path(keyword)): (path, value) for keyword, value in values.items()}
         if not paths:
             return self
-        made = self._project.edited([f"{path}={_value(path, value)}" for path, value in paths.items()])
+        made = self._project.edited([f"{path}={_value(*heading)}" for path, heading in paths.items()])
         bridge = Bridge(made)
         # The sections are the same: so are the keywords.
         bridge._known = self._known
         return bridge
 
-    def _path(self, keyword: str) -> str:
+    def _keywords(self) -> dict[str, str]:
         if self._known is None:
             self._known = {_keyword(path): path for path, *_ in self._project.quantities()}
-        known = self._known
+        return self._known
+
+    def _path(self, keyword: str) -> str:
+        known = self._keywords()
         if keyword in known:
             return known[keyword]
         alike = near(keyword, known)
@@ -353,7 +358,7 @@ class Bridge:
 
     def vary(
         self,
-        *ranges: str,
+        *ranges: str | Mapping[str, Any],
         grid: bool = False,
         sweep: bool = False,
         outcome: str | None = None,
@@ -362,15 +367,27 @@ class Bridge:
         resume: State | None = None,
         **options: Any,
     ) -> Study:
-        """The collapse over ranges of quantities: those of the file's `[[vary]]`, or ranges such as "joint.friction_angle=30deg..40deg:5".
+        """The collapse over ranges of quantities: those of the file's `[[vary]]`, or ranges such as "joint.friction_angle=30deg..40deg:5". Ranges are
+        given as texts, as dictionaries by path, or by keyword as in :meth:`with_`, with a range or with values: a list, an array, a quantity of pint.
+        Numbers of a quantity with a unit have it in the heading: `{"joint.friction_angle [deg]": numpy.linspace(30, 40, 5)}`. Other options are those
+        of :meth:`collapse`.
 
         >>> import extrados
         >>> study = extrados.Bridge.example("tiny").vary("joint.friction_angle=30deg..40deg:3", method="limit")
         >>> study.runs
         4
+        >>> study = extrados.Bridge.example("tiny").vary({"joint.friction_angle [deg]": [30, 35]}, span_1_thickness=["0.4 m", "x1.1"], method="limit")
+        >>> study.tables["runs"]
+        <extrados.Table: 5 rows of 14 columns: run, varied, joint.friction_angle [deg], span[1].thickness [m], status, ... and 6 more>
         """
+        known = {name: value for name, value in options.items() if name not in _OF_COLLAPSE and name in self._keywords()}
+        options = {name: value for name, value in options.items() if name not in known}
+        for name in sorted(options.keys() - _OF_COLLAPSE):
+            meant = near(name, [*sorted(_OF_COLLAPSE), *self._keywords()])
+            help = f"did you mean {' or '.join(meant)}?" if meant else "arguments are those of collapse; bridge.quantities lists the quantities"
+            raise argument(f"there is no argument {name}, and no quantity of this name", help)
         given = _given(
-            ranges=list(ranges) or None,
+            ranges=[*_ranges(ranges), *_ranges([{self._path(name): value for name, value in known.items()}])] or None,
             grid=grid or None,
             sweep=sweep or None,
             outcome=outcome,
@@ -486,7 +503,7 @@ def _restored(text: str, name: str, files: dict[str, bytes]) -> Bridge:
 
 
 def _given(**options: Any) -> dict[str, Any]:
-    return {name: value for name, value in options.items() if value is not None}
+    return {name: plain(name, value) for name, value in options.items() if value is not None}
 
 
 def _short(value: Any) -> str:
@@ -497,8 +514,53 @@ def _short(value: Any) -> str:
     return text if len(text) <= 80 else text[:77] + "..."
 
 
+_OF_COLLAPSE = frozenset(
+    ("method", "analysis", "friction", "contact", "contact_length", "contact_points", "resolution", "damping", "tolerance", "step_limit")
+)
+"""Options of :meth:`Bridge.collapse`, which no quantity has as its keyword."""
+
+_HEADING = re.compile(r"(.*\S)\s+\[([^\[\]]+)\]\s*")
+"""A path with a unit, as the columns of tables have it: "joint.friction_angle [deg]"."""
+
+
+def _plain_path(heading: str) -> str:
+    found = _HEADING.fullmatch(heading)
+    return found[1] if found else heading
+
+
+def _ranges(given: Sequence[str | Mapping[str, Any]]) -> list[str]:
+    """Ranges as the command has them."""
+    found = []
+    for one in given:
+        if isinstance(one, str):
+            found.append(one)
+        elif isinstance(one, Mapping):
+            found += [f"{_plain_path(heading)}={_spread(heading, values)}" for heading, values in one.items()]
+        else:
+            raise argument(f"ranges = {_short(one)} cannot be used", 'give "joint.friction_angle=30deg..40deg:5", or {"joint.friction_angle": values}')
+    return found
+
+
+def _spread(name: str, values: Any) -> str:
+    """The range or the values of a quantity."""
+    if isinstance(values, str):
+        return values
+    if getattr(values, "shape", None) == () or not isinstance(values, Iterable) or isinstance(values, Mapping):
+        values = [values]
+    shape = getattr(values, "shape", None)
+    if shape is not None and len(shape) != 1:
+        raise argument(f"{name} has values of the shape {tuple(shape)}", "give one list of values")
+    words = [_value(name, value) for value in values]
+    wrong = [word for word in words if "," in word or ".." in word]
+    if wrong or not words:
+        told = f"{wrong[0]!r} among its values" if wrong else "no values"
+        raise argument(f"{name} has {told}", 'give a range such as "30deg..40deg:5" by itself, or a list of values')
+    return ",".join(words)
+
+
 def _scalar(name: str, value: Any) -> Value:
     """A value of Python or NumPy, refused by its name where it is none."""
+    value = plain(name, value)
     item = getattr(value, "item", None)
     if item is not None and getattr(value, "shape", None) == ():
         value = item()
@@ -513,7 +575,10 @@ def _value(name: str, value: Any) -> str:
     value = _scalar(name, value)
     if isinstance(value, bool):
         return "true" if value else "false"
-    return value if isinstance(value, str) else repr(value)
+    unit = _HEADING.fullmatch(name)
+    if isinstance(value, str):
+        return value
+    return f"{value!r} {unit[2]}" if unit else repr(value)
 
 
 def _literal(name: str, value: Any) -> str:
