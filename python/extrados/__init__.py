@@ -36,6 +36,7 @@ from .results import (
     Result,
     Study,
     Sweep,
+    Table,
     Update,
     VehicleSweep,
 )
@@ -81,6 +82,7 @@ __all__ = [
     "State",
     "Study",
     "Sweep",
+    "Table",
     "Update",
     "VehicleSweep",
     "errors",
