@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 
 _POINTS_PER_MM = 72.0 / 25.4
 _NAMESPACE = "{http://www.w3.org/2000/svg}"
+_KNOWN = frozenset(
+    "class clip-path cx cy d fill font-family font-size font-weight height id paint-order points r stroke stroke-dasharray stroke-linecap "
+    "stroke-linejoin stroke-width text-anchor viewBox width x y".split()
+)
 _INHERITED = ("fill", "stroke", "stroke-width", "stroke-linejoin", "stroke-linecap", "stroke-dasharray", "clip-path")
 
 
@@ -39,7 +43,10 @@ def page(svg: str) -> Figure:
     """A drawing as a figure of matplotlib."""
     from matplotlib.figure import Figure
 
-    root = ElementTree.fromstring(svg.encode())
+    try:
+        root = ElementTree.fromstring(svg.encode())
+    except ElementTree.ParseError as error:
+        raise argument(f"the drawing cannot be read: {error}", "give a drawing as a result has it") from None
     width, height = (float(root.attrib[side].removesuffix("mm")) * _POINTS_PER_MM for side in ("width", "height"))
     left, top, across, down = map(float, root.attrib["viewBox"].split())
     figure = Figure(figsize=(width / 72.0, height / 72.0))
@@ -60,6 +67,8 @@ class _Page:
     def draw(self, element: ElementTree.Element, above: Mapping[str, str]) -> None:
         style = {**above, **element.attrib}
         kind = element.tag.removeprefix(_NAMESPACE)
+        for name in element.attrib.keys() - _KNOWN - ({"transform"} if kind == "text" else set()):
+            raise argument(f"a drawing with {name}= of <{kind}> cannot become PDF", 'save it as ".svg" or ".png"')
         if kind in ("svg", "g"):
             for child in element:
                 self.draw(child, {name: style[name] for name in _INHERITED if name in style})
@@ -102,7 +111,9 @@ class _Page:
         from matplotlib.patheffects import Normal, Stroke
         from matplotlib.text import Text
 
-        turn = re.match(r"rotate\((-?[\d.]+)", style.get("transform", ""))
+        turn = re.fullmatch(r"rotate\((-?[\d.]+) [-\d. ]+\)", style.get("transform", ""))
+        if "transform" in style and not turn:
+            raise argument(f"a drawing with a text that is moved by {style['transform']} cannot become PDF", 'save it as ".svg" or ".png"')
         anchor: Any = {"middle": "center", "end": "right"}.get(style.get("text-anchor", ""), "left")
         text = Text(
             float(style["x"]),

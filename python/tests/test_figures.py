@@ -96,6 +96,22 @@ def test_pdf_without_matplotlib_says_what_to_do(drawn, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_text_that_is_no_drawing_is_refused(tmp_path):
+@pytest.mark.parametrize("name", ["m.png", "m.pdf"])
+def test_a_text_that_is_no_drawing_is_refused(tmp_path, name):
+    pytest.importorskip("matplotlib")
     with pytest.raises(extrados.ArgumentError, match="the drawing cannot be read"):
-        extrados.Figure("<svg").save(tmp_path / "m.png")
+        extrados.Figure("<svg").save(tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_element_that_a_page_does_not_know_is_refused_and_not_left_out(drawn, tmp_path):
+    pytest.importorskip("matplotlib")
+    for element, told in (
+        ("<ellipse/>", "<ellipse> cannot become PDF"),
+        ('<path d="M0 0C1 1 2 2 3 3"/>', "the path 'C' cannot become PDF"),
+        ('<rect width="1" height="1" opacity="0.5"/>', "opacity= of <rect> cannot become PDF"),
+        ('<g transform="scale(2)"/>', "transform= of <g> cannot become PDF"),
+        ('<text x="1" y="1" font-size="9" transform="scale(2)">a</text>', r"moved by scale\(2\) cannot become PDF"),
+    ):
+        with pytest.raises(extrados.ArgumentError, match=told):
+            extrados.Figure(drawn.replace("</svg>", f"{element}</svg>")).save(tmp_path / "m.pdf")
