@@ -27,6 +27,7 @@ mod messages;
 mod misuse;
 mod new;
 mod particles;
+mod pictures;
 mod pressure;
 mod records;
 mod respond;
