@@ -54,7 +54,7 @@ fn commands(page: &str) -> Vec<Vec<String>> {
 fn every_command_line_of_every_page_is_understood() {
     let stage = Stage::new("tutorials-lines");
     let root = docs().join("..");
-    let mut pages = vec![root.join("README.md")];
+    let mut pages = vec![root.join("README.md"), docs().join("gallery.md")];
     for folder in ["tutorials", "input", "theory", "verification"] {
         let entries = fs::read_dir(docs().join(folder)).expect("pages").flatten();
         pages.extend(entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|end| end == "md")));
