@@ -58,6 +58,13 @@ pub(crate) fn is_drawn(drawing: &str, name: &str) {
     );
 }
 
+/// The drawing of a report whose second line begins so.
+pub(crate) fn of_report(report: &str, line: &str) -> String {
+    let found = report.split("<svg ").skip(1).filter_map(|part| part.split_once("</svg>")).map(|(svg, _)| svg);
+    let mut of_line = found.filter(|svg| svg.split("<text").nth(2).is_some_and(|text| text.contains(line)));
+    format!("<svg {}</svg>\n", of_line.next().unwrap_or_else(|| panic!("the report draws no {line:?}")))
+}
+
 /// A bridge of the survey of profiles, as `docs/gallery.md` changes it.
 fn profile(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/profiles").join(name);
@@ -135,6 +142,23 @@ fn pictures_of_long_commands_are_those_of_their_commands() {
     run(&stage, "collapse wall.toml");
     is_drawn(&stage.read("out/wall/mechanism.svg"), "spandrel-wall-mechanism.svg");
     is_drawn(&stage.read("out/wall/stress.svg"), "spandrel-wall-stress.svg");
+}
+
+#[test]
+fn a_small_bridge_is_judged_as_the_readme_tells() {
+    let stage = Stage::new("pictures-readme");
+    let readme = include_str!("../../../../README.md");
+    let line = "sweep = { rule = \"cs-454\", vehicles = [\"gb-restrictions\"] }";
+    assert!(readme.contains(&format!("echo '{line}' >> mybridge/bridge.toml")));
+    run(&stage, "new mybridge --from tiny");
+    run(&stage, "check mybridge/bridge.toml");
+    stage.write("mybridge/bridge.toml", format!("{}{line}\n", stage.read("mybridge/bridge.toml")));
+    // What would change the verdict takes most of the time, and none of the numbers.
+    let (answer, ending) = stage.object(&["assess", "mybridge/bridge.toml", "--skip", "sensitivity"]);
+    assert_eq!(ending.code, Some(1), "{answer}");
+    assert!(answer["head"].as_str().is_some_and(|head| head.starts_with("Not adequate by CS 454")), "{answer}");
+    assert!(readme.contains("no more than 18 t") && answer.to_string().contains("no more than 18 t"), "{answer}");
+    is_drawn(&of_report(&stage.read("out/bridge/report.html"), ">Mechanism<"), "assess-mechanism.svg");
 }
 
 #[test]
