@@ -26,6 +26,7 @@ mod loads;
 mod messages;
 mod misuse;
 mod new;
+mod pages;
 mod particles;
 mod pictures;
 mod pressure;
