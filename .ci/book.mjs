@@ -82,7 +82,7 @@ export function mathml(source, display) {
     if (name === "boldsymbol") return letter(plain(), ' class="bold"');
     if (name === "frac" || name === "tfrac") return tag("mfrac", argument() + argument());
     if (name === "sqrt") return tag("msqrt", argument());
-    if (name === "hat") return tag("mover", argument() + '<mo stretchy="false">^</mo>', ' accent="true"');
+    if (name === "hat") return tag("mover", argument() + '<mo stretchy="false">ˆ</mo>', ' accent="true"');
     if (name === "Big") return tag("mo", safe(tokens[at++]), ' minsize="2em"');
     if (name === "left") {
       const open = tag("mo", safe(tokens[at++]), ' stretchy="true"');
@@ -158,8 +158,10 @@ function inBook(target, from, page) {
 
 function made(content, from, page) {
   const files = (text) =>
-    text.replace(DATA, (all, before, file) => {
-      const there = existsSync(join(ROOT, file));
+    text.replace(DATA, (all, before, file, at) => {
+      // Words under a picture hold no link.
+      const picture = text.slice(text.lastIndexOf("\n", at + before.length) + 1).startsWith("![");
+      const there = !picture && existsSync(join(ROOT, file));
       return there ? `${before}[\`${file}\`](${relative(dirname(page), `${COPIES}/${file}`)})` : all;
     });
   const links = (text) => text.replace(LINK, (_, open, target, close) => open + inBook(target, from, page) + close);
