@@ -57,6 +57,28 @@ fn an_interrupted_run_of_both_strips_goes_on_to_the_same_numbers() {
     assert_eq!(resumed["combination"], whole["combination"]);
 }
 
+/// Limit loads of the example's walls without dilation and with it, with this in their section.
+fn limit_loads(stage: &Stage, change: &str) -> [f64; 2] {
+    let text = include_str!("../../../../examples/bridgemill/case-4.toml");
+    stage.write("wall.toml", text.replace("[spandrel_wall]", &format!("[spandrel_wall]\n{change}")));
+    let (answer, _) = stage.object(&["collapse", "wall.toml", "--method", "limit", "--out", "o"]);
+    [number(&answer, "limit_load_kn_per_m"), number(&answer, "associated_load_kn_per_m")]
+}
+
+/// Rows of `docs/verification/spandrel-wall.md`, which prints a tenth of a kN/m.
+#[test]
+fn walls_carry_by_limit_analysis_what_their_page_prints() {
+    let stage = Stage::new("walls-page");
+    let page = include_str!("../../../../docs/verification/spandrel-wall.md");
+    let [road, dilating] = limit_loads(&stage, "");
+    let sentence = format!("gives {road:.1} kN/m without dilation and {dilating:.1} with it");
+    assert!(page.contains(&sentence), "{sentence}");
+    assert!(page.contains(&format!("| none: `case-4.toml` | 578.31 | | {road:.1} |")), "{road}");
+    let [fill, _] = limit_loads(&stage, "top = \"0.203 m\"");
+    assert!(page.contains(&format!("| none | 421.69 | {fill:.1} |")), "{fill}");
+    assert!((road - 702.70).abs() < 0.05 && (fill - 486.23).abs() < 0.05, "{road} {fill}");
+}
+
 #[test]
 fn a_loading_block_on_cover_and_a_wall_that_is_not_there_are_refused_with_their_place() {
     let stage = Stage::new("walls-refused");
