@@ -70,22 +70,44 @@ pub(super) fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> Hing
     if distance(faces.bed) <= distance(faces.back) { HingeAt::Intrados } else { HingeAt::Extrados }
 }
 
-/// A joint turns when its relative rotation is at least this share of the largest one. Elastic joints beside a hinge
-/// share some of its rotation; in the mechanisms of arches the hinges themselves differ by less than a factor of five.
+/// A joint turns when its relative rotation is at least this share of the largest one: elastic joints beside a hinge share some of its
+/// rotation.
 const TURNING: f64 = 0.2;
+/// A joint of a ring that turns more than all joints near it is a hinge from this share on: over a long flat arm one hinge turns a tenth
+/// as fast as another.
+const TURNING_MOST: f64 = 0.05;
+/// So many joints on either side are near.
+const NEAR: usize = 4;
 /// A joint slides when its relative displacement along the tangent is at least this share of the largest displacement
 /// of any block.
 const SLIDING: f64 = 0.05;
+
+/// Of every joint whether it turns as a hinge does.
+fn turning(d: &Discretised, joints: &[Interface], turns: &[f64]) -> Vec<bool> {
+    let largest = turns.iter().copied().map(f64::abs).fold(0.0, f64::max);
+    let places: Vec<_> = joints.iter().map(|j| joint_in_ring(d, j.first, j.second)).collect();
+    let most_near = |at: usize| {
+        let Some((span, ring, joint)) = places[at] else { return false };
+        places.iter().zip(turns).all(|(place, turn)| {
+            place.is_none_or(|(s, r, j)| {
+                (s, r) != (span, ring) || joint.abs_diff(j) > NEAR || turn.abs() <= turns[at].abs()
+            })
+        })
+    };
+    let turn = |(at, turn): (usize, &f64)| {
+        largest > 0.0 && (turn.abs() >= TURNING * largest || turn.abs() >= TURNING_MOST * largest && most_near(at))
+    };
+    turns.iter().enumerate().map(turn).collect()
+}
 
 /// Puts the hinges of a picture's mechanism, sorted as the joints, and the middles of the joints that slide beside it. Its motions are scaled to a
 /// largest translation of 1 m.
 pub(super) fn moving(d: &Discretised, joints: &[Interface], picture: &mut Picture) {
     let Some(motions) = &picture.mechanism else { return };
     let motion = |b: BlockId| motions[b.index()];
-    let turn = |j: &Interface| motion(j.second).rotation - motion(j.first).rotation;
-    let largest = joints.iter().map(|j| turn(j).abs()).fold(0.0, f64::max);
-    for j in joints {
-        let rotation = turn(j);
+    let turns: Vec<f64> = joints.iter().map(|j| motion(j.second).rotation - motion(j.first).rotation).collect();
+    let hinged = turning(d, joints, &turns);
+    for ((j, &rotation), hinged) in joints.iter().zip(&turns).zip(hinged) {
         // A second side that turns counter-clockwise closes the far end along the tangent.
         let closed = if rotation > 0.0 { j.points.len() - 1 } else { 0 };
         let at = j.points[closed];
@@ -95,12 +117,7 @@ pub(super) fn moving(d: &Discretised, joints: &[Interface], picture: &mut Pictur
         };
         let apart = velocity(j.second) - velocity(j.first);
         let opened = apart.dot(j.normal) > SLIDING;
-        if largest > 0.0
-            && rotation.abs() >= TURNING * largest
-            && !opened
-            && j.points.len() == 2
-            && !between_rings(d, j.first, j.second)
-        {
+        if hinged && !opened && j.points.len() == 2 && !between_rings(d, j.first, j.second) {
             let between = [j.first, j.second].map(BlockId::index);
             let edge = edge_at(d, j.first, j.second, at);
             picture.hinges.push(Hinge { point: point(at), edge, between, rotation });
@@ -166,4 +183,42 @@ pub(super) fn thrust_lines(d: &Discretised, contacts: &[ContactForce]) -> Vec<Ve
         Some((first, second, ThrustPoint { point: point(at), thrust: force.norm() }))
     });
     lines(d, points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use structure::discretise::discretise;
+
+    /// Elastic joints share the turning of a slow hinge, so that the fastest hinge turns ten times as much as any of them: the one that turns
+    /// most of those near it is the hinge, and there are four.
+    #[test]
+    fn a_slow_hinge_that_joints_beside_it_share_is_marked_where_it_turns_most() {
+        let d = discretise(&crate::samples::bridgemill()).expect("blocks");
+        let joints = interfaces(&d.model, TOUCHING).expect("joints");
+        let spread = [
+            (0, -0.03),
+            (1, -0.05),
+            (2, -0.04),
+            (17, 0.35),
+            (18, -0.03),
+            (35, -0.05),
+            (36, -0.39),
+            (60, 0.03),
+            (62, 0.08),
+        ];
+        let turns: Vec<f64> = joints
+            .iter()
+            .map(|j| {
+                let place = joint_in_ring(&d, j.first, j.second).map(|(_, _, joint)| joint);
+                spread.iter().find(|(joint, _)| Some(*joint) == place).map_or(0.0, |(_, turn)| *turn)
+            })
+            .collect();
+        let hinged = turning(&d, &joints, &turns);
+        let of = joints.iter().zip(hinged).filter(|(_, hinged)| *hinged);
+        let mut places: Vec<usize> = of.filter_map(|(j, _)| Some(joint_in_ring(&d, j.first, j.second)?.2)).collect();
+        places.sort_unstable();
+        assert_eq!(places, [1, 17, 36, 62]);
+        assert!(turning(&d, &joints, &vec![0.0; joints.len()]).iter().all(|hinged| !hinged));
+    }
 }

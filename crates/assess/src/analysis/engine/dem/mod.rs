@@ -22,7 +22,7 @@ use outcome::collapse::{Collapse, DemReport, Status};
 use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step};
 use outcome::warning::Warning;
 use structure::blocks::Scene;
-use structure::discretise::{Discretised, discretise, fill};
+use structure::discretise::{Discretised, Origin, discretise, fill};
 
 /// Discrete elements.
 pub struct Dem;
@@ -231,8 +231,8 @@ fn motions(from: Option<&dem::Frame>, to: &dem::Frame, d: &Discretised) -> Vec<M
         .collect()
 }
 
-/// A collapse is drawn and its hinges are read once some block has moved this far from rest [m]: far beyond the elastic
-/// sag of a step, well before the joints of an arch jump out of place.
+/// A collapse is drawn and its hinges are read once some block of masonry has moved this far from rest [m]: far beyond the elastic
+/// sag of a step, well before the joints of an arch jump out of place. A loading block that sinks into fill says nothing of the arch.
 const CLEARLY_MOVING: f64 = 0.02;
 
 pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, picture: &mut Picture) {
@@ -255,9 +255,15 @@ pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -
         picture.thrust_lines = thrust_lines(d, &state.contacts);
     }
     let falling = outcome.last_stable_frame.map_or(0, |k| k + 1);
-    let moved = |m: &Motion| m.translation[0].hypot(m.translation[1]);
+    let moved = |all: &[Motion]| {
+        let masonry = all
+            .iter()
+            .zip(d.origins.iter())
+            .filter(|(_, origin)| !matches!(origin, Origin::LoadingBlock { .. } | Origin::Slab { .. }));
+        masonry.map(|(m, _)| m.translation[0].hypot(m.translation[1])).fold(0.0, f64::max)
+    };
     let falls: Vec<Vec<Motion>> = outcome.frames.iter().skip(falling).map(|f| motions(at_rest, f, d)).collect();
-    let clear = falls.iter().find(|m| m.iter().map(moved).fold(0.0, f64::max) >= CLEARLY_MOVING).or(falls.last());
+    let clear = falls.iter().find(|all| moved(all) >= CLEARLY_MOVING).or(falls.last());
     let collapsed =
         matches!(outcome.status, dem::Status::Collapsed | dem::Status::UnstableUnderSelfWeight | dem::Status::Stalled);
     if let (true, Some(clear)) = (collapsed, clear) {
