@@ -57,7 +57,7 @@ fn data() -> Value {
             "position": "3.1", "case": "one lane" }],
         "rule": "a rule", "factors": [["axles", "1.9", HOSTILE]], "discrete_elements": "0.88", "movement": [["support", "pier 1"]],
         "changes": [{ "path": "span[1].thickness", "value": "0.5 m", "less": "120 %", "more": "90 %", "turns": true }],
-        "changes_words": "Utilisation of the governing check.", "notes": [["update", HOSTILE]], "findings": [["P001", HOSTILE, "line 3"]],
+        "changes_words": "Utilisation of the governing check.", "findings": [["P001", HOSTILE, "line 3"]],
         "warnings": [["collapse", "A101", HOSTILE]], "assumptions": [["collapse", HOSTILE]], "inputs": vec![input; 40],
         "appendix": { "version": "0.1.0", "program": "cd".repeat(32), "file": "bridge.toml", "input": "ef".repeat(32),
             "command": "extrados assess bridge.toml --skip update", "day": "2026-11-21", "stages": [stage] },
@@ -67,6 +67,13 @@ fn data() -> Value {
     data["cases"] = json!([part(true, json!(["case", "factor"]))]);
     data["numbers"] = json!([part(true, json!(["part", "force [kN]"]))]);
     data["back"] = json!([part(true, json!(["no.", "item", "independent value"]))]);
+    data["left_out"] = json!([part(true, json!(["what", "why not", "to have it"])), part(false, json!(["why not", "checks"]))]);
+    data["figures"]["summary"] = json!([drawing[1]]);
+    data["summary"] = json!({
+        "governs": HOSTILE, "place": HOSTILE, "mechanism": HOSTILE, "vehicles": data["vehicles"], "more_vehicles": "and 2 more, all carried",
+        "grades": [HOSTILE], "checks": [check(false, true)], "more_checks": "", "next": HOSTILE, "doubts": [HOSTILE],
+        "more_doubts": "and 1 more", "signatures": [["assessed", HOSTILE], ["checked", ""], ["approved", ""]]
+    });
     for why in ["no_update", "no_service", "no_collapse", "no_changes"] {
         data[why] = json!(HOSTILE);
     }

@@ -16,6 +16,9 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// The name of the drawing that stands on the first page where its stage governs, and nowhere else.
+    pub const GOVERNING: &str = "governing";
+
     /// The drawing as it stands in a page: several drawings may use the same names inside, so each gets names of its own.
     pub fn inlined(&self) -> String {
         let body = match self.svg.find("<svg") {

@@ -4,10 +4,12 @@
 mod assessed;
 mod figure;
 mod fleet;
+mod left_out;
 mod numbers;
 mod page;
 mod parts;
 mod rows;
+mod summary;
 
 pub use assessed::Assessed;
 pub use figure::Figure;

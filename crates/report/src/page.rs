@@ -2,9 +2,13 @@
 
 use crate::assessed::Assessed;
 use crate::figure::Figure;
+use crate::left_out;
 use crate::numbers::{digits, percent, with_unit};
 use crate::parts::{self, Part};
-use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
+use crate::rows::{
+    self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, EveryRow, FitRow, OpenRow, VehicleRow,
+};
+use crate::summary::{self, Summary};
 use askama::Template;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -113,6 +117,11 @@ impl Serialize for StageState {
 pub(crate) struct Page<'a> {
     #[serde(skip)]
     pub style: &'static str,
+    /// The bridge's name as a string of a style sheet.
+    #[serde(skip)]
+    pub running: String,
+    pub summary: Summary,
+    pub left_out: Vec<Part>,
     pub bridge: &'a str,
     pub status: &'static str,
     pub headline: String,
@@ -122,6 +131,8 @@ pub(crate) struct Page<'a> {
     pub qualifications: &'a [String],
     pub checks: Vec<CheckRow>,
     pub every: Vec<CheckRow>,
+    #[serde(skip)]
+    pub by_check: Vec<EveryRow>,
     pub open: Vec<OpenRow>,
     pub columns: Vec<ColumnRow>,
     pub augment: String,
@@ -145,8 +156,7 @@ pub(crate) struct Page<'a> {
     pub movement: Vec<[String; 2]>,
     pub changes: Vec<ChangeRow>,
     pub changes_words: String,
-    pub notes: Vec<[String; 2]>,
-    pub findings: &'a [[String; 3]],
+    pub findings: Vec<[String; 3]>,
     pub warnings: Vec<[String; 3]>,
     pub assumptions: Vec<[String; 2]>,
     pub inputs: &'a [Input],
@@ -165,10 +175,17 @@ pub(crate) struct Page<'a> {
 const DRAWN: [&str; 7] = ["built", "update", "service", "ultimate", "vehicles", "movement", "cases"];
 
 impl Page<'_> {
+    /// Assumptions under the stages that make them.
+    fn assumed(&self) -> Vec<(&str, Vec<&str>)> {
+        let same = self.assumptions.chunk_by(|one, next| one[0] == next[0]);
+        same.filter_map(|list| Some((list.first()?[0].as_str(), list.iter().map(|one| one[1].as_str()).collect())))
+            .collect()
+    }
+
     /// The drawings of a section.
     fn drawn(&self, section: &str) -> Vec<&Figure> {
         let of = |figure: &Figure| DRAWN.iter().find(|known| **known == figure.stage).unwrap_or(&DRAWN[3]);
-        self.figures.iter().filter(|figure| *of(figure) == section).collect()
+        self.figures.iter().filter(|figure| *of(figure) == section && figure.name != Figure::GOVERNING).collect()
     }
 }
 
@@ -186,6 +203,7 @@ impl Assessed {
         let mut data = json!(page);
         data["figures"] =
             json!(DRAWN.iter().map(|section| (*section, page.drawn(section))).collect::<BTreeMap<_, _>>());
+        data["figures"]["summary"] = json!(page.summary.figure.iter().collect::<Vec<_>>());
         data
     }
 }
@@ -196,8 +214,14 @@ fn page(material: &Assessed) -> Page<'_> {
     let (warnings, assumptions) = rows::said(a);
     let update = a.facts.update.made();
     let sensitivity = a.facts.sensitivity.made();
+    let changes = sensitivity.map(rows::changes).unwrap_or_default();
+    let open = rows::open(&a.checked);
+    let vehicles = a.facts.vehicles.made().map(rows::vehicles).unwrap_or_default();
     Page {
         style: include_str!("../templates/style.css"),
+        running: in_style(&a.bridge),
+        summary: summary::summary(material, &changes),
+        left_out: left_out::left_out(a, &open),
         bridge: &a.bridge,
         status: a.verdict.status.word(),
         headline: a.verdict.head(),
@@ -208,7 +232,8 @@ fn page(material: &Assessed) -> Page<'_> {
         qualifications: &a.verdict.strength.qualifications,
         checks: rows::worst(&a.checked),
         every: rows::checks(&a.checked),
-        open: rows::open(&a.checked),
+        by_check: rows::by_check(rows::checks(&a.checked), &vehicles),
+        open,
         columns: rows::columns(&a.checked),
         augment: augment(a),
         limits_source: a.limits_source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
@@ -231,13 +256,13 @@ fn page(material: &Assessed) -> Page<'_> {
             load.source.clone().unwrap_or_else(|| "the file names no source".to_owned()),
         ]).collect()).unwrap_or_default(),
         collapse: collapse(a),
-        vehicles: a.facts.vehicles.made().map(rows::vehicles).unwrap_or_default(),
+        vehicles,
         grades: a.facts.vehicles.made().map(|facts| facts.grades.clone()).unwrap_or_default(),
         rule: a.facts.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
         factors: a.facts.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
         discrete_elements: a.facts.vehicles.made().and_then(|facts| facts.discrete_elements.clone()).unwrap_or_default(),
         movement: movement(a),
-        changes: sensitivity.map(rows::changes).unwrap_or_default(),
+        changes,
         changes_words: sensitivity.map(|facts| format!(
             "Utilisation of the governing check ({}) with {:.0} % less and {:.0} % more of each quantity, by {}. All rows are of the same \
              analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
@@ -249,8 +274,7 @@ fn page(material: &Assessed) -> Page<'_> {
                 _ => "saw what the shortened analysis leaves out (earlier axles, other positions)",
             }
         )).unwrap_or_default(),
-        notes: notes(a),
-        findings: &material.findings,
+        findings: rows::found(&material.findings),
         warnings,
         assumptions,
         inputs: &material.inputs,
@@ -261,7 +285,7 @@ fn page(material: &Assessed) -> Page<'_> {
             .chain(parts::inspections(&material.document.inspections, &material.photographs))
             .collect(),
         cases: parts::cases(a).into_iter().collect(),
-        numbers: a.statics.iter().flat_map(parts::statics).chain(parts::vehicles(a)).collect(),
+        numbers: parts::springings(a).into_iter().chain(a.statics.iter().flat_map(parts::statics)).chain(parts::vehicles(a)).collect(),
         back: parts::check_sheet(&material.document, a, a.statics.as_ref()),
         photographs: &material.photographs,
         figures: &material.figures,
@@ -330,16 +354,11 @@ fn measured(what: &str, value: Option<f64>, unit: &str) -> Option<[String; 2]> {
     value.map(|value| [what.to_owned(), with_unit(value, unit)])
 }
 
-/// Stages without facts, in words.
-fn notes(a: &Assessment) -> Vec<[String; 2]> {
-    let all = [
-        ("update", a.facts.update.why_not()),
-        ("service", a.facts.service.why_not()),
-        ("collapse", a.facts.ultimate.why_not()),
-        ("vehicles", a.facts.vehicles.why_not()),
-        ("cases", a.facts.cases.why_not()),
-        ("support movement", a.facts.movement.why_not()),
-        ("sensitivities", a.facts.sensitivity.why_not()),
-    ];
-    all.into_iter().filter_map(|(stage, why)| Some([stage.to_owned(), why?.to_owned()])).collect()
+/// A text inside a string of a style sheet: what is no letter, digit or space is written by its number.
+fn in_style(text: &str) -> String {
+    let one = |c: char| match c {
+        c if c.is_ascii_alphanumeric() || c == ' ' => c.to_string(),
+        c => format!("\\{:x} ", u32::from(c)),
+    };
+    text.chars().map(one).collect()
 }

@@ -32,6 +32,34 @@ pub(crate) struct CheckRow {
     /// Where the bridge file says for what the value is computed, and where its limit is.
     #[serde(skip)]
     pub keys: [String; 2],
+    /// How much of the limit is used.
+    #[serde(skip)]
+    pub utilisation: f64,
+}
+
+/// A check with all its comparisons.
+pub(crate) struct EveryRow {
+    pub code: String,
+    pub title: String,
+    pub rows: Vec<CheckRow>,
+}
+
+/// Every comparison under the check that it belongs to. Of a vehicle that does not govern, the table of vehicles has the case already.
+pub(crate) fn by_check(rows: Vec<CheckRow>, vehicles: &[VehicleRow]) -> Vec<EveryRow> {
+    let mut all: Vec<EveryRow> = Vec::new();
+    for mut row in rows {
+        if row.code == "C204" && !row.governs {
+            let told = vehicles.iter().any(|one| one.code == row.load && row.basis.contains(&one.case));
+            if told {
+                "as in the table of vehicles".clone_into(&mut row.basis);
+            }
+        }
+        match all.iter_mut().find(|one| one.code == row.code) {
+            Some(one) => one.rows.push(row),
+            None => all.push(EveryRow { code: row.code.clone(), title: row.title.clone(), rows: vec![row] }),
+        }
+    }
+    all
 }
 
 /// A check that was not made.
@@ -63,6 +91,7 @@ pub(crate) fn checks(checked: &[Checked]) -> Vec<CheckRow> {
                 basis: finding.basis.clone(),
                 of: String::new(),
                 keys: check.keys.clone(),
+                utilisation: finding.utilisation,
             });
         }
     }
@@ -283,7 +312,7 @@ pub(crate) fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
 pub(crate) fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     let facts = &a.facts;
     let warning = |(stages, one): (String, &Warning)| [stages, one.code().to_owned(), one.message()];
-    let warnings = facts.warnings_once().into_iter().map(warning).collect();
+    let warnings = told_once(facts.warnings_once().into_iter().map(warning).collect());
     let said: [(&'static str, &[Note]); 5] = [
         ("update", facts.update.made().map_or(&[], |facts| &facts.assumptions)),
         ("service", facts.service.made().map_or(&[], |facts| &facts.assumptions)),
@@ -293,7 +322,90 @@ pub(crate) fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     ];
     let said = said.map(|(stage, list)| (stage, note::words(list)));
     let all = said.iter().flat_map(|(stage, list)| list.iter().map(move |words| (*stage, words)));
-    (warnings, once(all).into_iter().map(|(stages, words)| [stages, words.clone()]).collect())
+    let mut assumptions: Vec<[String; 2]> =
+        once(all).into_iter().map(|(stages, words)| [stages, words.clone()]).collect();
+    let mut order: Vec<String> = Vec::new();
+    for [stages, _] in &assumptions {
+        if !order.contains(stages) {
+            order.push(stages.clone());
+        }
+    }
+    assumptions.sort_by_key(|[stages, _]| order.iter().position(|known| known == stages));
+    (warnings, alike(assumptions))
+}
+
+/// Assumptions of one stage that differ in a name or a number, as of several vehicles, told once with what differs.
+fn alike(all: Vec<[String; 2]>) -> Vec<[String; 2]> {
+    let mut told: Vec<([String; 2], String)> = Vec::new();
+    for [stages, words] in all {
+        let known = told.iter_mut().find_map(|(row, first)| {
+            let differs =
+                otherwise(first, &words).filter(|differs| 5 * differs.split(' ').count() <= words.split(' ').count());
+            differs.filter(|_| row[0] == stages).map(|differs| (row, differs))
+        });
+        match known {
+            Some((row, differs)) => row[1] = format!("{}; likewise {differs}.", row[1].trim_end_matches('.')),
+            None => told.push(([stages, words.clone()], words)),
+        }
+    }
+    told.into_iter().map(|(row, _)| row).collect()
+}
+
+/// What was found in the file, once with all places where it was found.
+pub(crate) fn found(all: &[[String; 3]]) -> Vec<[String; 3]> {
+    let mut told: Vec<[String; 3]> = Vec::new();
+    for one in all {
+        match told.iter_mut().find(|known| known[..2] == one[..2]) {
+            Some(known) => known[2] += &format!(", {}", one[2]),
+            None => told.push(one.clone()),
+        }
+    }
+    told
+}
+
+/// Warnings of one code, told once: of those that say the same of other places or vehicles, what they say otherwise.
+fn told_once(all: Vec<[String; 3]>) -> Vec<[String; 3]> {
+    let mut told: Vec<([String; 3], String)> = Vec::new();
+    for [stages, code, message] in all {
+        let Some((row, first)) = told.iter_mut().find(|(row, _)| row[1] == code) else {
+            told.push(([stages, code, message.clone()], message));
+            continue;
+        };
+        let other = match otherwise(first, &message) {
+            Some(words) => format!("; likewise {words}"),
+            None => format!("; and: {message}"),
+        };
+        row[2] += &other;
+        if !row[0].split(", ").any(|stage| stage == stages) {
+            row[0] += &format!(", {stages}");
+        }
+    }
+    told.into_iter().map(|(row, _)| row).collect()
+}
+
+/// The words in which one message differs from another of the same form; none where half of it or more differs.
+fn otherwise(first: &str, other: &str) -> Option<String> {
+    let (a, b): (Vec<&str>, Vec<&str>) = (first.split(' ').collect(), other.split(' ').collect());
+    let start = a.iter().zip(&b).take_while(|(x, y)| x == y).count();
+    let end = a[start..].iter().rev().zip(b[start..].iter().rev()).take_while(|(x, y)| x == y).count();
+    let differs = b.len() - start - end;
+    if a.len() == b.len() {
+        let words: Vec<String> = a
+            .iter()
+            .zip(&b)
+            .enumerate()
+            .filter(|(_, (x, y))| x != y)
+            .map(|(k, (_, y))| match b.get(k + 1) {
+                // A number goes with its unit.
+                Some(unit) if y.ends_with(|c: char| c.is_ascii_digit()) && unit.len() <= 4 && a[k + 1] == *unit => {
+                    format!("{y} {}", unit.trim_end_matches([',', ';', ':']))
+                }
+                _ => y.trim_end_matches([',', ';', ':']).to_owned(),
+            })
+            .collect();
+        return (2 * words.len() < b.len()).then(|| words.join(", "));
+    }
+    (2 * differs < b.len() && differs > 0).then(|| b[start..b.len() - end].join(" "))
 }
 
 /// A vehicle that was moved over the bridge.
@@ -354,5 +466,51 @@ fn short(value: &str) -> String {
     match number.parse::<f64>() {
         Ok(parsed) if number.len() > 8 => with_unit(parsed, unit),
         _ => value.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_of_one_kind_are_told_once_with_what_differs() {
+        let row = |stage: &str, code: &str, words: &str| [stage, code, words].map(str::to_owned);
+        let told = told_once(vec![
+            row("collapse", "A102", "the resultant of the load at 1.479 m moves by -129.3 mm"),
+            row("collapse", "A194", "a ring of 0.450 m is modelled in one piece"),
+            row("vehicles", "A102", "the resultant of the load at 1.530 m moves by -120.7 mm"),
+            row("vehicles", "A102", "other words altogether here"),
+        ]);
+        assert_eq!(told.len(), 2);
+        let words = "the resultant of the load at 1.479 m moves by -129.3 mm; likewise 1.530 m, -120.7 mm; and: other words altogether here";
+        assert_eq!(told[0], row("collapse, vehicles", "A102", words));
+        let places =
+            found(&[row("P060", "skew", "line 12"), row("P001", "thin", "line 3"), row("P060", "skew", "line 34")]);
+        assert_eq!(places, [row("P060", "skew", "line 12, line 34"), row("P001", "thin", "line 3")]);
+    }
+
+    #[test]
+    fn every_comparison_stands_under_its_check() {
+        let check = |code: &str, load: &str| CheckRow {
+            code: code.into(),
+            title: "title".into(),
+            load: load.into(),
+            value: "1".into(),
+            limit: "1".into(),
+            unit: "",
+            used: "100 %".into(),
+            bar: 100,
+            met: true,
+            governs: false,
+            basis: "limit analysis; axle 1".into(),
+            of: String::new(),
+            keys: Default::default(),
+            utilisation: 1.0,
+        };
+        let all = by_check(vec![check("C101", "a"), check("C204", "a"), check("C101", "b")], &[]);
+        let groups: Vec<(&str, usize)> = all.iter().map(|one| (one.code.as_str(), one.rows.len())).collect();
+        assert_eq!(groups, [("C101", 2), ("C204", 1)]);
+        assert_eq!(all[1].rows[0].basis, "limit analysis; axle 1");
     }
 }

@@ -71,10 +71,40 @@ fn a_bridge_is_judged_and_every_stage_is_kept() {
     for outside in ["<script", "<link", "<img", "@import", "src="] {
         assert!(!page.contains(outside), "the report needs something beside it: {outside}");
     }
+    is_set_as_a_report(&page, &answer);
     let (again, _) = stage.object(&["assess", "bridge.toml", "--out", "out"]);
     let kept = states(&again).into_iter().filter(|(_, state)| state == "taken from an earlier run").count();
     assert_eq!(kept, 4, "{:?}", states(&again));
     assert_eq!((&again["checks"], &again["sensitivity"]), (&answer["checks"], &answer["sensitivity"]));
+}
+
+/// The summary comes first, what was not looked at stands in one place, every drawing is a block that no page cuts, and every hinge that
+/// acts is marked.
+fn is_set_as_a_report(page: &str, answer: &Value) {
+    let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("the report has no {words}"));
+    let summary = &page[at("<main id=\"summary\"")..at("</main>")];
+    assert!(at("</main>") < at("id=\"document\""), "the summary comes first");
+    for words in ["id=\"verdict\"", "<svg", "assessed", "checked", "approved", "Mechanism of 4 hinges"] {
+        assert!(summary.contains(words), "the summary has no {words}: {summary}");
+    }
+    for once in [
+        "id=\"left-out\"",
+        "<h3>Checks that were not made</h3>",
+        "id=\"assumptions\"",
+        "counter(page) \" of \" counter(pages)",
+    ] {
+        assert_eq!(page.matches(once).count(), 1, "{once}");
+    }
+    for (k, _) in page.match_indices("<svg ") {
+        let before = &page[..k];
+        assert!(before.rfind("<figure") > before.rfind("</figure>"), "a drawing outside a figure");
+    }
+    assert!(page.contains("figure, tr, li, .verdict, dl { break-inside: avoid; }"));
+    let hinges = answer["collapse"]["hinges"].as_array().expect("hinges").len();
+    let drawing = &page[at("aria-label=\"Mechanism at collapse")..];
+    let marked = drawing[..drawing.find("</svg>").expect("its end")].matches("class=\"hinge\"").count();
+    assert_eq!((hinges, marked), (4, 4));
+    assert_eq!(summary.matches("class=\"hinge\"").count(), 4);
 }
 
 /// The live part of a column is the passage's own number times one and the augment.

@@ -122,7 +122,7 @@ fn what_qualifies_a_verdict_stands_beside_it() {
     let told = list("qualifications");
     assert!(told.iter().any(|words| words.contains("weight alone")), "{told:?}");
     let page = stage.read("out/report.html");
-    let verdict = &page[page.find("id=\"verdict\"").expect("a box")..page.find("<nav").expect("its end")];
+    let verdict = &page[page.find("id=\"verdict\"").expect("a box")..page.find("id=\"document\"").expect("its end")];
     let html = head.replace('"', "&#34;");
     assert!(verdict.contains(&html) && verdict.contains("live load of cs-454 1.9"), "{verdict}");
     // The rule's own line says how sure its factors are, not only how sure its title is.

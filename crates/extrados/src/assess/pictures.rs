@@ -3,10 +3,11 @@
 use crate::cases::Cases;
 use assess::chain::Ultimate;
 use figures::UPDATE_FIGURES;
+use findings::words::counted;
 use outcome::collapse::Collapse;
 use outcome::ground::GroundPlan;
 use outcome::passage::Passage;
-use outcome::picture::Picture;
+use outcome::picture::{HingeAt, Picture};
 use outcome::update::Update;
 use outcome::vehicles::VehicleSweep;
 use report::Figure;
@@ -29,6 +30,38 @@ pub(super) fn built(picture: &Picture, ground: &GroundPlan) -> Vec<Figure> {
     all.into_iter().flatten().collect()
 }
 
+/// With more hinges or sliding joints than this their places are in the drawing alone.
+const MOST_PLACES: usize = 6;
+
+/// The mechanism in words: how many hinges act and where, and what slides.
+fn acts(picture: &Picture) -> String {
+    if picture.mechanism.is_none() {
+        return "No mechanism was found.".to_owned();
+    }
+    let listed = |places: Vec<String>| match places.len() {
+        1..=MOST_PLACES => format!(" at {}", places.join(", ")),
+        _ => String::new(),
+    };
+    let hinge = |one: &outcome::picture::Hinge| match one.edge {
+        HingeAt::Other => format!("{:.2} m", one.point[0]),
+        edge => format!("{:.2} m ({edge})", one.point[0]),
+    };
+    let hinges = listed(picture.hinges.iter().map(hinge).collect());
+    let slides = listed(picture.sliding.iter().map(|at| format!("{:.2} m", at[0])).collect());
+    let told = match (picture.hinges.len(), picture.sliding.len()) {
+        (0, 0) => return "The mechanism has no hinge and no sliding joint of its own.".to_owned(),
+        (0, _) => format!("Mechanism of {}{slides}", counted(picture.sliding.len(), "sliding joint")),
+        (n, 0) => format!("Mechanism of {}{hinges}; no joint slides", counted(n, "hinge")),
+        (n, m) => format!("Mechanism of {}{hinges}, and {}{slides}", counted(n, "hinge"), counted(m, "sliding joint")),
+    };
+    format!("{told}. Places are measured along the bridge from the left springing of the first span.")
+}
+
+/// The load that governs in its place, with what its mechanism does: for the first page of the report.
+fn governing(stage: &str, picture: &Picture) -> Option<Figure> {
+    figure(stage, Figure::GOVERNING, acts(picture), figures::sketch(picture))
+}
+
 /// Mechanism, line of thrust, envelope.
 pub(super) fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     let Some(Collapse { picture, .. }) = found.facts.collapse.as_deref() else { return Vec::new() };
@@ -36,6 +69,7 @@ pub(super) fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
     let envelope = figures::envelope(bridge, figures::Ordinate::Factor, &[curve], None);
     let all = [
+        governing("ultimate", picture),
         figure(
             "ultimate",
             "mechanism",
@@ -58,6 +92,7 @@ pub(super) fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure>
         .into_iter()
         .filter_map(|(name, svg)| figure("vehicles", name, caption(name), Some(svg)))
         .collect();
+    list.extend(found.collapse.as_ref().and_then(|collapse| governing("vehicles", &collapse.picture)));
     let mechanism = found.collapse.as_ref().and_then(|collapse| figures::mechanism(&collapse.picture));
     let caption = "Mechanism under the governing vehicle, loads and weights with their factors.";
     list.extend(figure("vehicles", "mechanism", caption, mechanism));
@@ -121,4 +156,28 @@ pub(super) fn update(found: &Update) -> Vec<Figure> {
         kind.map_or("Model updating.", |(_, caption)| *caption)
     };
     drawings.filter_map(|(name, svg)| figure("update", &name, caption(&name), Some(svg))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use outcome::picture::{Hinge, Motion};
+
+    #[test]
+    fn a_mechanism_is_told_with_every_hinge_and_its_place() {
+        let hinge = |x: f64, edge| Hinge { point: [x, 0.0], edge, between: [0, 1], rotation: 1.0 };
+        let mut picture = Picture { mechanism: Some(vec![Motion::default()]), ..Picture::default() };
+        picture.hinges = vec![hinge(0.0, HingeAt::Intrados), hinge(1.5, HingeAt::Extrados)];
+        assert!(
+            acts(&picture)
+                .starts_with("Mechanism of 2 hinges at 0.00 m (intrados), 1.50 m (extrados); no joint slides.")
+        );
+        picture.sliding = vec![[6.0, 0.0]];
+        assert!(acts(&picture).contains("(extrados), and 1 sliding joint at 6.00 m."), "{}", acts(&picture));
+        picture.hinges = vec![hinge(1.0, HingeAt::Other); 20];
+        assert!(acts(&picture).starts_with("Mechanism of 20 hinges, and"), "{}", acts(&picture));
+        picture.hinges.clear();
+        assert!(acts(&picture).starts_with("Mechanism of 1 sliding joint at 6.00 m."));
+        assert_eq!(acts(&Picture::default()), "No mechanism was found.");
+    }
 }
