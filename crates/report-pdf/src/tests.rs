@@ -68,6 +68,7 @@ fn data() -> Value {
     data["numbers"] = json!([part(true, json!(["part", "force [kN]"]))]);
     data["back"] = json!([part(true, json!(["no.", "item", "independent value"]))]);
     data["left_out"] = json!([part(true, json!(["what", "why not", "to have it"])), part(false, json!(["why not", "checks"]))]);
+    data["left_out"][1]["title"] = json!("Checks that were not made");
     data["figures"]["summary"] = json!([drawing[1]]);
     data["summary"] = json!({
         "governs": HOSTILE, "place": HOSTILE, "mechanism": HOSTILE, "vehicles": data["vehicles"], "more_vehicles": "and 2 more, all carried",

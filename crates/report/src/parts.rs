@@ -552,7 +552,7 @@ pub(crate) mod tests {
         let reactions = vec![rest("left springing", 0.05), rest("right springing", 0.4)];
         a.statics = Some(Statics { reactions, ..Statics::default() });
         assert_eq!(springings(&a).map(|part| part.heads.len()), Some(5), "no vehicle");
-        let thrusts = vec![thrust("span 1 left springing", -0.1), thrust("span 1 right springing", -0.35)];
+        let thrusts = vec![thrust("span 1 left springing", -0.15), thrust("span 1 right springing", -0.35)];
         let one = SweptFacts { code: "lorry".into(), thrusts, ..SweptFacts::default() };
         let facts = VehicleFacts { vehicles: vec![one], governing: Some("lorry".into()), ..VehicleFacts::default() };
         a.facts.vehicles = Stage::Made(facts);
@@ -560,7 +560,7 @@ pub(crate) mod tests {
         assert_eq!(part.rows.len(), 2);
         assert_eq!(
             part.rows[0],
-            ["left springing", "0.600", "50.0", "0.200", "in the middle third", "−100", "1.00", "in the middle third"]
+            ["left springing", "0.600", "50.0", "0.200", "in the middle third", "−150", "1.33", "in the joint"]
         );
         assert_eq!(part.rows[1], ["right springing", "0.600", "400", "–", OUTSIDE, "−350", "–", OUTSIDE]);
         assert_eq!(part.cells(&part.rows[1])[7].1, "broken");
