@@ -23,38 +23,61 @@ pub struct Question {
     pub example: &'static str,
     /// What is assumed where the sheet says nothing; empty where it must.
     pub assumed: &'static str,
+    /// What is usual, in words to follow "usually"; empty where nothing is known. The reader of files asks about what lies well outside.
+    pub usual: &'static str,
 }
 
 const fn question(key: &'static str, doc: &'static str, unit: &'static str, example: &'static str) -> Question {
-    Question { key, doc, unit, example, assumed: "" }
+    Question { key, doc, unit, example, assumed: "", usual: "" }
+}
+
+impl Question {
+    const fn usual(mut self, words: &'static str) -> Question {
+        self.usual = words;
+        self
+    }
+
+    const fn assumed(mut self, value: &'static str) -> Question {
+        self.assumed = value;
+        self
+    }
 }
 
 /// The ten numbers. The first three are those of a span: a further one has its own as `span_2`, `rise_2`, `thickness_2`, or those of the first.
 pub const QUESTIONS: [Question; 10] = [
     question("span", "Clear span between the springings, at the intrados.", "m", "6.00 m"),
-    question("rise", "Rise of the crown's intrados above the springings.", "m", "1.50 m"),
-    question("thickness", "Thickness of the ring.", "m", "0.45 m"),
-    question("width", "Width of the barrel that carries the road, between the parapets.", "m", "5.00 m"),
-    question("cover", "Depth of fill and surfacing over the crown, from its extrados to the road.", "m", "0.50 m"),
-    Question { assumed: "0.30 m", ..question("unit", "Length of a stone or brick along the ring.", "m", "0.30 m") },
-    Question {
-        assumed: "0 m",
-        ..question("backing", "Height of solid backing above the springings; 0 where there is none.", "m", "0 m")
-    },
-    Question { assumed: "2200 kg/m^3", ..question("density", "Density of the masonry.", "kg/m^3", "2200 kg/m^3") },
-    Question { assumed: "5 MPa", ..question("strength", "Compressive strength of the masonry.", "MPa", "5 MPa") },
-    Question { assumed: "100 kN", ..question("axle", "Force of the axle whose multiple is sought.", "kN", "100 kN") },
+    question("rise", "Rise of the crown's intrados above the springings.", "m", "1.50 m")
+        .usual("1/12 to 1/2 of the span"),
+    question("thickness", "Thickness of the ring.", "m", "0.45 m").usual("1/40 to 1/10 of the span"),
+    question("width", "Width of the barrel that carries the road, between the parapets.", "m", "5.00 m")
+        .usual("1 m to 40 m"),
+    question("cover", "Depth of fill and surfacing over the crown, from its extrados to the road.", "m", "0.50 m")
+        .usual("at most 3 m"),
+    question("unit", "Length of a stone or brick along the ring.", "m", "0.30 m")
+        .assumed("0.30 m")
+        .usual("so short that seven or more make a ring"),
+    question("backing", "Height of solid backing above the springings; 0 where there is none.", "m", "0 m")
+        .assumed("0 m"),
+    question("density", "Density of the masonry, or its weight per volume.", "kg/m^3", "2200 kg/m^3")
+        .assumed("2200 kg/m^3")
+        .usual("1500 kg/m^3 to 3000 kg/m^3"),
+    question("strength", "Compressive strength of the masonry.", "MPa", "5 MPa")
+        .assumed("5 MPa")
+        .usual("0.5 MPa to 400 MPa"),
+    question("axle", "Force of the axle whose multiple is sought, or the mass on it.", "kN", "100 kN")
+        .assumed("100 kN")
+        .usual("10 kN to 450 kN"),
 ];
 
 /// How many spans stand in a row: the only question that is about the whole of a viaduct.
-pub const SPANS: Question =
-    Question { assumed: "1", ..question("spans", "Arches in a row; one where nothing is written.", "", "1") };
+pub const SPANS: Question = question("spans", "Arches in a row; one where nothing is written.", "", "1").assumed("1");
 
 /// What several spans need of their piers; a further one has its own as `pier_width_2`, `pier_height_2`, or those of the first. Nothing is
 /// assumed of the first: who sees the bridge sees its piers, and a stout or short pier that is not there would flatter it.
 pub const PIER: [Question; 2] = [
     question("pier_width", "Width of a pier along the road, at its top.", "m", "1.50 m"),
-    question("pier_height", "Height of a pier, from the springings down to the ground that carries it.", "m", "4.00 m"),
+    question("pier_height", "Height of a pier, from the springings down to the ground that carries it.", "m", "4.00 m")
+        .usual("1 to 12 times its width"),
 ];
 
 /// Most spans that a sheet may have.
@@ -143,6 +166,7 @@ fn read_in(text: &str, lines: &page::Lines, stone: &Answer) -> Vec<Unusable> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity;
 
     fn of(answers: &[(&str, &str)]) -> Result<String, Vec<Unusable>> {
         let of = |key: &str| answers.iter().find(|(name, _)| *name == key).map(|(_, text)| (*text).to_owned());
@@ -205,6 +229,46 @@ mod tests {
             assert_eq!(found.len(), 1, "{found:?}");
             assert!(found[0].key == key && found[0].severity == severity, "{found:?}");
         }
+    }
+
+    /// What is said to be usual is what the reader takes without a question, from one end to the other.
+    #[test]
+    fn both_ends_of_what_is_usual_are_taken_without_a_question() {
+        let piers = [("spans", "2"), ("pier_width", "1.5 m"), ("pier_height", "4 m")];
+        let found = |key: &str, value: &str| {
+            let usual = QUESTIONS.iter().map(|one| (one.key, one.example)).chain(piers);
+            let given: Vec<(&str, &str)> = std::iter::once((key, value)).chain(usual).collect();
+            findings("x", &|asked| given.iter().find(|one| one.0 == asked).map(|one| one.1.to_owned()))
+        };
+        // Shares of the span of 6 m, times of the width of 1.5 m, seven stones of its ring of 6.95 m.
+        let ends = [
+            ("rise", ["0.5 m", "3 m"]),
+            ("thickness", ["0.15 m", "0.6 m"]),
+            ("width", ["1 m", "40 m"]),
+            ("cover", ["0 m", "3 m"]),
+            ("unit", ["0.1 m", "0.99 m"]),
+            ("density", ["1500 kg/m^3", "3000 kg/m^3"]),
+            ("strength", ["0.5 MPa", "400 MPa"]),
+            ("axle", ["10 kN", "450 kN"]),
+            ("pier_height", ["1.5 m", "18 m"]),
+        ];
+        for question in QUESTIONS.iter().chain(&PIER).filter(|one| !one.usual.is_empty()) {
+            let (_, both) = ends.iter().find(|one| one.0 == question.key).unwrap();
+            for end in both {
+                assert_eq!(found(question.key, end), [], "{} = {end}", question.key);
+            }
+            let written: Vec<&str> = question.usual.split(" to ").filter(|end| quantity::parse(end).is_ok()).collect();
+            assert!(written.is_empty() || written == both, "{}: {written:?}", question.usual);
+        }
+    }
+
+    #[test]
+    fn weights_per_volume_and_tonnes_are_taken_as_they_are_written() {
+        let five: Vec<(&str, &str)> = QUESTIONS[..5].iter().map(|one| (one.key, one.example)).collect();
+        let text = of(&[&five[..], &[("density", "22 kN/m3"), ("axle", "11.5 t")]].concat()).unwrap();
+        let bridge = crate::read(text.as_bytes()).bridge.unwrap_or_else(|| panic!("{text}"));
+        assert!((bridge.masonry.density - 22e3 / 9.81).abs() < 1e-9, "{text}");
+        assert!(text.contains("axle_force = \"11.5 t\"\n"), "{text}");
     }
 
     const VIADUCT: [(&str, &str); 9] = [

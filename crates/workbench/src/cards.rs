@@ -111,7 +111,11 @@ pub fn codes() -> String {
 /// The ten numbers of a survey, and what several spans are asked beside them.
 #[wasm_bindgen]
 pub fn survey_questions() -> String {
-    let one = |one: &survey::Question| json!({ "key": one.key, "doc": one.doc, "unit": one.unit, "example": one.example, "assumed": one.assumed });
+    let one = |one: &survey::Question| {
+        json!({
+            "key": one.key, "doc": one.doc, "unit": one.unit, "example": one.example, "assumed": one.assumed, "usual": one.usual,
+        })
+    };
     let all = |list: &[survey::Question]| -> Value { list.iter().map(one).collect() };
     json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) }).to_string()
 }
@@ -212,6 +216,11 @@ pub fn library() -> Result<String, Thrown> {
                     json!({ "code": one.code, "title": one.title, "axles": axles, "uniform": !one.uniform.is_empty() })
                 })
                 .collect();
+            // A rule that gives a verdict, and names no vehicles, takes every case of a loading that it takes up.
+            let begun = |loading: &str| {
+                !loading.is_empty() && library.models.iter().any(|one| !one.only_by_name && one.loading == loading)
+            };
+            let only_by_name = model.only_by_name && !begun(&model.loading);
             let rules: Vec<&str> = library
                 .rules
                 .iter()
@@ -221,7 +230,7 @@ pub fn library() -> Result<String, Thrown> {
             json!({
                 "code": model.code, "title": model.title, "ways": model.ways, "vehicles": vehicles, "rules": rules,
                 "source": model.source.text, "confidence": model.source.confidence,
-                "longest_span": model.span_limit.as_ref().map(|limit| limit.longest_m),
+                "only_by_name": only_by_name, "longest_span": model.span_limit.as_ref().map(|limit| limit.longest_m),
             })
         })
         .collect();

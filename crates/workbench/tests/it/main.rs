@@ -205,6 +205,7 @@ fn a_survey_becomes_a_bridge_that_answers() {
     assert!(factor > 1.0 && factor <= dilatant && ended == 0.0, "{factor} {dilatant} {ended}");
     let questions = value(&cards::survey_questions());
     assert_eq!(["ten", "pier"].map(|list| questions[list].as_array().map(Vec::len)), [Some(10), Some(2)]);
+    assert_eq!(questions["ten"][2]["usual"], "1/40 to 1/10 of the span");
     assert!(cards::from_survey("{}").unwrap_err().0.message.contains("span"));
 }
 
@@ -220,6 +221,15 @@ fn rules_say_for_whom_they_are_and_whether_a_verdict_comes_of_them() {
     // Working stresses, and no safety at all.
     assert_eq!(of("irs-bridge-rules"), (json!(["rail"]), json!(false)));
     assert_eq!(of("characteristic"), (json!(["road", "rail"]), json!(false)));
+    // What a rule without vehicles does not take by itself.
+    let by_name = |code: &str| {
+        let model = library["models"].as_array().unwrap().iter().find(|model| model["code"] == code).unwrap();
+        model["only_by_name"].clone()
+    };
+    assert_eq!(
+        ["cs-454", "gb-restrictions", "lm2", "lm3"].map(by_name),
+        [json!(false), json!(true), json!(false), json!(true)]
+    );
 }
 
 #[test]
