@@ -78,7 +78,8 @@ export type Quantity = {
 /** What is wrong with an answer of a survey, or doubtful. */
 export type SurveyFinding = { key: string; severity: "error" | "warning"; message: string; help: string };
 export type SurveyOut = { text: string | null; findings: SurveyFinding[] };
-export type Question = { key: string; doc: string; unit: string; example: string; assumed: string };
+/** `usual` follows the word "usually"; empty where nothing is known. */
+export type Question = { key: string; doc: string; unit: string; example: string; assumed: string; usual: string };
 /** The ten numbers, the first three of which are those of a span; how many spans; and what is asked of a pier between them. */
 export type Questions = { ten: Question[]; spans: Question; pier: Question[] };
 
@@ -163,6 +164,8 @@ export type LibraryModel = {
   rules: string[];
   source: string;
   confidence: string;
+  /** Whether a rule that names no vehicles leaves it out. */
+  only_by_name: boolean;
   longest_span: number | null;
 };
 /** `judges` where a verdict can come of it: its factor on live loads gives safety and has a source. */

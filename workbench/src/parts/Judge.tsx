@@ -1,7 +1,7 @@
 /** What a bridge is judged by, in the engineer's words: what runs over it, by which code, and with which vehicles. Nothing is chosen for the engineer. */
-import { createMemo, createSignal, For, Show, type JSX } from "solid-js";
+import { createEffect, createMemo, createSignal, For, Show, type JSX } from "solid-js";
 import type { LibraryModel } from "../engine/types";
-import { judgedBy, withJudged, type Judged } from "../model/judged";
+import { allOf, codesOf, judgedBy, modelsOf, pickedBy, withJudged, type Judged } from "../model/judged";
 import { library } from "../model/library";
 import type { Sheet } from "../model/sheet";
 import { isElsewhere, write } from "../model/survey";
@@ -14,25 +14,40 @@ export function Judge(props: { id: string; start: Judged; change: (judged: Judge
   const modelOf = (code: string) => library()?.models.find((one) => one.code === code || one.vehicles.some((vehicle) => vehicle.code === code));
   const [chosen, setChosen] = createSignal<Traffic | null>(null);
   const [rule, setRule] = createSignal(props.start.rule);
-  const [vehicles, setVehicles] = createSignal(props.start.vehicles);
   const traffic = (): Traffic => {
-    const own = modelOf(vehicles())?.ways ?? (ruleOf(rule())?.ways.length === 1 ? ruleOf(rule())!.ways[0] : undefined);
+    const own = modelOf(props.start.vehicles.split(",")[0]!.trim())?.ways ?? (ruleOf(rule())?.ways.length === 1 ? ruleOf(rule())!.ways[0] : undefined);
     return chosen() ?? (own === "road" || own === "rail" ? own : "");
   };
   const rules = createMemo(() => (library()?.rules ?? []).filter((one) => one.ways.includes(traffic())));
-  const models = createMemo<LibraryModel[]>(() => (library()?.models ?? []).filter((one) => one.ways === traffic() && one.rules.includes(rule())));
-  const give = (): void => props.change(rule() !== "" && vehicles() !== "" ? { rule: rule(), vehicles: vehicles() } : null);
+  const models = createMemo<LibraryModel[]>(() => (library() ? modelsOf(library()!, traffic(), rule()) : []));
+  const all = createMemo(() => allOf(models()));
+  const [ticked, setTicked] = createSignal<Set<string> | null>(null);
+  const picked = (): Set<string> => ticked() ?? (rule() === "" ? new Set<string>() : pickedBy(models(), props.start.vehicles));
+  const give = (): void => {
+    const known = library();
+    props.change(known && rule() !== "" && picked().size > 0 ? { rule: rule(), vehicles: codesOf(known, traffic(), rule(), picked()) } : null);
+  };
   const pickTraffic = (value: string): void => {
     setChosen(value as Traffic);
-    if (!rules().some((one) => one.code === rule())) setRule("");
-    pickRule(rule());
+    pickRule(rules().some((one) => one.code === rule()) ? rule() : "");
   };
+  // A rule brings its vehicles; what must be carried besides, or alone, is ticked.
   const pickRule = (value: string): void => {
     setRule(value);
-    if (!models().some((model) => model.code === vehicles() || model.vehicles.some((one) => one.code === vehicles()))) setVehicles("");
+    setTicked(new Set(all()));
     give();
   };
-  const model = createMemo(() => modelOf(vehicles()));
+  const tick = (codes: string[], is: boolean): void => {
+    const next = new Set(picked());
+    for (const code of codes) is ? next.add(code) : next.delete(code);
+    setTicked(next);
+    give();
+  };
+  const codes = (one: LibraryModel): string[] => one.vehicles.map((vehicle) => vehicle.code);
+  const isAll = (): boolean => picked().size === all().size && [...all()].every((code) => picked().has(code));
+  const taken = createMemo(() => models().filter((one) => codes(one).some((code) => picked().has(code))));
+  const about = (one: LibraryModel): string =>
+    [one.only_by_name ? "not among “all”" : "", one.longest_span === null ? "" : `for spans up to ${one.longest_span} m`].filter((words) => words !== "").join(", ");
   return (
     <div class="judge">
       <div class="field wide">
@@ -57,30 +72,47 @@ export function Judge(props: { id: string; start: Judged; change: (judged: Judge
         </div>
       </Show>
       <Show when={rule() !== ""}>
-        <div class="field wide">
-          <label for={`${props.id}-vehicles`}>Vehicles that must be carried</label>
-          <select id={`${props.id}-vehicles`} onChange={(event) => {
-            setVehicles(event.currentTarget.value);
-            give();
-          }}>
-            <option value="" selected={vehicles() === ""}>choose …</option>
-            <For each={models()}>
-              {(one) => (
-                <optgroup label={one.title}>
-                  <Show when={one.vehicles.length > 1}>
-                    <option value={one.code} selected={vehicles() === one.code}>All {one.vehicles.length} of {one.title}</option>
-                  </Show>
-                  <For each={one.vehicles}>{(vehicle) => <option value={vehicle.code} selected={vehicles() === vehicle.code && (one.vehicles.length === 1 || vehicle.code !== one.code)}>{vehicle.title}</option>}</For>
-                </optgroup>
-              )}
-            </For>
-          </select>
-        </div>
+        <fieldset class="vehicles">
+          <legend>Vehicles that must be carried</legend>
+          <Tick is={isAll()} part={false} change={(is) => { setTicked(is ? new Set(all()) : new Set<string>()); give(); }}>
+            <b>All that go with the rule</b>
+          </Tick>
+          <For each={models()}>
+            {(one) => (
+              <div class="model">
+                <Tick is={codes(one).every((code) => picked().has(code))} part={codes(one).some((code) => picked().has(code))} change={(is) => tick(codes(one), is)}>
+                  {one.vehicles.length > 1 ? `${one.title}, all ${one.vehicles.length}` : one.title}
+                  <Show when={about(one)}>{(words) => <span class="soft"> ({words()})</span>}</Show>
+                </Tick>
+                <Show when={one.vehicles.length > 1}>
+                  <details open={codes(one).some((code) => picked().has(code)) && !codes(one).every((code) => picked().has(code))}>
+                    <summary>Some of {one.title}</summary>
+                    <For each={one.vehicles}>
+                      {(vehicle) => <Tick is={picked().has(vehicle.code)} part={false} change={(is) => tick([vehicle.code], is)}>{vehicle.title}</Tick>}
+                    </For>
+                  </details>
+                </Show>
+              </div>
+            )}
+          </For>
+          <Show when={picked().size === 0}>
+            <p class="complaint" role="status">Nothing is ticked: without a vehicle there is no verdict.</p>
+          </Show>
+        </fieldset>
       </Show>
-      <Show when={vehicles() !== "" && model()}>
-        {(one) => <p class="soft">Loads: {one().source} ({one().confidence}). Factors, impact and spread by the rule, each with its source in the report.</p>}
-      </Show>
+      <For each={taken()}>{(one) => <p class="soft">{one.title}: {one.source} ({one.confidence}).</p>}</For>
+      <Show when={taken().length > 0}><p class="soft">Factors, impact and spread by the rule, each with its source in the report.</p></Show>
     </div>
+  );
+}
+
+/** A box that is ticked, or ticked in part. */
+function Tick(props: { is: boolean; part: boolean; change: (is: boolean) => void; children: JSX.Element }): JSX.Element {
+  return (
+    <label class="tick">
+      <input type="checkbox" checked={props.is} ref={(box) => createEffect(() => (box.indeterminate = props.part && !props.is))} onChange={(event) => props.change(event.currentTarget.checked)} />
+      <span>{props.children}</span>
+    </label>
   );
 }
 
