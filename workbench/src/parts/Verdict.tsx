@@ -9,6 +9,7 @@ import { overItsWidth } from "../model/carried";
 import { judgedBy } from "../model/judged";
 import { library } from "../model/library";
 import type { Sheet } from "../model/sheet";
+import { trade, type Assessed } from "../model/verdict";
 import { liveEngine } from "../model/live";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
@@ -249,19 +250,26 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
       ? { factor, unit: found.adequacy_factor === undefined ? "× the load" : "× the vehicle", at: found.position_m }
       : null;
   };
+  const told = createMemo(() => (verdict().kind?.call === "assess" && object() ? trade(object() as Assessed) : null));
   const governing = () => {
     const factor = object()?.["adequacy_factor"] ?? object()?.["load_factor"];
     return typeof factor === "number" ? factor : null;
   };
   return (
-    <section class="block" aria-label="Answer" id="answer" tabindex="-1">
+    <section class="block" classList={{ telling: told() !== null }} aria-label="Answer" id="answer" tabindex="-1">
       <div>
         <span class="cap">{verdict().kind?.title ?? "Verdict"}</span>
         <Show when={load() !== null} fallback={
           <Show when={least()} fallback={<>
-              <span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>
-              <Show when={typeof object()?.["head"] === "string"}>
-                <div class="under" data-testid="head">{plainly(String(object()?.["head"]))}</div>
+              <span class="headline words" data-testid="verdict">{told()?.says ?? STATUS[status()] ?? (status() || "–")}</span>
+              <Show when={told()}>
+                {(found) => (
+                  <>
+                    <Show when={found().governs}>{(words) => <div class="under" data-testid="governs"><b>{typeset(words())}</b></div>}</Show>
+                    <For each={found().carries}>{(words) => <div class="under" data-testid="carries">{words}</div>}</For>
+                    <Show when={found().with}>{(words) => <div class="under soft" data-testid="head">{plainly(words())}</div>}</Show>
+                  </>
+                )}
               </Show>
               <Show when={/^(in)?adequate$/.test(status()) && assumed().length > 0}>
                 <div class="under" data-testid="on-assumptions">If what nobody measured is as assumed: the notes name it.</div>
@@ -288,7 +296,7 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
       <div>
         <span class="cap">By</span>
         <b>{String(object()?.["headline_from"] ?? verdict().kind?.about ?? "")}</b>
-        <div class="under">{status() ? `Status: ${status()}` : ""}</div>
+        <Show when={told() === null && status()}><div class="under">Status: {status()}</div></Show>
         <Show when={verdict().kind?.call === "assess" && rule()}><div class="under">{rule()}</div></Show>
         <Show when={governing() !== null}><div class="under">Factor on the load {figures(governing()!, 3)}</div></Show>
       </div>
