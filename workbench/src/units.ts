@@ -112,6 +112,64 @@ export function shown(written: string, system: System): { text: string; unit: st
   return { text: Number((number * conversion.times).toPrecision(6)).toString(), unit: conversion.to };
 }
 
+/** Units in which engineers write what a survey asks for in a metric unit, the usual one first. The reader of files knows all of them. */
+const CHOICES: Record<System, Record<string, string[]>> = {
+  metric: { m: ["m", "mm"], "kg/m^3": ["kg/m^3", "kN/m^3"], MPa: ["MPa", "N/mm^2"], kN: ["kN", "t"] },
+  imperial: { m: ["ft", "in"], "kg/m^3": ["lb/ft^3", "lbf/ft^3"], MPa: ["psi", "ksi"], kN: ["kip", "tonf"] },
+};
+export function choices(unit: string, system: System): string[] {
+  return CHOICES[system][unit] ?? (unit === "" ? [] : [unit]);
+}
+
+/** A unit as the reader of files suggests it: "kN/m³" and "kN/m3" are "kN/m^3". */
+function plain(unit: string): string {
+  return unit.replace("²", "^2").replace("³", "^3").replace(/(?<=m|ft|in)(?=[23]$)/, "^");
+}
+
+/** An answer for its field: its number where the field offers its unit, and its text with a unit of its own otherwise. */
+export function entry(written: string, unit: string, system: System): { text: string; unit: string } {
+  const offered = choices(unit, system);
+  const [usual = ""] = offered;
+  const match = QUANTITY.exec(written);
+  const own = plain((match?.[2] ?? "").trim());
+  if (match && match[1] !== "" && offered.includes(own)) return { text: match[1]!.trim(), unit: own };
+  const converted = shown(written, system);
+  if (converted.unit !== "" && offered.includes(converted.unit)) return converted;
+  return { text: written, unit: usual };
+}
+
+/** Gravity by which the reader of files takes a weight per volume for a density, and a mass for its weight [m/s²]. */
+const GRAVITY = 9.81;
+/** [unit, per, the other unit, how it is said]. */
+const SAME: [string, number, string, string][] = [
+  ["kN/m^3", 1000 / GRAVITY, "kg/m^3", "is"],
+  ["kg/m^3", GRAVITY / 1000, "kN/m^3", "weighs"],
+  ["t/m^3", GRAVITY, "kN/m^3", "weighs"],
+  ["t", GRAVITY, "kN", "weighs"],
+  ["kN", 1 / GRAVITY, "t", "is the weight of"],
+];
+
+/** What a weight per volume is as a density, a mass as a weight, and the other way: "22 kN/m^3 is 2243 kg/m^3 at g = 9.81 m/s^2". "" for all else. */
+export function also(written: string): string {
+  const match = QUANTITY.exec(written);
+  const number = Number((match?.[1] ?? "").replace(/[_ \u2009]/g, ""));
+  const same = SAME.find(([unit]) => unit === plain((match?.[2] ?? "").trim()));
+  if (!same || !match?.[1] || !Number.isFinite(number)) return "";
+  const [unit, per, other, says] = same;
+  return `${match[1].trim()} ${unit} ${says} ${Number((number * per).toPrecision(4))} ${other} at g = ${GRAVITY} m/s^2`;
+}
+
+/** Metric quantities within words, "1500 to 3000 kg/m^3", in the wanted system; what stands in quotation marks stays. */
+export function inSystem(words: string, system: System): string {
+  if (system === "metric") return words;
+  return words.replace(/"[^"]*"|(\d[\d.]*)(?: to (\d[\d.]*))? (kg\/m\^3|kN\/m\^3|GPa|MPa|kPa|kN|mm|m)(?![\w^/])/g, (all, low: string | undefined, high: string | undefined, unit: string) => {
+    const conversion = low === undefined ? undefined : IMPERIAL[unit];
+    if (!conversion) return all;
+    const said = (number: string): string => Number((Number(number) * conversion.times).toPrecision(3)).toString();
+    return `${said(low!)}${high === undefined ? "" : ` to ${said(high)}`} ${conversion.to}`;
+  });
+}
+
 /** What a person typed, as a quantity of the file: a bare number takes the unit that was shown. */
 export function meant(typed: string, unit: string): string {
   const trimmed = typed.trim().replace(/,/g, ".");

@@ -9,6 +9,7 @@ export type Answers = Record<string, string>;
 export type Wrong = { key: string; text: string; doubtful?: boolean };
 
 const TITLES: Record<string, string> = {
+  name: "Name of the bridge",
   spans: "Number of spans",
   span: "Span",
   rise: "Rise",

@@ -22,10 +22,16 @@ const survey = async (page) => {
   return (name) => page.getByLabel(name, { exact: true });
 };
 
-const judged = async (page, field, [traffic, rule, vehicles]) => {
+/** Without vehicles all that go with the rule stay ticked; otherwise those of a load model that are named, or all of it. */
+const judged = async (page, field, [traffic, rule, model, ...vehicles]) => {
   await field("Traffic over the bridge").selectOption(traffic);
   await field("Judged by").selectOption(rule);
-  await field("Vehicles that must be carried").selectOption(vehicles);
+  assert.ok(await field("All that go with the rule").isChecked(), "a rule brings its vehicles");
+  if (model === undefined) return;
+  await field("All that go with the rule").uncheck();
+  if (vehicles.length === 0) return page.getByRole("checkbox", { name: new RegExp(`^${model}, all`) }).check();
+  await page.getByText(`Some of ${model}`, { exact: true }).click();
+  for (const vehicle of vehicles) await page.getByRole("checkbox", { name: vehicle }).check();
 };
 
 const assessed = async (page) => {
@@ -79,7 +85,7 @@ test("a survey that names rule and vehicles ends in a verdict that says on what 
   assert.ok(await field("Judged by").locator('option[value="irs-bridge-rules"]').isDisabled());
   assert.equal(await field("Judged by").locator('option[value="cs-454"]').count(), 0);
   // One axle of a rule is not all that the rule asks for.
-  await judged(page, field, ["road", "cs-454", "cs454-single"]);
+  await judged(page, field, ["road", "cs-454", "CS 454 axles", "CS 454 single axle, 11.5 t"]);
   await until("the file has both", async () => /\[sweep\]\nrule = "cs-454"\nvehicles = \["cs454-single"\]/.test(await textOf(page)));
   await shot(page, "survey-judge-1280-light");
   await part(page, "Verdict");
@@ -88,7 +94,7 @@ test("a survey that names rule and vehicles ends in a verdict that says on what 
   assert.equal(await assessed(page), "Undetermined");
   await page.getByRole("region", { name: "Warnings and assumptions" }).getByText(/^Missing: load cases of CS 454 left out/).waitFor();
   await part(page, "Bridge");
-  await judged(page, field, ["road", "cs-454", "cs-454"]);
+  await judged(page, field, ["road", "cs-454", "CS 454 axles"]);
   await until("all axles of the rule", async () => /vehicles = \["cs-454"\]/.test(await textOf(page)));
   await part(page, "Verdict");
   assert.equal(await assessed(page), "Adequate");
@@ -106,6 +112,8 @@ test("a survey that names rule and vehicles ends in a verdict that says on what 
   assert.match(await textOf(page), /rule = "cs-454"/);
   await part(page, "Verdict");
   assert.equal(await assessed(page), "Not adequate");
+  assert.match(await page.getByTestId("governs").innerText(), /^CS 454 bogie, 2 x 10 t governs: factor 0\.\d+/);
+  await shot(page, "verdict-words-1280-light");
   assert.deepEqual(complaints.filter((one) => !/^Blocked script execution/.test(one)), []);
   await context.close();
 });
@@ -116,18 +124,20 @@ test("an assessment without a rule asks for it where it ends, in a survey and in
     const field = await survey(page);
     await field("Thickness of the ring").fill("0.35");
     await part(page, "Verdict");
-    assert.equal(await assessed(page), "Undetermined");
+    assert.equal(await assessed(page), "Undetermined: nothing was compared");
     assert.equal(await page.getByTestId("on-assumptions").count(), 0);
     assert.match(await page.locator(".block .notes").textContent(), /Missing: no rule for strength: “Verdict” asks for rule and vehicles, and so does a survey/);
     await page.getByText("The file names no rule that judges the bridge").waitFor();
-    await judged(page, field, ["rail", "nr-civ-025", "ra10"]);
+    await judged(page, field, ["rail", "nr-civ-025", "Route Availability", /^RA10:/]);
     await field("Traffic over the bridge").scrollIntoViewIfNeeded();
     await shot(page, `verdict-judge-${width}-${theme}`);
     assert.deepEqual(await serious(page), []);
     await page.getByRole("button", { name: "Write it into the file" }).click();
     await until("it is in the file", async () => /rule = "nr-civ-025"/.test(await textOf(page)));
     assert.equal(await page.locator("#judge-traffic").count(), 0);
-    assert.equal(await assessed(page), "Not adequate");
+    assert.equal(await assessed(page), "Not adequate for RA10");
+    assert.match(await page.getByTestId("governs").innerText(), /^RA10: 20 units.* governs: factor 0\.\d+, 1\.00 is asked for$/);
+    assert.match(await page.getByTestId("carries").innerText(), /^Route Availability: less than RA10$/);
     // The survey has the answer as well, and goes on writing the file.
     await part(page, "Bridge");
     assert.equal(await field("Judged by").inputValue(), "nr-civ-025");
@@ -141,7 +151,7 @@ test("an assessment without a rule asks for it where it ends, in a survey and in
   await openExample(page, "two-span");
   await headline(page);
   await part(page, "Verdict");
-  await judged(page, (name) => page.getByLabel(name, { exact: true }), ["road", "cs-454", "cs454-single"]);
+  await judged(page, (name) => page.getByLabel(name, { exact: true }), ["road", "cs-454", "CS 454 axles", "CS 454 single axle, 11.5 t"]);
   await page.getByRole("button", { name: "Write it into the file" }).click();
   await until("it is in the file", async () => /\[sweep\]\nrule = "cs-454"\nvehicles = \["cs454-single"\]/.test(await textOf(page)));
   assert.match(await textOf(page), /slender pier/);
@@ -168,4 +178,116 @@ test("the page names its own controls, and units as they are printed", async () 
   await page.getByRole("cell", { name: /^Deformable joints/ }).waitFor();
   await said("load");
   await context.close();
+});
+
+test("vehicles are ticked: all of the rule, several, none; the file has the codes", async () => {
+  for (const [width, theme] of [[1280, "light"], [390, "dark"]]) {
+    const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    const field = await survey(page);
+    await judged(page, field, ["road", "cs-454"]);
+    await until("the rule alone", async () => /\[sweep\]\nrule = "cs-454"\n# every vehicle of the library that goes with the rule\n/.test(await textOf(page)));
+    assert.ok(await page.getByRole("checkbox", { name: /^HB, all 4/ }).isChecked(), "what the rule brings is ticked");
+    assert.ok(!(await page.getByRole("checkbox", { name: /^British weight restrictions, all/ }).isChecked()), "and what it does not bring is not");
+    await page.getByRole("checkbox", { name: /^HB, all 4/ }).uncheck();
+    await page.getByText("Some of British weight restrictions", { exact: true }).click();
+    await page.getByRole("checkbox", { name: /^40 t/ }).check();
+    await until("several", async () => /vehicles = \["cs-454", "gb-40t"\]/.test(await textOf(page)));
+    assert.ok(!(await field("All that go with the rule").isChecked()));
+    await field("All that go with the rule").scrollIntoViewIfNeeded();
+    await shot(page, `survey-vehicles-${width}-${theme}`);
+    assert.deepEqual(await serious(page), []);
+    await field("All that go with the rule").check();
+    await until("all again", async () => /# every vehicle/.test(await textOf(page)));
+    await field("All that go with the rule").uncheck();
+    await until("none is no rule", async () => !/\[sweep\]/.test(await textOf(page)));
+    await page.getByText("Nothing is ticked").waitFor();
+    // A rule for road and rail names the road's vehicles.
+    await field("Judged by").selectOption("en-1991-2");
+    await until("road alone", async () => /rule = "en-1991-2"\nvehicles = \["lm1", "lm2"\]/.test(await textOf(page)));
+    await page.reload();
+    await headline(page);
+    assert.ok(await field("All that go with the rule").isChecked(), "kept on this machine");
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
+});
+
+test("the name stands over the drawing, units are those of engineers, and what is usual stands at the field", async () => {
+  for (const [width, theme] of [[1280, "dark"], [390, "light"]]) {
+    const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    const field = await survey(page);
+    await field("Name of the bridge").fill("Mill Lane, Upton");
+    await until("it is the title of the sheet", async () => (await page.locator(".sheet-title").textContent()) === "Mill Lane, Upton");
+    assert.match(await page.title(), /^Mill Lane, Upton/);
+    assert.match(await textOf(page), /name = "Mill Lane, Upton"/);
+    await field("Density of the masonry").fill("22 kN/m3");
+    await until("a weight per volume", async () => /density = "22 kN\/m3"\n/.test(await textOf(page)));
+    await page.getByText("22 kN/m³ is 2243 kg/m³ at g = 9.81 m/s².").waitFor();
+    await field("Density of the masonry").fill("23");
+    await field("Unit: Density of the masonry").selectOption("kN/m^3");
+    await until("by its unit", async () => /density = "23 kN\/m\^3"\n/.test(await textOf(page)));
+    await field("Axle").fill("11.5");
+    await field("Unit: Axle").selectOption("t");
+    await until("an axle in tonnes", async () => /axle_force = "11.5 t"\n/.test(await textOf(page)));
+    await page.getByText("11.5 t weighs 112.8 kN at g = 9.81 m/s².").waitFor();
+    assert.equal(await page.locator(".panel-body .complaint").count(), 0);
+    await field("Thickness of the ring").focus();
+    await page.getByText("Thickness of the ring. Usually 1/40 to 1/10 of the span.").waitFor();
+    await field("Strength of the masonry").focus();
+    await page.getByText(/Usually 0\.5 MPa to 400 MPa\. Of the library: .*brick.* 3 to 10 MPa/).waitFor();
+    await shot(page, `survey-units-${width}-${theme}`);
+    // Feet and pounds all through, and back with nothing lost.
+    await page.getByRole("button", { name: "Units: metric. Change" }).click();
+    assert.ok(Math.abs(Number(await field("Span").inputValue()) * 0.3048 - 6) < 1e-4);
+    assert.equal(await field("Unit: Span").inputValue(), "ft");
+    await field("Thickness of the ring").fill("18");
+    await field("Unit: Thickness of the ring").selectOption("in");
+    await until("inches", async () => /thickness = "18 in"\n/.test(await textOf(page)));
+    await field("Width of the barrel").focus();
+    await page.getByText(/Usually 3\.28 ft to 131 ft\./).waitFor();
+    assert.equal(await field("Axle").inputValue(), "11.5 t");
+    await shot(page, `survey-imperial-${width}-${theme}`);
+    const panel = await page.locator(".panel-body").innerText();
+    assert.ok(!/\d (?:m|mm|MPa|kN)\b/.test(panel), `metric left: ${/.{30}\d (?:m|mm|MPa|kN)\b/.exec(panel)?.[0]}`);
+    await page.getByRole("button", { name: "Units: imperial. Change" }).click();
+    assert.equal(await field("Thickness of the ring").inputValue(), "18 in");
+    assert.equal(await field("Unit: Density of the masonry").inputValue(), "kN/m^3");
+    assert.deepEqual(await serious(page), []);
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
+});
+
+test("rows of a spreadsheet are pasted into the survey, and what was not understood is told", async () => {
+  for (const [width, theme] of [[1280, "light"], [390, "light"]]) {
+    const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    const field = await survey(page);
+    const table = "Item\tValue\nBridge name\tMill Lane\nClear span\t7.20 m\nRise (mm)\t1650\nRing thickness\t0.55\nFill depth\t400 mm\nSkew\t12 deg\nUnit weight of masonry\t22 kN/m3\n";
+    await page.evaluate((text) => navigator.clipboard.writeText(text), table);
+    await field("Span").focus();
+    await page.keyboard.press("Control+v");
+    await until("the file follows", async () => /name = "Mill Lane"[\s\S]*span = "7.20 m"[\s\S]*rise = "1650 mm"[\s\S]*thickness = "0.55 m"[\s\S]*thickness = "400 mm"[\s\S]*density = "22 kN\/m3"/.test(await textOf(page)));
+    assert.equal(await field("Span").inputValue(), "7.20");
+    assert.equal(await field("Rise").inputValue(), "1650");
+    assert.equal(await field("Unit: Rise").inputValue(), "mm");
+    const told = page.locator(".told");
+    assert.match(await told.innerText(), /^6 rows taken: Name of the bridge Mill Lane; Span 7\.20 m;/);
+    assert.match(await told.innerText(), /Not understood:\s*row 7, “Skew: 12 deg”: no question of the survey has this name/);
+    await told.scrollIntoViewIfNeeded();
+    await shot(page, `survey-rows-${width}-${theme}`);
+    // One value goes into its field as ever, and a table may be typed as well.
+    await page.evaluate(() => navigator.clipboard.writeText("8.1"));
+    await field("Span").fill("");
+    await field("Span").focus();
+    await page.keyboard.press("Control+v");
+    await until("one value", async () => /span = "8.1 m"/.test(await textOf(page)));
+    await page.getByText("Paste rows from a spreadsheet").click();
+    await field("Rows of a spreadsheet").fill("rise, 2 m\nheight of the parapet, 1 m");
+    await page.getByRole("button", { name: "Fill in the fields" }).click();
+    await until("typed rows", async () => /rise = "2 m"/.test(await textOf(page)));
+    assert.match(await told.innerText(), /^1 row taken: Rise 2 m\./);
+    assert.deepEqual(await serious(page), []);
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
 });
