@@ -190,7 +190,12 @@ mod tests {
     fn feet_are_taken_and_slips_are_named() {
         let feet =
             [("span", "20 ft"), ("rise", "5 ft"), ("thickness", "18 in"), ("width", "16' 6\""), ("cover", "1.5 ft")];
-        assert!(crate::read(of(&feet).unwrap().as_bytes()).bridge.is_some());
+        let text = of(&feet).unwrap();
+        let read = crate::read(text.as_bytes());
+        assert!(read.bridge.is_some());
+        // What is assumed beside them is in feet as well: nobody is asked about a mixture.
+        assert!(read.diagnostics.iter().all(|one| one.code != "P033"), "{:?}\n{text}", read.diagnostics);
+        assert!(text.contains("width = \"16.5 ft\"\n"), "{text}");
         let wrong = of(&[("span", "six"), ("rise", "3 kN"), ("thickness", "0.4"), ("width", "")]).unwrap_err();
         let keys: Vec<&str> = wrong.iter().map(|one| one.key.as_str()).collect();
         assert_eq!(keys, ["span", "rise", "width", "cover"]);

@@ -30,6 +30,19 @@ pub(super) struct Answer {
     pub assumed: String,
 }
 
+/// A length [m] in feet, to less than a thousandth of a millimetre.
+pub(super) fn feet(metres: f64) -> String {
+    let foot = Dimension::Length.units().find(|unit| unit.symbol == "ft").map_or(1.0, |unit| unit.size);
+    format!("{} ft", (metres / foot * 1e6).round() / 1e6)
+}
+
+impl Answer {
+    /// Whether it is in feet, inches or yards.
+    pub(super) fn imperial(&self) -> bool {
+        quantity::parse(&self.text).is_ok_and(|found| found.unit.imperial())
+    }
+}
+
 /// What the sheet says, and what of it is no value.
 pub(super) struct Answers<'a> {
     said: &'a dyn Fn(&str) -> Option<String>,
@@ -123,9 +136,7 @@ impl<'a> Answers<'a> {
             Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
                 // Feet and inches are written with marks that end a text in the file.
                 let marked = text.contains(['"', '\\']);
-                // To a thousandth of a millimetre: feet are 0.3048 m, which binary numbers do not hit.
-                let metres = || format!("{} m", (found.si() * 1e6).round() / 1e6);
-                let text = if marked { metres() } else { text };
+                let text = if marked { feet(found.si()) } else { text };
                 Answer { key: key.to_owned(), text, si: found.si(), assumed: String::new() }
             }
             Ok(found) => {

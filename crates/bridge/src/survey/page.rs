@@ -1,6 +1,6 @@
 //! The bridge file of a survey sheet: every value that nobody gave has a remark.
 
-use super::Answer;
+use super::answers::{Answer, feet};
 use std::fmt::Write;
 
 /// What a sheet says, and what is assumed where it does not.
@@ -77,12 +77,16 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
              [dispersal]\nrule = \"uniform\"\nslope = \"2:1\"\n\n\
              [[load]]\nname = \"axle\"\nkind = \"axle\"\n";
     line(&mut page, "axle_force", &sheet.axle);
+    // Lengths in the system of the span, so that nobody is asked about a mixture.
+    let in_feet = sheet.spans.first().is_some_and(|[span, ..]| span.imperial());
+    let length = |metres: f64, decimals: usize| if in_feet { feet(metres) } else { format!("{metres:.decimals$} m") };
     let _ = writeln!(
         page,
-        "contact_length = \"0.30 m\"  # assumed\n\
-         effective_width = \"{:.3} m\"  # assumed: a track of 1.8 m, spread 1:2 through the cover, not wider than the barrel\n\
+        "contact_length = \"{}\"  # assumed\n\
+         effective_width = \"{}\"  # assumed: a track of 1.8 m, spread 1:2 through the cover, not wider than the barrel\n\
          at = \"1/4 of span 1\"",
-        (1.8 + sheet.cover.si.max(0.0)).min(sheet.width.si)
+        length(0.3, 2),
+        length((1.8 + sheet.cover.si.max(0.0)).min(sheet.width.si), 3)
     );
     if let Some((rule, vehicles)) = &sheet.judged {
         let _ = writeln!(page, "\n[sweep]\nrule = \"{rule}\"");
