@@ -138,6 +138,14 @@ export function entry(written: string, unit: string, system: System): { text: st
   return { text: written, unit: usual };
 }
 
+/** An answer as its field shows it, with its unit; as it is where the field has no unit for it. `digits` are those of a number that is converted. */
+export function restated(written: string, unit: string, system: System, digits = 6): string {
+  const there = entry(written, unit, system);
+  const same = shown(written, "metric");
+  if (!choices(unit, system).includes(there.unit) || there.unit === plain(same.unit) || there.text === written || there.text === "") return written;
+  return `${Number(Number(there.text).toPrecision(digits))} ${there.unit}`;
+}
+
 /** Gravity by which the reader of files takes a weight per volume for a density, and a mass for its weight [m/s²]. */
 const GRAVITY = 9.81;
 /** [unit, per, the other unit, how it is said]. */

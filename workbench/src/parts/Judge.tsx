@@ -1,4 +1,4 @@
-/** What a bridge is judged by, in the engineer's words: what runs over it, by which code, and with which vehicles. Nothing is chosen for the engineer. */
+/** What a bridge is judged by, in the words of engineers: what runs over it, by which code, and with which vehicles. Neither traffic nor rule is chosen for the engineer; a rule brings its vehicles. */
 import { createEffect, createMemo, createSignal, For, Show, type JSX } from "solid-js";
 import type { LibraryModel } from "../engine/types";
 import { allOf, codesOf, judgedBy, modelsOf, pickedBy, withJudged, type Judged } from "../model/judged";
@@ -6,6 +6,8 @@ import { library } from "../model/library";
 import type { Sheet } from "../model/sheet";
 import { isElsewhere, write } from "../model/survey";
 import { say } from "../model/workspace";
+import { system } from "../shell/settings";
+import { inSystem } from "../units";
 
 type Traffic = "" | "road" | "rail";
 
@@ -47,7 +49,7 @@ export function Judge(props: { id: string; start: Judged; change: (judged: Judge
   const isAll = (): boolean => picked().size === all().size && [...all()].every((code) => picked().has(code));
   const taken = createMemo(() => models().filter((one) => codes(one).some((code) => picked().has(code))));
   const about = (one: LibraryModel): string =>
-    [one.only_by_name ? "not among “all”" : "", one.longest_span === null ? "" : `for spans up to ${one.longest_span} m`].filter((words) => words !== "").join(", ");
+    [one.only_by_name ? "not among “all”" : "", one.longest_span === null ? "" : `for spans up to ${inSystem(`${one.longest_span} m`, system())}`].filter((words) => words !== "").join(", ");
   return (
     <div class="judge">
       <div class="field wide">

@@ -6,7 +6,7 @@ import { rowsOf, type Rows } from "../model/rows";
 import type { Sheet } from "../model/sheet";
 import { isElsewhere, spansOf, titleOf, write, type Answers, type Wrong } from "../model/survey";
 import { system } from "../shell/settings";
-import { also, choices, entry, inSystem, meant } from "../units";
+import { also, choices, entry, inSystem, meant, restated } from "../units";
 import { typeset } from "../wording";
 import { Judge } from "./Judge";
 
@@ -32,8 +32,13 @@ export function Survey(props: { sheet: Sheet }): JSX.Element {
     props.sheet.survey[1](now);
     if (!held) void put(now, mark);
   };
+  const known = (): Question[] => [...(questions()?.ten ?? []), ...(questions()?.pier ?? [])];
+  const ofKey = (key: string): Question | undefined => known().find((one) => one.key === key.replace(/_\d+$/, ""));
+  // In feet and pounds all answers are what their fields show, so that the file is in one system.
+  const inOne = (all: Answers): Answers =>
+    system() === "metric" ? { ...all } : Object.fromEntries(Object.entries(all).map(([key, written]) => [key, restated(written, ofKey(key)?.unit ?? "", system())]));
   const give: Give = (key, typed, unit) => {
-    const now = { ...answers() };
+    const now = inOne(answers());
     if (typed.trim() === "") delete now[key];
     else now[key] = key === "name" ? typed.trim() : meant(typed, unit);
     take(now, `survey ${key}`);
@@ -45,17 +50,16 @@ export function Survey(props: { sheet: Sheet }): JSX.Element {
     },
     wrong: (key) => wrong().find((one) => one.key === key),
   };
-  const known = (): Question[] => [...(questions()?.ten ?? []), ...(questions()?.pier ?? [])];
   // Rows of a table fill fields; these are made anew then, and where the units change.
   const [filled, setFilled] = createSignal(0);
   const [rows, setRows] = createSignal<(Rows & { units: string }) | null>(null);
   let told!: HTMLDivElement;
   const fill = (text: string): boolean => {
-    const found = rowsOf(text, (key) => unitOf(known().find((one) => one.key === key.replace(/_\d+$/, ""))));
+    const found = rowsOf(text, (key) => unitOf(ofKey(key)));
     if (Object.keys(found.answers).length === 0 && found.left.length === 0) return false;
     setRows({ ...found, units: system() });
     if (Object.keys(found.answers).length > 0) {
-      take({ ...answers(), ...found.answers }, "survey rows");
+      take(inOne({ ...answers(), ...found.answers }), "survey rows");
       setFilled((count) => count + 1);
     }
     queueMicrotask(() => told.focus());

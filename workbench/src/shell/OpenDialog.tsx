@@ -6,7 +6,9 @@ import { engineOnItsWay, examples } from "../model/library";
 import { liveEngine } from "../model/live";
 import { open, say, setPart } from "../model/workspace";
 import { setTab } from "../parts/BridgePanel";
+import { restated } from "../units";
 import { openFiles } from "./files";
+import { system } from "./settings";
 
 export async function openExample(example: Example, main = example.main): Promise<void> {
   try {
@@ -31,7 +33,7 @@ const sayName = (name: string): string => name.replace(/-/g, " ").replace(/^./, 
 export async function openSurvey(): Promise<void> {
   try {
     const { ten } = await liveEngine.call<Questions>("questions");
-    const answers = Object.fromEntries(ten.filter((question) => question.assumed === "").map((question) => [question.key, question.example]));
+    const answers = Object.fromEntries(ten.filter((question) => question.assumed === "").map((question) => [question.key, restated(question.example, question.unit, system(), 3)]));
     const { text, findings } = await liveEngine.call<SurveyOut>("fromSurvey", { answers });
     if (text === null) throw new Error(findings.map(sentences).join(" "));
     const sheet = open({ path: "bridge.toml", text, survey: answers });

@@ -87,3 +87,59 @@ test("axe finds nothing serious in any part, light and dark, wide and narrow", a
     await context.close();
   }
 });
+
+test("every stop of the survey and of the verdict is seen, in the order in which it is read", async () => {
+  for (const width of [1280, 390]) {
+    const { page, complaints, context } = await visit({ width, height: width === 390 ? 844 : 800, calm: true });
+    await page.getByRole("button", { name: "Ten survey numbers" }).click();
+    await headline(page);
+    await page.getByLabel("Traffic over the bridge").selectOption("road");
+    await page.getByLabel("Judged by").selectOption("cs-454");
+    const walk = async (steps) => {
+      const stops = [];
+      for (let k = 0; k < steps; k += 1) {
+        const stop = await page.evaluate(() => {
+          const one = document.activeElement;
+          const shown = [one, one.closest(".entry")].filter(Boolean).some((element) => {
+            const style = getComputedStyle(element);
+            return style.outlineStyle !== "none" && Number.parseFloat(style.outlineWidth) >= 1;
+          });
+          const { left, right, top, bottom } = one.getBoundingClientRect();
+          const covered = [[left + 4, top + 4], [right - 4, bottom - 4]].some(([x, y]) => {
+            const there = document.elementFromPoint(x, y);
+            return !there || !(one.contains(there) || there.contains(one));
+          });
+          return { name: one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? one.textContent.trim(), shown, covered, wide: left < 0 || right > innerWidth, in: one.closest("#panel") !== null };
+        });
+        if (!stop.in) break;
+        stops.push(stop);
+        await page.keyboard.press("Tab");
+      }
+      for (const one of stops) assert.ok(one.shown && !one.covered && !one.wide, `${width}: the focus on "${one.name}" is seen: ${JSON.stringify(one)}`);
+      return stops.map((one) => one.name);
+    };
+    await page.getByLabel("Name of the bridge").focus();
+    const names = await walk(60);
+    assert.deepEqual(names.slice(0, 6), ["Name of the bridge", "Number of spans", "Span", "Unit: Span", "Rise", "Unit: Rise"]);
+    const at = (name) => names.findIndex((one) => one.startsWith(name));
+    const order = ["Axle", "Unit: Axle", "Paste rows", "Traffic over", "Judged by", "All that go", "HB, all 4", "Some of HB", "CS 454 axles, all 6"].map(at);
+    assert.ok(order.every((one, k) => one > 0 && (k === 0 || one > order[k - 1])), `${order}: ${names}`);
+    // And back up again, where a drawing that stays in its place may hide what lies behind it.
+    await page.getByLabel("Judged by").focus();
+    for (let k = 0; k < 14; k += 1) await page.keyboard.press("Shift+Tab");
+    await walk(1);
+    // A box is ticked by the space bar.
+    await page.getByRole("checkbox", { name: /^HB, all 4/ }).focus();
+    await page.keyboard.press("Space");
+    assert.equal(await page.getByRole("checkbox", { name: /^HB, all 4/ }).isChecked(), false);
+    await part(page, "Verdict");
+    await page.getByRole("button", { name: /^Assessment with report/ }).focus();
+    // By the keys, as who uses them comes there.
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Shift+Tab");
+    assert.match((await walk(20)).join(" | "), /^Assessment with report.*Collapse load.*Load moved.*The bridge file/);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing is cut");
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
+});

@@ -114,6 +114,10 @@ test("a survey that names rule and vehicles ends in a verdict that says on what 
   assert.equal(await assessed(page), "Not adequate");
   assert.match(await page.getByTestId("governs").innerText(), /^CS 454 bogie, 2 x 10 t governs: factor 0\.\d+/);
   await shot(page, "verdict-words-1280-light");
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.getByTestId("governs").scrollIntoViewIfNeeded();
+  await shot(page, "verdict-words-390-light");
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing is cut on a phone");
   assert.deepEqual(complaints.filter((one) => !/^Blocked script execution/.test(one)), []);
   await context.close();
 });
@@ -243,6 +247,9 @@ test("the name stands over the drawing, units are those of engineers, and what i
     await field("Thickness of the ring").fill("18");
     await field("Unit: Thickness of the ring").selectOption("in");
     await until("inches", async () => /thickness = "18 in"\n/.test(await textOf(page)));
+    await until("the others with it", async () => /span = "19.685 ft"\n/.test(await textOf(page)));
+    assert.equal(await page.locator(".panel-body .complaint").count(), 0);
+    await page.getByRole("tab", { name: "Findings", exact: true }).waitFor();
     await field("Width of the barrel").focus();
     await page.getByText(/Usually 3\.28 ft to 131 ft\./).waitFor();
     assert.equal(await field("Axle").inputValue(), "11.5 t");

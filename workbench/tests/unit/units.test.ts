@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { also, choices, dimension, entry, figures, grouped, inSystem, lineLoad, meant, shown } from "../../src/units";
+import { also, choices, dimension, entry, figures, grouped, inSystem, lineLoad, meant, restated, shown } from "../../src/units";
 
 describe("numbers as an engineer writes them", () => {
   it("groups digits and keeps signs", () => {
@@ -51,6 +51,14 @@ describe("fields of a survey", () => {
     expect(entry("11.5 t", "kN", "imperial")).toEqual({ text: "11.5 t", unit: "kip" });
     expect(entry("", "m", "metric")).toEqual({ text: "", unit: "m" });
     expect(entry("3", "", "imperial")).toEqual({ text: "3", unit: "" });
+  });
+  it("an answer is restated as its field shows it, and stays where the field has no unit for it", () => {
+    expect(restated("6.00 m", "m", "imperial")).toBe("19.685 ft");
+    expect(restated("6.00 m", "m", "imperial", 3)).toBe("19.7 ft");
+    expect(restated("450 mm", "m", "imperial")).toBe("17.7165 in");
+    for (const [written, unit] of [["20 ft", "m"], ["19' 8\"", "m"], ["11.5 t", "kN"], ["22 kN/m^3", "kg/m^3"], ["wide", "m"], ["3", ""], ["Mill Lane", ""]] as const) expect(restated(written, unit, "imperial")).toBe(written);
+    expect(restated("20 ft", "m", "metric")).toBe("20 ft");
+    expect(restated("6.00 m", "m", "metric")).toBe("6.00 m");
   });
   it("words in metric units are said in imperial ones, but for what somebody wrote", () => {
     expect(inSystem("masonry usually weighs 1500 to 3000 kg/m^3", "imperial")).toBe("masonry usually weighs 93.6 to 187 lb/ft^3");
