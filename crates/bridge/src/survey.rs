@@ -195,7 +195,7 @@ mod tests {
         assert!(read.bridge.is_some());
         // What is assumed beside them is in feet as well: nobody is asked about a mixture.
         assert!(read.diagnostics.iter().all(|one| one.code != "P033"), "{:?}\n{text}", read.diagnostics);
-        assert!(text.contains("width = \"16.5 ft\"\n"), "{text}");
+        assert!(text.contains("width = \"16.5 ft\"\n") && text.contains("contact_length = \"0.984 ft\""), "{text}");
         let wrong = of(&[("span", "six"), ("rise", "3 kN"), ("thickness", "0.4"), ("width", "")]).unwrap_err();
         let keys: Vec<&str> = wrong.iter().map(|one| one.key.as_str()).collect();
         assert_eq!(keys, ["span", "rise", "width", "cover"]);

@@ -85,7 +85,8 @@ test("a survey of a viaduct in feet: what is assumed is told, a mass counts by i
   const weighed = await headline(page);
   await field("Axle").fill("245");
   await until("the axle is taken", async () => /245 kN/.test(await textOf(page)));
-  const width = Number(/effective_width = "([\d.]+) m"/.exec(await textOf(page))[1]);
+  // What is assumed beside feet is in feet.
+  const width = 0.3048 * Number(/effective_width = "([\d.]+) ft"/.exec(await textOf(page))[1]);
   const perMetre = await headline(page);
   assert.ok(Math.abs(perMetre / weighed - 1) < 1e-3, `${weighed} and ${perMetre}`);
   const onAxle = Number(/([\d.]+)\s*kN on the axle/.exec(await page.locator(".block").innerText())[1]);

@@ -30,10 +30,11 @@ pub(super) struct Answer {
     pub assumed: String,
 }
 
-/// A length [m] in feet, to less than a thousandth of a millimetre.
-pub(super) fn feet(metres: f64) -> String {
+/// A length [m] in feet, with at most so many decimals.
+pub(super) fn feet(metres: f64, decimals: i32) -> String {
     let foot = Dimension::Length.units().find(|unit| unit.symbol == "ft").map_or(1.0, |unit| unit.size);
-    format!("{} ft", (metres / foot * 1e6).round() / 1e6)
+    let parts = 10_f64.powi(decimals);
+    format!("{} ft", (metres / foot * parts).round() / parts)
 }
 
 impl Answer {
@@ -136,7 +137,8 @@ impl<'a> Answers<'a> {
             Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
                 // Feet and inches are written with marks that end a text in the file.
                 let marked = text.contains(['"', '\\']);
-                let text = if marked { feet(found.si()) } else { text };
+                // To less than a thousandth of a millimetre.
+                let text = if marked { feet(found.si(), 6) } else { text };
                 Answer { key: key.to_owned(), text, si: found.si(), assumed: String::new() }
             }
             Ok(found) => {

@@ -79,7 +79,8 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
     line(&mut page, "axle_force", &sheet.axle);
     // Lengths in the system of the span, so that nobody is asked about a mixture.
     let in_feet = sheet.spans.first().is_some_and(|[span, ..]| span.imperial());
-    let length = |metres: f64, decimals: usize| if in_feet { feet(metres) } else { format!("{metres:.decimals$} m") };
+    let length =
+        |metres: f64, decimals: usize| if in_feet { feet(metres, 3) } else { format!("{metres:.decimals$} m") };
     let _ = writeln!(
         page,
         "contact_length = \"{}\"  # assumed\n\
