@@ -1,6 +1,6 @@
 /** The bridge as built, as on an engineer's drawing: the layer that changes with the bridge and not with the load. */
 import type { Dimension, Picture, Point } from "../engine/types";
-import { dimension, type System } from "../units";
+import { dimension, inSystem, type System } from "../units";
 import { typeset } from "../wording";
 import { label, line, pathOf, trace, type Pen } from "./canvas";
 import type { Ink } from "./ink";
@@ -280,7 +280,7 @@ function arrow(pen: Pen, x: number, y: number, ux: number, uy: number, length: n
 }
 
 /** Names of the layers above the right end of the road, each with a leader to its layer. */
-export function layerNames({ pen, view, ink, width }: Sheet, picture: Picture): void {
+export function layerNames({ pen, view, ink, width, system }: Sheet, picture: Picture): void {
   const bands = picture.bands.filter((band) => band.outlines.some((outline) => outline.length > 2));
   if (bands.length === 0 || width < 560) return;
   pen.font = `400 12px ${ink.font}`;
@@ -295,7 +295,7 @@ export function layerNames({ pen, view, ink, width }: Sheet, picture: Picture): 
     const near = points.filter((p) => p[0] > right - 0.02);
     const top = Math.max(...near.map((p) => p[1]));
     const bottom = Math.min(...near.map((p) => p[1]));
-    return { text: typeset(`${band.name}${band.size ? ` ${band.size}` : ""}`), right, y: Math.max((bottom + top) / 2, top - 0.4), top };
+    return { text: typeset(inSystem(`${band.name}${band.size ? ` ${band.size}` : ""}`, system)), right, y: Math.max((bottom + top) / 2, top - 0.4), top };
   });
   notes.sort((a, b) => b.y - a.y);
   const end = Math.min(width - 14, view.x(Math.max(...notes.map((note) => note.right))));

@@ -184,7 +184,7 @@ function Answer(props: { question: Question; asked: Asked; title: string }): JSX
     <div class="field" classList={{ wrong: refused() }}>
       <label for={id}>{props.title}</label>
       <div class="entry">
-        <input id={id} value={start.text} placeholder={question.assumed && unit() === usual ? entry(question.assumed, question.unit, system()).text : ""} inputmode="decimal" autocomplete="off" aria-describedby={mine() ? `${id}-doc ${id}-wrong` : `${id}-doc`} aria-invalid={refused()} onInput={(event) => {
+        <input id={id} value={typeset(start.text)} placeholder={question.assumed && unit() === usual ? entry(inSystem(question.assumed, system()), question.unit, system()).text : ""} inputmode="decimal" autocomplete="off" aria-describedby={mine() ? `${id}-doc ${id}-wrong` : `${id}-doc`} aria-invalid={refused()} onInput={(event) => {
           setTyped(event.currentTarget.value);
           props.asked.give(question.key, event.currentTarget.value, unit());
         }} />

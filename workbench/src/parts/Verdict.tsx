@@ -13,7 +13,7 @@ import { trade, type Assessed } from "../model/verdict";
 import { liveEngine } from "../model/live";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
-import { figures, lineLoad, place, words } from "../units";
+import { figures, inSystem, lineLoad, place, words } from "../units";
 import { plainly, typeset } from "../wording";
 import { goToText } from "./BridgePanel";
 import { JudgeFile } from "./Judge";
@@ -233,7 +233,7 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     const texts = (key: string): string[] => ((found[key] as string[] | undefined) ?? []).map(plainly);
     const missing = texts("missing");
     for (const text of missing) list.push({ kind: "warn", text: `Missing: ${text}` });
-    if (assumed().length > 0) list.push({ kind: "", text: typeset(`Assumed by the file, measured by nobody: ${assumed().join("; ")}.`) });
+    if (assumed().length > 0) list.push({ kind: "", text: typeset(inSystem(`Assumed by the file, measured by nobody: ${assumed().join("; ")}.`, system())) });
     for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${plainly(one.message ?? "")}`, ...(one.line ? { line: one.line } : {}) });
     // What the command says beside the verdict, in the same words.
     for (const text of texts("beside")) list.push({ kind: "", text: `Beside the verdict: ${text}` });

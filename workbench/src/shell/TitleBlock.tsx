@@ -7,7 +7,7 @@ import { overItsWidth } from "../model/carried";
 import type { Sheet } from "../model/sheet";
 import { part, setPart } from "../model/workspace";
 import { goToText } from "../parts/BridgePanel";
-import { figures, lineLoad, place, words, type System } from "../units";
+import { figures, inSystem, lineLoad, place, words, type System } from "../units";
 import { plainly, typeset } from "../wording";
 import { system } from "./settings";
 
@@ -99,7 +99,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text: plainly(text) });
     const assumed = assumedIn(props.sheet.text());
-    if (assumed.length > 0) list.push({ kind: "", text: typeset(`Assumed by the file: ${assumed.join("; ")}.`) });
+    if (assumed.length > 0) list.push({ kind: "", text: typeset(inSystem(`Assumed by the file: ${assumed.join("; ")}.`, system())) });
     return list;
   }, [], {
     // A new answer with the same notes leaves them where they are.

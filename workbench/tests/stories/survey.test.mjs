@@ -248,6 +248,8 @@ test("the name stands over the drawing, units are those of engineers, and what i
     await field("Unit: Thickness of the ring").selectOption("in");
     await until("inches", async () => /thickness = "18 in"\n/.test(await textOf(page)));
     await until("the others with it", async () => /span = "19.685 ft"\n/.test(await textOf(page)));
+    assert.match(await textOf(page), /contact_length = "0.984 ft"/);
+    await until("what is assumed as well", async () => /over its 7\.546 ft[\s\S]*layer density 119 lb\/ft³/.test(await page.locator(".block").innerText()));
     assert.equal(await page.locator(".panel-body .complaint").count(), 0);
     await page.getByRole("tab", { name: "Findings", exact: true }).waitFor();
     await field("Width of the barrel").focus();
