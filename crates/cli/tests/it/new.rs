@@ -18,7 +18,7 @@ fn five_numbers_and_a_rule_make_a_file_that_is_judged() {
     assert!(answer["assumed"].as_array().is_some_and(|assumed| assumed.len() == 9), "{answer}");
     let text = stage.read("mill-lane/bridge.toml");
     for line in
-        ["name = \"mill-lane\"", "span = \"6 m\"", "thickness = \"18 in\"", "width = \"5.0292", "rule = \"cs-454\""]
+        ["name = \"mill-lane\"", "span = \"6 m\"", "thickness = \"18 in\"", "width = \"16.5 ft\"", "rule = \"cs-454\""]
     {
         assert!(text.contains(line), "{line} is not in\n{text}");
     }
