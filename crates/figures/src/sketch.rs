@@ -56,7 +56,7 @@ mod tests {
             Shape { outline, role: "voussoir".into(), held: k == 0 || k == 4 }
         };
         let hinge = |k: usize| {
-            let (edge, y) = if k % 2 == 0 { (HingeAt::Extrados, 1.0) } else { (HingeAt::Intrados, 0.0) };
+            let (edge, y) = if k.is_multiple_of(2) { (HingeAt::Extrados, 1.0) } else { (HingeAt::Intrados, 0.0) };
             Hinge { point: [k as f64, y], edge, between: [k - 1, k], rotation: 1.0 }
         };
         let picture = Picture {

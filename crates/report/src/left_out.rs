@@ -82,9 +82,12 @@ fn table(words: &str) -> Option<&str> {
 /// Where most limits are from.
 const USUAL: &str = ", from the rule that you assess by";
 
+/// Why checks were not made, which, and what to write with the codes that it serves.
+type Reason<'a> = (String, Vec<&'a OpenRow>, Vec<(String, Vec<&'a str>)>);
+
 /// Checks that were not made, a row a reason: why, which, and what to write for each.
 fn by_reason(open: &[OpenRow]) -> Vec<Vec<String>> {
-    let mut rows: Vec<(String, Vec<&OpenRow>, Vec<(String, Vec<&str>)>)> = Vec::new();
+    let mut rows: Vec<Reason<'_>> = Vec::new();
     for row in open {
         let (why, remedy) = row.why.split_once(": write ").unwrap_or((&row.why, ""));
         let why = if row.failed { format!("an analysis came to no end: {why}") } else { why.to_owned() };
@@ -102,7 +105,7 @@ fn by_reason(open: &[OpenRow]) -> Vec<Vec<String>> {
         }
     }
     rows.sort_by_key(|(_, checks, _)| std::cmp::Reverse(checks.len()));
-    let told = |(why, checks, remedies): (String, Vec<&OpenRow>, Vec<(String, Vec<&str>)>)| {
+    let told = |(why, checks, remedies): Reason<'_>| {
         let checks: Vec<String> = checks.iter().map(|row| format!("{} {}", row.code, row.title)).collect();
         let several = remedies.len() > 1;
         // The table that all of them stand in is named once.
