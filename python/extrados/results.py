@@ -108,7 +108,7 @@ def _pixels(wanted: Any) -> int:
     return wanted.__index__()
 
 
-_OF_THE_CALL = ("wall_seconds", "seconds", "threads", "runs_from_cache", "evaluations_taken_up")
+_OF_THE_CALL = ("wall_seconds", "seconds", "threads", "version", "runs_from_cache", "evaluations_taken_up")
 """Fields that tell how a call went, and not what it found."""
 
 
@@ -147,6 +147,8 @@ class Result:
     """How long the call took [s]."""
     threads: int
     """On how many threads."""
+    version: str
+    """Version of the program, and in a release its commit."""
     schema: str
     """Name and version of the object."""
     bridge: str
