@@ -42,7 +42,7 @@ const SAMPLED = (4 * Math.SQRT2) / Math.sqrt(10_000);
 const POSTERIOR = /standard_deviation|interval_95|correlation(?!s)|model_error/;
 
 /** What only the command knows: its clock, its folder, how it was built (A161: without the printer of PDF). */
-const OF_THE_COMMAND = ["wall_seconds", "threads", "out", "files", "stages", "input_hash", "evaluations_taken_up"];
+const OF_THE_COMMAND = ["wall_seconds", "threads", "version", "out", "files", "stages", "input_hash", "evaluations_taken_up"];
 const BUILT = ["A161"];
 function ofTheCommand(result) {
   OF_THE_COMMAND.forEach((key) => delete result[key]);
