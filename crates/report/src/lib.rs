@@ -9,6 +9,7 @@ mod numbers;
 mod page;
 mod parts;
 mod rows;
+mod springings;
 mod summary;
 
 pub use assessed::Assessed;

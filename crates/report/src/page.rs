@@ -8,6 +8,7 @@ use crate::parts::{self, Part};
 use crate::rows::{
     self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, EveryRow, FitRow, OpenRow, VehicleRow,
 };
+use crate::springings::springings;
 use crate::summary::{self, Summary};
 use askama::Template;
 use base64::Engine;
@@ -285,7 +286,7 @@ fn page(material: &Assessed) -> Page<'_> {
             .chain(parts::inspections(&material.document.inspections, &material.photographs))
             .collect(),
         cases: parts::cases(a).into_iter().collect(),
-        numbers: parts::springings(a).into_iter().chain(a.statics.iter().flat_map(parts::statics)).chain(parts::vehicles(a)).collect(),
+        numbers: springings(a).into_iter().chain(a.statics.iter().flat_map(parts::statics)).chain(parts::vehicles(a)).collect(),
         back: parts::check_sheet(&material.document, a, a.statics.as_ref()),
         photographs: &material.photographs,
         figures: &material.figures,
