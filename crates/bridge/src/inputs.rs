@@ -1,5 +1,8 @@
 //! What a bridge file says, line by line with the remarks beside it: where engineers write down where a value is from.
 
+use crate::card::{Kind, Section};
+use crate::fields::FILE;
+use crate::library;
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 /// A value of a file.
@@ -28,7 +31,8 @@ pub fn table_with(inputs: &[Input], section: &str, key: &str, value: &str) -> St
     inputs.iter().find(of).map_or_else(|| section.to_owned(), |one| one.section.clone())
 }
 
-/// Every value of a file in its order; nothing where it is not TOML.
+/// Every value of a file in its order, those that it takes from the library by the name of a material behind that name; nothing where it
+/// is not TOML.
 pub fn inputs(text: &str) -> Vec<Input> {
     let mut found = Vec::new();
     if let Ok(document) = text.parse::<DocumentMut>() {
@@ -41,12 +45,20 @@ fn table(table: &dyn TableLike, section: &str, found: &mut Vec<Input>) {
     let inside = |key: &str| if section.is_empty() { key.to_owned() } else { format!("{section}.{key}") };
     for (key, item) in table.iter() {
         match item {
-            Item::Value(value) => found.push(Input {
-                section: section.to_owned(),
-                key: key.to_owned(),
-                value: plain(value),
-                remark: remark(value),
-            }),
+            Item::Value(value) => {
+                let input = |key: &str, value, remark| Input {
+                    section: section.to_owned(),
+                    key: key.to_owned(),
+                    value,
+                    remark,
+                };
+                found.push(input(key, plain(value), remark(value)));
+                if let Some(card) = card(section).filter(|_| key == library::KEY) {
+                    found.extend(
+                        library::taken(card, table).into_iter().map(|(key, value, remark)| input(&key, value, remark)),
+                    );
+                }
+            }
             Item::Table(inner) => self::table(inner, &inside(key), found),
             Item::ArrayOfTables(list) => {
                 for (k, inner) in list.iter().enumerate() {
@@ -56,6 +68,14 @@ fn table(table: &dyn TableLike, section: &str, found: &mut Vec<Input>) {
             }
             Item::None => {}
         }
+    }
+}
+
+/// The card of a section, as `cover[2]`, of a bridge file.
+fn card(section: &str) -> Option<&'static Section> {
+    match FILE.field(section.split('[').next()?)?.kind {
+        Kind::Table(card) | Kind::Tables(card) => Some(card),
+        _ => None,
     }
 }
 
@@ -84,6 +104,16 @@ mod tests {
             found.iter().map(|one| format!("{}.{}={}|{}", one.section, one.key, one.value, one.remark)).collect();
         assert_eq!(shown, ["bridge.width=4 m|[paper] Table 1", "cover[1].as=true|", "cover[2].list=[1, 2]|two"]);
         assert!(inputs("no [toml").is_empty());
+        let named = inputs("[masonry]\nmaterial = \"Sandstone\" # by eye\ndensity = \"2300 kg/m^3\" # cored\n");
+        let shown: Vec<_> = named.iter().map(|one| format!("{} = {}", one.path(), one.value)).collect();
+        assert_eq!(shown[..2], ["masonry.material = Sandstone", "masonry.compressive_strength = 10 MPa"]);
+        assert!(
+            named[1].remark.starts_with("not measured: library, sandstone, 5 MPa to 18 MPa; "),
+            "{}",
+            named[1].remark
+        );
+        let densities: Vec<_> = named.iter().filter(|one| one.key == "density").map(|one| &one.remark[..]).collect();
+        assert_eq!(densities, ["cored"], "what the table writes itself is not taken");
         assert_eq!((found[0].path(), found[2].path()), ("bridge.width".to_owned(), "cover[2].list".to_owned()));
         let two = inputs("[[sensor]]\nname = \"a\"\n[[sensor]]\nname = \"b\"\n");
         assert_eq!(["b", "c"].map(|name| table_with(&two, "sensor", "name", name)), ["sensor[2]", "sensor"]);

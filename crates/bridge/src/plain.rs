@@ -3,6 +3,7 @@
 use crate::card::Section;
 use crate::diagnostic::{Diagnostic, TextRange};
 use crate::findings::Findings;
+use crate::library;
 use crate::tree::{Table, shorten};
 use toml::de::DeTable;
 
@@ -20,8 +21,9 @@ pub(crate) fn read_text<T>(
     findings: &mut Findings,
 ) -> Option<T> {
     let text = readable(bytes, findings)?;
-    let (tree, broken) = DeTable::parse_recoverable(text);
+    let (mut tree, broken) = DeTable::parse_recoverable(text);
     not_toml(text, &broken, findings);
+    library::fill(kind, tree.get_mut(), findings);
     let file = Table::file(kind, tree.get_ref(), findings);
     let value = resolve(text, &file, findings);
     if !broken.is_empty() {

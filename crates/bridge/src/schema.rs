@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::fields::{FILE, Field, Kind, Need, Section, Word, blocks, sections_of};
+use crate::library;
 use crate::quantity::Dimension;
 
 /// The schema of bridge files (draft 2020-12).
@@ -37,6 +38,9 @@ fn table(section: &Section) -> Value {
         section.fields.iter().map(|field| (field.key.to_owned(), property(field))).collect();
     let required: Vec<&str> =
         section.fields.iter().filter(|field| always_required(field)).map(|field| field.key).collect();
+    // The name of a material of the library stands for what else must be written.
+    let (by_name, required): (Vec<&str>, Vec<&str>) =
+        required.into_iter().partition(|key| library::may_give(section, key));
     let conditions: Vec<Value> = section.fields.iter().filter_map(condition).collect();
     let mut schema = json!({
         "type": "object",
@@ -45,6 +49,9 @@ fn table(section: &Section) -> Value {
         "required": required,
         "additionalProperties": false,
     });
+    if let (false, Some(object)) = (by_name.is_empty(), schema.as_object_mut()) {
+        object.insert("anyOf".into(), json!([{ "required": [library::KEY] }, { "required": by_name }]));
+    }
     if let (false, Some(object)) = (conditions.is_empty(), schema.as_object_mut()) {
         object.insert("allOf".into(), Value::Array(conditions));
     }

@@ -7,6 +7,8 @@ use toml::de::{DeTable, DeValue};
 use crate::card::{Field, Kind, Need, Section, sections_of, title};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
+use crate::library;
+use crate::trade::{self, Meant};
 use crate::usual::usual_of;
 
 /// A value and where it stands.
@@ -209,7 +211,8 @@ impl<'t> Table<'t> {
 
     /// Reports a key that must be there, unless it is there in a wrong spelling.
     pub(crate) fn missing(&self, field: &Field, findings: &mut Findings) {
-        if self.misspelt.contains(&field.key) {
+        let unnamed = |entries| library::may_give(self.section, field.key) && library::unknown(self.section, entries);
+        if self.misspelt.contains(&field.key) || self.entries.is_some_and(unnamed) {
             return;
         }
         let opening = matches!(field.kind, Kind::Table(_) | Kind::Tables(_));
@@ -219,6 +222,10 @@ impl<'t> Table<'t> {
         } else {
             let usual = usual_of(self.section.path, field.key);
             let usual = usual.map_or_else(String::new, |says| format!("; {says}: take it from a survey or a test"));
+            let usual = match library::may_give(self.section, field.key) {
+                true => format!("{usual}, or name a material: `extrados materials {}` lists them", self.section.path),
+                false => usual,
+            };
             (format!("`{}` is missing in {}", field.key, self.title()), format!("add a line {}{usual}", field.form()))
         };
         findings
@@ -347,9 +354,17 @@ fn unknown_key(
         .filter(|other| !other.path.is_empty())
         .find_map(|other| Some((other, other.field(key)?)));
     let list = || known.clone().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ");
-    let near = nearest(key, known.clone());
+    let meant = trade::meant(section.path, key, |key| section.field(key).is_some());
+    let near = match meant {
+        Some(Meant::Key(meant)) => known.clone().find(|key| *key == meant),
+        Some(Meant::Elsewhere(_)) => None,
+        None => nearest(key, known.clone()),
+    };
     let (label, help) = if let Some(near) = near {
-        (format!("did you mean `{near}`?"), format!("write `{near}`"))
+        let line = section.field(near).map_or_else(|| format!("`{near}`"), Field::form);
+        (format!("did you mean `{near}`?"), format!("write {line}"))
+    } else if let Some(Meant::Elsewhere(how)) = meant {
+        (format!("not a key of {}", title(section)), how.to_owned())
     } else if let Some((other, field)) = elsewhere {
         // The same word may mean another thing there: what it means is said, and what this section knows.
         let help = format!("{} knows {}; in {} `{key}` means: {}", title(section), list(), title(other), field.doc);

@@ -94,14 +94,14 @@ pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};
 pub use ::outcome as results;
 /// The bridge as its file describes it.
 pub use bridge;
+/// Materials of the library, which [`with_material`] writes into a file.
+pub use bridge::material::materials;
 /// Drawings (DXF) as outlines.
 pub use drawing;
 /// Drawings, pictures and ParaView files of results.
 pub use figures;
 /// Blocks and particles as the block engine has them, which [`Stepping`] shows.
 pub use mechanics::dem;
-/// Materials of the library, which [`with_material`] writes into a file.
-pub use rules::materials;
 /// A block model file from a drawing: what the drawing does not say stands there as a line to fill in, which the reader refuses until that
 /// is done.
 pub use structure::blocks::skeleton as of_drawing;

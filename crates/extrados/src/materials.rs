@@ -2,8 +2,8 @@
 
 use crate::refusal::Refusal;
 use bridge::edit::Document;
+use bridge::material::materials;
 use bridge::path::Path;
-use rules::materials;
 
 /// The text of a bridge file with a table filled from a material: `at` is the table, as `masonry` or `cover[2]`, `keys` what is taken. Each
 /// value is the usual one of the library, and its remark says that it is not measured, between which ends it lies, and where it is from.
@@ -17,7 +17,7 @@ pub fn with_material(text: &str, at: &str, code: &str, keys: &[&str]) -> Result<
         Refusal::new("F108", format!("the library has no material \"{code}\""), format!("it has {}", known.join(", ")))
     })?;
     let table = at.split('[').next().unwrap_or_default();
-    if !material.tables.iter().any(|one| one == table) {
+    if !material.fills(table) {
         let message = format!("{} is no material of [{table}]", material.code);
         return Err(Refusal::new("F108", message, format!("it fills {}", material.tables.join(", "))));
     }

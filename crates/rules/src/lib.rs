@@ -3,7 +3,7 @@
 //!
 //! A [`LoadModel`] holds [`Vehicle`]s and the tables that were published for them; [`check`] compares the two. A [`Rule`]
 //! holds every factor between a vehicle's axle and the number that is compared with a limit. [`library`] reads all of them;
-//! [`read_load_model`] and [`read_rule`] read an engineer's own. [`materials`] are what is usual of masonry, joints and fill.
+//! [`read_load_model`] and [`read_rule`] read an engineer's own.
 
 mod changed;
 mod check;
@@ -11,7 +11,6 @@ mod dispersal;
 mod factor;
 mod impact;
 mod library;
-mod material;
 mod model;
 mod pattern;
 mod plausible;
@@ -30,7 +29,6 @@ pub use dispersal::{Dispersal, Pressure};
 pub use factor::Factor;
 pub use impact::{CoverReduction, FillReduction, Impact};
 pub use library::{FILES, Library, library};
-pub use material::{MATERIALS, Material, MaterialValue, materials};
 pub use model::{LoadModel, Published, PublishedQuantity, SpanLimit, Under, Ways};
 pub use pattern::{Axle, Pattern, Stretch};
 pub use plausible::{Doubt, doubts_of_rule, doubts_of_vehicles};

@@ -18,6 +18,7 @@ pub(super) fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     let can_move = bridge.abutments.iter().any(|abutment| abutment.body.is_some());
     c.assumptions.push(if can_move { note::Barrel::GroundHolds } else { note::Barrel::SupportsHold }.into());
     c.assumptions.push(note::Barrel::OutOfPlane.into());
+    c.assumptions.extend(from_library(bridge));
     c.assumptions.extend(cracks(bridge));
     c.assumptions.extend(moved(bridge));
     c.assumptions.extend(water(bridge));
@@ -34,6 +35,12 @@ pub(super) fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if let Some(seed) = c.packing.as_ref().map(|p| p.seed) {
         c.warnings.push(warning::Cover::OnePacking { seed }.into());
     }
+}
+
+/// What the file takes from the library of materials.
+pub(super) fn from_library(bridge: &Bridge) -> Option<Note> {
+    let values = bridge.from_library.clone();
+    (!values.is_empty()).then(|| note::Barrel::FromLibrary { values }.into())
 }
 
 /// What a plane model leaves open of skew spans, worst first.

@@ -82,7 +82,9 @@ pub enum AnalysisError {
     /// A vehicle or a rule of a sweep is not known.
     #[error(transparent)]
     Vehicles(#[from] crate::vehicles::Refused),
-    #[error("no load of the file reaches the rings: there is nothing to increase; describe one with [[load]]")]
+    #[error(
+        "no load of the file reaches the rings: there is nothing to increase; describe one with [[load]], or move the vehicles of a [sweep] over the bridge (--sweep)"
+    )]
     NoLoad,
     #[error("the plan gives no {what}: {why}")]
     Missing {

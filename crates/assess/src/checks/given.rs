@@ -93,6 +93,10 @@ fn taken(a: &Evidence) -> Vec<Taken> {
         list.extend(coverage::lanes_apart(&a.bridge));
         list.extend(coverage::less_braking(a));
     }
+    if !a.bridge.from_library.is_empty() {
+        let how = format!("its usual values, none of them measured: {}", a.bridge.from_library.join(", "));
+        list.push(Taken { what: "materials of the library".to_owned(), how, open: false });
+    }
     let included = a.asked.limits.load_factor_included;
     if a.asked.limits.adequacy_factor.is_some() && included != 1.0 {
         list.push(told(format!("loads of the file carry a factor of {included}"), "by load_factor_included", false));

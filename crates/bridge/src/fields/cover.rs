@@ -6,6 +6,7 @@ use crate::cards::*;
 use crate::choice::choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
+use crate::library::material;
 use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind, PoreWater};
 use crate::tree::Table;
 use crate::values::read;
@@ -66,13 +67,14 @@ pub(super) static COVER: Section = Section {
         stress("elastic_modulus", "Young's modulus of the layer", "40 MPa")
             .positive()
             .optional("not needed for collapse"),
+        material("old-fill"),
     ],
 };
 
 pub(super) static BACKING: Section = Section {
     path: "backing",
     doc: "Solid backing above the haunches, up to a level.",
-    fields: &joined::<11>(&[
+    fields: &joined::<12>(&[
         Backing::CARDS.split_at(3).0,
         &[density(
             "between_density",
@@ -82,6 +84,7 @@ pub(super) static BACKING: Section = Section {
         .at_least(0.0)
         .optional("as the lowest layer of the cover")],
         Backing::CARDS.split_at(3).1,
+        &[material("rubble-backing")],
     ]),
 };
 

@@ -3,6 +3,7 @@
 use crate::card::{Field, Section, joined};
 use crate::cards::*;
 use crate::findings::Findings;
+use crate::library::material;
 use crate::model::{Joint, JointContact, JointStiffness, Masonry};
 use crate::tree::Table;
 use crate::values::read;
@@ -10,8 +11,11 @@ use crate::values::read;
 /// Friction angles end below the vertical [rad]: 89 degrees.
 const STEEPEST: f64 = 89.0 / 180.0 * std::f64::consts::PI;
 
-pub(super) static MASONRY: Section =
-    Section { path: "masonry", doc: "Masonry of rings and piers.", fields: Masonry::CARDS };
+pub(super) static MASONRY: Section = Section {
+    path: "masonry",
+    doc: "Masonry of rings and piers.",
+    fields: &joined::<6>(&[Masonry::CARDS, &[material("sandstone")]]),
+};
 
 pub(super) const JOINT_FIELDS: &[Field] = &[
     joint_stiffness(
@@ -63,10 +67,13 @@ pub(super) static JOINT: Section = Section {
     doc: "Joints between voussoirs, at springings and between the courses of piers. Stiffness is that of the contact as a \
           whole (`normal_stiffness`), or of the mortar joint alone (`mortar_normal_stiffness`), to which the deformation \
           of the blocks is added by 1/k = 1/k' + l/E (Rouxinol, Providência and Lemos, eq. 1).",
-    fields: &joined::<10>(&[
+    fields: &joined::<11>(&[
         JOINT_FIELDS,
-        &[word::<JointContact>("contact", "where all joints of the bridge carry what presses them", "distributed")
-            .optional("\"points\" with methods \"dem\" and \"fe\", \"distributed\" with method \"path\"")],
+        &[
+            material("old-joints"),
+            word::<JointContact>("contact", "where all joints of the bridge carry what presses them", "distributed")
+                .optional("\"points\" with methods \"dem\" and \"fe\", \"distributed\" with method \"path\""),
+        ],
     ]),
 };
 
@@ -93,7 +100,7 @@ pub(super) static PARTICLE_BLOCK_JOINT: Section = Section {
 pub(super) static RING_JOINT: Section = Section {
     path: "ring_joint",
     doc: "Joints between the rings of a span, with the same keys as [joint].",
-    fields: JOINT_FIELDS,
+    fields: &joined::<10>(&[JOINT_FIELDS, &[material("old-joints")]]),
 };
 
 pub(crate) fn joint(file: &Table<'_>, name: &str, findings: &mut Findings) -> Option<Joint> {

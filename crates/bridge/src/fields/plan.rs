@@ -260,17 +260,15 @@ pub(crate) fn check(
     masonry: Option<&Masonry>,
     findings: &mut Findings,
 ) {
-    // A file that plans a passage or a sweep of vehicles, and no collapse, needs no load; `collapse` asks for one where it
-    // is told to run.
+    // What a file is for that has no load: a passage, or vehicles that are moved. `collapse` asks for a load where it is told to raise one.
     let plans_more = file.has("passage") || file.has("sweep");
-    let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !plans_more);
-    if needs_load && loads.is_empty() && !file.has("load") {
+    if plan.analysis == Analysis::Load && !plans_more && loads.is_empty() && !file.has("load") {
         findings.error(
             "B402",
             file.place_in("analysis", "analysis"),
             "there is no load to bring the bridge to collapse",
             "this analysis raises a load",
-            "describe one with [[load]], or choose analysis = \"thickness\" or \"support-movement\"",
+            "describe one with [[load]], name vehicles in [sweep], or choose analysis = \"thickness\" or \"support-movement\"",
         );
     }
     if plan.analysis == Analysis::SupportMovement && plan.support_movement.is_none() && !file.has("support_movement") {

@@ -3,6 +3,7 @@
 use crate::card::{Field, Section, each_optional, joined};
 use crate::cards::*;
 use crate::findings::Findings;
+use crate::library::material;
 use crate::model::Cover;
 use crate::service::{AbutmentFill, FillContact, HaunchFill, MeshPlan, Mortar, Service, Soil};
 use crate::tree::Table;
@@ -20,7 +21,7 @@ const OTHER_SOIL: &[Field] = &each_optional::<9>(Soil::CARDS, "as [fill] says");
 pub(super) static FILL: Section = Section {
     path: "fill",
     doc: "Fill between the rings and the surface, in the finite element model.",
-    fields: Soil::CARDS,
+    fields: &joined::<10>(&[Soil::CARDS, &[material("old-fill")]]),
 };
 
 pub(super) static HAUNCH_FILL: Section = Section {
@@ -35,18 +36,19 @@ pub(super) static HAUNCH_FILL: Section = Section {
 pub(super) static ABUTMENT_FILL: Section = Section {
     path: "abutment_fill",
     doc: "Fill behind the abutments, from their foundation to the surface, where it differs from [fill].",
-    fields: &joined::<10>(&[
+    fields: &joined::<11>(&[
         &[length("extent", "how far it reaches behind the abutment's back", "6 m")
             .positive_up_to(1000.0)
             .optional("to the side boundary")],
         OTHER_SOIL,
+        &[material("old-fill")],
     ]),
 };
 
 pub(super) static MORTAR: Section = Section {
     path: "mortar",
     doc: "Mortar between voussoirs and at the springings, in the finite element model.",
-    fields: Mortar::CARDS,
+    fields: &joined::<6>(&[Mortar::CARDS, &[material("weak-mortar")]]),
 };
 
 pub(super) static FILL_CONTACT: Section = Section {

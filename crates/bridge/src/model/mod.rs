@@ -64,4 +64,6 @@ pub struct Bridge {
     pub sweep: Option<SweepPlan>,
     /// The train that crosses, and what is measured meanwhile, where the file says so.
     pub passage: Option<crate::passage::Passage>,
+    /// What the file takes from the library by the name of a material, each as "masonry.density 2250 kg/m^3 (sandstone)".
+    pub from_library: Vec<String>,
 }

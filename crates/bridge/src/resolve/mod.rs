@@ -4,6 +4,7 @@ mod geometry;
 
 use crate::fields::*;
 use crate::findings::Findings;
+use crate::library;
 use crate::model::{Bridge, Masonry};
 use crate::plausible;
 use crate::tree::Table;
@@ -63,6 +64,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         piers = vec![one.clone(); spans.len() - 1];
     }
     Some(Bridge {
+        from_library: file.written().map_or_else(Vec::new, library::from_library),
         name: general.name,
         width: general.width,
         gravity: general.gravity,

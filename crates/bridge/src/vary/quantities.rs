@@ -6,6 +6,7 @@ use super::Slip;
 use crate::card::{Field, Kind, Need, Section};
 use crate::edit::{Document, count, entry, literal};
 use crate::fields::FILE;
+use crate::library;
 use crate::path::{Path, Step};
 use crate::tree::{nearest, shorten};
 
@@ -27,7 +28,7 @@ pub struct Known {
     pub path: String,
     /// Its value as TOML has it.
     pub value: String,
-    /// Whether the value is a default that the file does not write.
+    /// Whether the value is a default, or that of a material that is named, and the file does not write it.
     pub by_default: bool,
     /// What it is, in a line.
     pub doc: &'static str,
@@ -78,6 +79,9 @@ fn visit(section: &'static Section, table: Option<&dyn TableLike>, prefix: &str,
                 (Some(value), _) => {
                     found.push(Known { path, value: literal(value), by_default: false, doc: field.doc });
                 }
+                (None, _) if let Some(value) = by_name(section, field, table) => {
+                    found.push(Known { path, value, by_default: true, doc: field.doc });
+                }
                 (None, Need::Default(value)) if applies(section, field, table) => {
                     let value = field.literal(value);
                     found.push(Known { path, value, by_default: true, doc: field.doc });
@@ -86,6 +90,12 @@ fn visit(section: &'static Section, table: Option<&dyn TableLike>, prefix: &str,
             },
         }
     }
+}
+
+/// The value of a key that is not written, as TOML has it, by the name of a material of the library in its table.
+fn by_name(section: &Section, field: &Field, table: Option<&dyn TableLike>) -> Option<String> {
+    let (_, value, _) = library::taken(section, table?).into_iter().find(|(key, ..)| key == field.key)?;
+    Some(field.literal(&value))
 }
 
 /// Whether a key that is not written means something here, going by the word that decides about it.
@@ -116,7 +126,10 @@ pub fn find(document: &Document, text: &str) -> Result<Variable, Slip> {
         let inner = match field.kind {
             Kind::Table(inner) | Kind::Tables(inner) => inner,
             Kind::Text if last => return Err(no_quantity(document, text)),
-            _ if last => return quantity(document, whole, step, field, item, text),
+            _ if last => {
+                let default = by_name(section, field, table);
+                return quantity(document, whole, step, (field, default), item, text);
+            }
             _ => return Err(unknown(document, text, section)),
         };
         if last {
@@ -140,7 +153,7 @@ fn quantity(
     document: &Document,
     mut path: Path,
     step: &Step,
-    field: &'static Field,
+    (field, by_name): (&'static Field, Option<String>),
     item: Option<&Item>,
     text: &str,
 ) -> Result<Variable, Slip> {
@@ -156,7 +169,7 @@ fn quantity(
         Need::Default(value) => Some(field.literal(value)),
         _ => None,
     };
-    Ok(Variable { own: document.get(&path).or(default), path, field })
+    Ok(Variable { own: document.get(&path).or(by_name).or(default), path, field })
 }
 
 fn no_such(text: &str, step: &Step, there: usize) -> Slip {

@@ -14,6 +14,9 @@ pub(crate) const TINY: &str = include_str!("files/tiny.toml");
 /// Spandrel walls, with everything that they may say.
 pub(crate) const WALLS: &str = include_str!("files/walls.toml");
 
+/// Materials of the library by their names, in every table that may name one.
+pub(crate) const NAMED: &str = include_str!("files/named.toml");
+
 /// Fill as particles of stated diameters.
 pub(crate) const PARTICLES: &str = include_str!("files/particles.toml");
 /// A stated number of particles below slabs, above backing.
@@ -49,9 +52,10 @@ pub(crate) const CONDITION: &str = include_str!("files/condition.toml");
 pub(crate) const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub(crate) const GOOD: [&str; 19] = [
+pub(crate) const GOOD: [&str; 20] = [
     CASE_1,
     GRADIENT,
+    NAMED,
     CASES,
     VIADUCT,
     SHAPES,

@@ -4,6 +4,7 @@ mod blocks;
 mod cards;
 mod files;
 mod help;
+mod materials;
 mod messages;
 mod mutation;
 mod reading;

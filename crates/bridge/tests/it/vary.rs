@@ -2,8 +2,8 @@
 
 use bridge::edit::Document;
 use bridge::path::Path;
-use bridge::read;
 use bridge::vary::{Known, Spread, find, known, settle};
+use bridge::{Bridge, read};
 use proptest::prelude::*;
 
 use crate::files::{GOOD, TINY, VIADUCT};
@@ -42,7 +42,10 @@ fn every_quantity_of_the_good_files_can_be_found_and_kept() {
     for good in GOOD {
         let document = Document::parse(good).unwrap();
         assert_eq!(document.text(), good);
-        let before = read(good.as_bytes());
+        // What is taken from the library by a material's name, and no longer where it is written, is no property of the bridge.
+        let bridge =
+            |text: &str| read(text.as_bytes()).bridge.map(|bridge| Bridge { from_library: Vec::new(), ..bridge });
+        let before = bridge(good);
         let all = known(&document);
         assert!(all.len() > 15 && all.iter().all(|known| !known.path.starts_with("vary")));
         for one in all {
@@ -53,8 +56,7 @@ fn every_quantity_of_the_good_files_can_be_found_and_kept() {
             );
             let mut same = document.clone();
             same.set(&quantity.path, &one.value).unwrap();
-            let after = read(same.text().as_bytes());
-            assert_eq!(before.bridge, after.bridge, "{} = {}\n{:?}", one.path, one.value, after.diagnostics);
+            assert_eq!(before, bridge(&same.text()), "{} = {}", one.path, one.value);
             assert_eq!(same.text() == good, !one.by_default, "{}", one.path);
         }
     }

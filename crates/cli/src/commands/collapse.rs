@@ -29,8 +29,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     let choice = choice(own.width, arguments)?;
     let bridge = extrados::planned(&source.project, &choice)?;
     let out = folder::named(&arguments.out, &arguments.file);
-    let folder = source.folder(&out, &kind(&bridge.plan, arguments.sweep.then_some(bridge.sweep.is_some())))?;
-    if arguments.sweep {
+    let sweeps = arguments.sweep || plans_vehicles_alone(&bridge);
+    let folder = source.folder(&out, &kind(&bridge.plan, sweeps.then_some(bridge.sweep.is_some())))?;
+    if sweeps {
         return sweep(desk, arguments, &source, choice, &folder);
     }
     let run = |resume: Option<Vec<u8>>, watcher: &mut Watcher<'_>| {
@@ -39,6 +40,15 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     let checkpoint = Checkpoint::of(&bridge, &folder);
     let report = source.report(Status::Completed);
     analyse(desk, arguments, report, checkpoint, &folder, run)
+}
+
+/// Whether vehicles are all that a file has to bring its bridge to collapse, by a method that moves them.
+fn plans_vehicles_alone(bridge: &bridge::Bridge) -> bool {
+    let plan = &bridge.plan;
+    plan.analysis == bridge::Analysis::Load
+        && bridge.loads.is_empty()
+        && bridge.sweep.is_some()
+        && extrados::sweeps(plan.method)
 }
 
 /// Which run this is: an answer of another one is kept when this one's takes its place. A sweep is of vehicles or of loads.

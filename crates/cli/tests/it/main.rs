@@ -23,6 +23,7 @@ mod keeping;
 mod ladder;
 mod library;
 mod loads;
+mod materials;
 mod messages;
 mod misuse;
 mod new;

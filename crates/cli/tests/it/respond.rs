@@ -45,7 +45,7 @@ fn a_passage_needs_no_load() {
     assert!(answer["errors"][0]["message"].as_str().is_some_and(|words| words.contains("[[load]]")), "{answer}");
     stage.write("bridge/planned.toml", format!("{before}{after}\n[analysis]\nmethod = \"limit\"\n"));
     let (answer, ending) = stage.object(&["check", "bridge/planned.toml"]);
-    assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("B402")), "{answer}");
+    assert_eq!(ending.code, Some(0), "how it would be analysed is no wish to raise a load: {answer}");
 }
 
 #[test]

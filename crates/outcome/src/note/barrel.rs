@@ -6,6 +6,8 @@ notes! {
     /// Of the bridge as a plane model has it.
     Barrel {
         Plane => "The problem is plane: one metre of width, loads uniform across it.";
+        FromLibrary { values: Vec<String> } =>
+            "Not measured, the usual values of the library: {}.", values.join(", ");
         OutOfPlane => "A plane model does not include spandrel walls that lean or slide outwards, cracks along the barrel, or edges that \
                        separate from it.";
         /// Supports carry whatever reaches them.

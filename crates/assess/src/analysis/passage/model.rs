@@ -159,7 +159,8 @@ pub(super) fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<Note> {
     if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
         told.push(InPassage::Abutments);
     }
-    told.into_iter().map(Note::from).chain(told_of_elements(bridge)).collect()
+    let library = crate::analysis::caveats::from_library(bridge);
+    told.into_iter().map(Note::from).chain(told_of_elements(bridge)).chain(library).collect()
 }
 
 /// What carries shear in joints.

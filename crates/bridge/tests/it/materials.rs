@@ -1,6 +1,6 @@
 //! What is usual of masonry, joints and fill.
 
-use rules::materials;
+use bridge::material::materials;
 
 #[test]
 fn every_material_has_its_own_name_and_every_value_a_source() {
@@ -24,7 +24,7 @@ fn every_material_has_its_own_name_and_every_value_a_source() {
 /// stones that were measured.
 #[test]
 fn materials_agree_with_the_priors_of_the_field_tests() {
-    let priors: toml::Table = toml::from_str(include_str!("../../../validation/priors.toml")).unwrap();
+    let priors: toml::Table = toml::from_str(include_str!("../../../../validation/priors.toml")).unwrap();
     let same = [
         ("sandstone", &["masonry", "sandstone"][..]),
         ("brick-in-lime", &["masonry", "brick-in-lime"]),
