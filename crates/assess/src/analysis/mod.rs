@@ -177,6 +177,8 @@ mod horizontal_tests;
 #[cfg(test)]
 mod like_spans_tests;
 #[cfg(test)]
+mod mechanism_tests;
+#[cfg(test)]
 mod one_rule_tests;
 #[cfg(test)]
 mod path_many_tests;

@@ -2,7 +2,7 @@
 
 use crate::analysis::AnalysisError;
 use bridge::Plan;
-use mechanics::dem;
+use mechanics::{dem, limit};
 use outcome::warning::Loads;
 use structure::discretise::Discretised;
 
@@ -41,6 +41,14 @@ pub(super) fn program(
         watched: d.watched,
     };
     Ok((program, load_step))
+}
+
+/// The load factor from which steps are chosen: the limit load's, which the associated one stands in for. Rigid blocks that do not stand have
+/// none: there the loads together weigh as much as the blocks, and self-weight comes before them.
+pub(super) fn bound(rigid: &limit::Outcome, d: &Discretised) -> Option<f64> {
+    let weighs = || d.model.free_weight() / d.reference_load;
+    let falls = rigid.status == limit::Status::NoEquilibrium;
+    rigid.factor.or(rigid.associated_factor).or(falls.then(weighs).filter(|factor| factor.is_finite() && *factor > 0.0))
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.

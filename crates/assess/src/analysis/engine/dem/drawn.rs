@@ -2,7 +2,7 @@
 
 use super::filled::planned;
 use super::{draw, ended, loads, numbers, settings_of};
-use crate::analysis::engine::steps::program;
+use crate::analysis::engine::steps::{bound, program};
 use crate::analysis::engine::{rigid, scene};
 use crate::analysis::{AnalysisError, notes};
 use mechanics::dem;
@@ -27,7 +27,7 @@ pub(super) fn until_they_fall(
         true => None,
         false => Some(limit::collapse_load(&d.model, &d.loading, &rigid::settings_of(&scene.plan, false))?),
     };
-    let bound = rigid.as_ref().and_then(|rigid| rigid.factor.or(rigid.associated_factor));
+    let bound = rigid.as_ref().and_then(|rigid| bound(rigid, d));
     let mut chosen = Vec::new();
     let plan = if filled { planned(&scene.plan)? } else { scene.plan.clone() };
     let (program, step) = program(&plan, d, bound, &mut chosen)?;

@@ -7,7 +7,7 @@ mod thickness;
 
 use crate::analysis::engine::joints::{contact_length, require_stiffness};
 use crate::analysis::engine::rings::{MovedSupport, RingThickness};
-use crate::analysis::engine::steps::program;
+use crate::analysis::engine::steps::{bound, program};
 use crate::analysis::engine::{Engine, rigid};
 use crate::analysis::geometry::{moving_as_built, point, scaled, thrust_lines};
 use crate::analysis::{AnalysisError, notes, template};
@@ -104,8 +104,7 @@ pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
 /// Joints without stiffness, no load, or an analysis that cannot be set up.
 pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), AnalysisError> {
     let (d, rigid) = increased(bridge, &mut Unwatched)?;
-    let bound = rigid.factor.or(rigid.associated_factor);
-    let (program, _) = program(&bridge.plan, &d, bound, &mut Vec::new())?;
+    let (program, _) = program(&bridge.plan, &d, bound(&rigid, &d), &mut Vec::new())?;
     let run = dem::Stepping::new(&d.model, &d.loading, &program, &settings(bridge))?;
     Ok((d, run))
 }
@@ -128,10 +127,9 @@ fn until_it_falls(bridge: &Bridge, resume: Option<&[u8]>, watch: &mut dyn Watch)
     if rigid.status == limit::Status::Cancelled {
         return Ok(rigid::cancelled(bridge, &d, By::Dem(None)));
     }
-    // The plan needs no more than its size, which the associated load has too.
-    let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
+    let limit_load = rigid.factor;
     let mut chosen = Vec::new();
-    let (program, load_step) = program(&bridge.plan, &d, bound, &mut chosen)?;
+    let (program, load_step) = program(&bridge.plan, &d, bound(&rigid, &d), &mut chosen)?;
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
     let load = |factor: f64| d.load(factor);
     let mut c = report(bridge, &d, &outcome, "discrete elements", &load);

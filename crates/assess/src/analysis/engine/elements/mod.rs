@@ -8,7 +8,7 @@ mod slides;
 
 use crate::analysis::engine::can::{Cannot, Feature};
 use crate::analysis::engine::joints::require_stiffness;
-use crate::analysis::engine::steps::program;
+use crate::analysis::engine::steps::{bound, program};
 use crate::analysis::engine::{Engine, rigid};
 use crate::analysis::{AnalysisError, notes, template};
 use bridge::{Bridge, JointContact, Method};
@@ -83,7 +83,7 @@ fn until_it_fails(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, An
         return Ok(rigid::cancelled(bridge, &d, By::Fe(FiniteReport::default())));
     }
     let mut chosen = Vec::new();
-    let (program, load_step) = program(&bridge.plan, &d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;
+    let (program, load_step) = program(&bridge.plan, &d, bound(&rigid, &d), &mut chosen)?;
     let (model, deform) = model::model(bridge, &d, &ring)?;
     let settings = settings(program.resolution.map(|resolution| program.increment / resolution));
     let mut run = Run::new(&d, &ring, &model)?;
@@ -229,15 +229,17 @@ impl<'a> Run<'a> {
         if soft || ended == fem::Status::Singular { Status::Collapsed } else { Status::NotConverged }
     }
 
-    /// What a little more load would do: its work on its own displacements, and how the blocks move [per load factor].
+    /// What a little more load would do: its work on its own displacements, and how the blocks move [per load factor], the way in which it
+    /// does work: past a limit point the tangent's own answer runs backwards.
     fn onset(&mut self) -> Option<(f64, Vec<Motion>)> {
         self.work.stiffness(self.model, &self.state).ok()?;
         self.work.factorise().ok()?;
         let right: Vec<f64> = self.model.free().iter().map(|&component| self.drive[component as usize]).collect();
         let moved = self.work.solve(&right, 1e-8).ok()?;
-        let work = right.iter().zip(&moved).map(|(force, moved)| force * moved).sum();
+        let work: f64 = right.iter().zip(&moved).map(|(force, moved)| force * moved).sum();
+        let onward = if work < 0.0 { -1.0 } else { 1.0 };
         let mut all = vec![0.0; self.drive.len()];
-        self.model.free().iter().zip(&moved).for_each(|(&component, moved)| all[component as usize] = *moved);
+        self.model.free().iter().zip(&moved).for_each(|(&component, moved)| all[component as usize] = onward * moved);
         Some((work, draw::motions(self.d, self.ring, self.model, &all)))
     }
 
