@@ -140,6 +140,26 @@ fn a_good_table_is_judged_without_a_search() {
     assert!(answer["channels"][0]["shape_correlation"].is_null() && answer["initial_error_norm"].is_f64(), "{answer}");
 }
 
+/// A misspelt heading is doubted where its sensor is left without a column; one more column of a logger is a note.
+#[test]
+fn a_misspelt_heading_is_doubted() {
+    let stage = Stage::new("records-misspelt");
+    stage.write("bridge.toml", bridge());
+    let told = |text: String| {
+        stage.write("records.csv", text);
+        let (answer, _) = stage.object(&["update", "bridge.toml", "--records-only"]);
+        let finding = of(&answer, "findings", "R016").clone();
+        (finding, answer["records"]["runs"][0]["channels"].clone())
+    };
+    let (finding, used) = told(table(&good()).replacen("quarter [mm]", "quartr [mm]", 1));
+    assert_eq!((finding["severity"].as_str(), finding["column"].as_u64(), used), (Some("warning"), Some(3), 2.into()));
+    let help = finding["help"].as_str().expect("help");
+    assert!(help.contains("(quarter)") && help.contains("column = \"quartr\""), "{help}");
+    let wider: Vec<Vec<String>> = good().into_iter().map(|row| [row.clone(), vec![row[1].clone()]].concat()).collect();
+    let (finding, used) = told(table(&wider).replacen("[microstrain]", "[microstrain],spare [mm]", 1));
+    assert_eq!((finding["severity"].as_str(), finding["column"].as_u64(), used), (Some("note"), Some(5), 3.into()));
+}
+
 #[test]
 fn each_of_ten_defects_is_named_with_its_place() {
     let stage = Stage::new("records-defects");

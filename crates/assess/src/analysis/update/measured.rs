@@ -6,10 +6,11 @@ use bridge::Bridge;
 use bridge::passage::{SensorPosition, default_sensors};
 use bridge::update::{Channel as Said, Update as Asked};
 use calibrate::Channel;
+use findings::Severity;
 use outcome::update::{RecordsUsed, RunUsed, Verdict};
 use records::{
-    Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Recording, Reference,
-    Scrutiny, Series, Source, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
+    Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Place, Preparation, ReadOptions, Recording,
+    Reference, Scrutiny, Series, Source, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
 };
 
 /// A table beside the bridge file.
@@ -38,6 +39,7 @@ fn tables(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Tables {
         tables.findings.extend(found.findings.into_iter().map(|finding| (file.name.clone(), finding)));
         if let Some(mut run) = found.run {
             name_by_sensors(&mut run, setup);
+            tables.findings.extend(unnamed(&run, setup).into_iter().map(|finding| (file.name.clone(), finding)));
             tables.named.push(file.name.clone());
             tables.runs.push(run);
         }
@@ -49,8 +51,7 @@ fn tables(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Tables {
 pub(super) fn worth_a_passage(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Result<(), Vec<String>> {
     let Tables { runs, named, findings } = tables(asked, setup, files);
     let series = examine(runs, &Scrutiny::default());
-    let known = |name: &str| setup.sensors.iter().any(|sensor| sensor.name == name);
-    if series.runs.iter().any(|run| run.used().any(|channel| known(&channel.name))) {
+    if series.runs.iter().any(|run| run.used().any(|channel| is_sensor(setup, &channel.name))) {
         return Ok(());
     }
     let mut words: Vec<String> =
@@ -82,7 +83,7 @@ pub(super) fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (V
         file: file.clone(),
         speed: run.speed,
         synthetic: run.synthetic.clone(),
-        channels: run.used().count(),
+        channels: run.used().filter(|channel| is_sensor(setup, &channel.name)).count(),
     };
     let runs = series.runs.iter().zip(&named).map(used).collect();
     let channels = (0..setup.sensors.len()).map(|k| channel(asked, setup, &series, k)).collect();
@@ -122,6 +123,37 @@ fn name_by_sensors(run: &mut Recording, setup: &Setup) {
             channel.name.clone_from(&sensor.name);
         }
     }
+}
+
+fn is_sensor(setup: &Setup, name: &str) -> bool {
+    setup.sensors.iter().any(|sensor| sensor.name == name)
+}
+
+/// Columns that are named after no sensor: a doubt where a sensor has none, for one of them may be misspelt.
+fn unnamed(run: &Recording, setup: &Setup) -> Vec<Finding> {
+    let filled = |name: &str| run.channels.iter().any(|channel| channel.name == name);
+    let empty: Vec<&str> =
+        setup.sensors.iter().map(|sensor| sensor.name.as_str()).filter(|name| !filled(name)).collect();
+    let told = |channel: &records::Channel| {
+        let place = Place {
+            run: run.name.clone(),
+            column: Some(channel.column),
+            channel: channel.name.clone(),
+            ..Place::default()
+        };
+        let message = format!("`{}` is named after no sensor and is passed over", channel.name);
+        let help = match empty.len() {
+            0 => String::new(),
+            _ => format!(
+                "if it is one of the sensors without a column ({}), name it so, or write column = \"{}\" into that sensor's [[channel]]",
+                empty.join(", "),
+                channel.name
+            ),
+        };
+        let severity = if empty.is_empty() { Severity::Note } else { Severity::Warning };
+        Finding::new(severity, "R016", place, message, &help)
+    };
+    run.channels.iter().filter(|channel| !is_sensor(setup, &channel.name)).map(told).collect()
 }
 
 /// Units and signs are judged against the start model, which need be right to a factor of five only.
