@@ -66,6 +66,9 @@ fn sensitivities(page: &mut String, study: &Study, unit: &str) {
                 at(high),
                 match one.trend {
                     Trend::Flat => "none".to_owned(),
+                    Trend::Unknown if one.without_answer > 0 => {
+                        format!("{} without answer", counted(one.without_answer, "run"))
+                    }
                     _ => format!("{} … {}", percent(low), percent(high)),
                 },
                 words(one),

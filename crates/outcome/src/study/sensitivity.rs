@@ -21,7 +21,7 @@ words! {
         Flat = "flat",
         /// It does both.
         NotMonotone = "not-monotone",
-        /// The quantity has no order, or fewer than two answers.
+        /// The quantity has no order, fewer than two answers, or answers that stay beside runs that have none.
         Unknown = "unknown",
     }
 }
@@ -91,13 +91,18 @@ fn one(study: &Study, quantity: usize) -> Sensitivity {
     let with_own = |[low, high]: [f64; 2]| own.map_or(high - low, |own| high.max(own) - low.min(own));
     let swing = ends.map(with_own);
     let curve = curve(&answered);
+    let without_answer = study.rows_of(quantity).filter(|row| study.number(row).is_none()).count();
     Sensitivity {
         quantity,
         swing,
         swing_percent: swing.zip(own.filter(|own| *own != 0.0)).map(|(swing, own)| 100.0 * swing / own.abs()),
         elasticity: study.quantities[quantity].own.as_ref().and_then(|own| elasticity(&curve, own.number?)),
-        trend: trend(&curve, study.resolution),
-        without_answer: study.rows_of(quantity).filter(|row| study.number(row).is_none()).count(),
+        // What has no answer at some value did not stay.
+        trend: match trend(&curve, study.resolution) {
+            Trend::Flat if without_answer > 0 => Trend::Unknown,
+            found => found,
+        },
+        without_answer,
         low,
         high,
     }

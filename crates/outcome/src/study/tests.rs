@@ -89,6 +89,11 @@ fn runs_without_answer_are_counted_and_left_out() {
     let found = sensitivity(&study);
     assert_eq!([found[0].without_answer, found[1].without_answer], [1, 0]);
     assert_eq!(found[1].trend, Trend::Unknown, "the file's own value once more is no range");
+    let falls = |a: f64, _: f64| if a < 0.0 { f64::NAN } else { 7.0 };
+    let study =
+        self::study(quantity("a.b", 2.0, &[1.0, -1.0, 3.0]), quantity("c.d", 5.0, &[4.0]), Design::OneAtATime, falls);
+    let found = sensitivity(&study);
+    assert_eq!([found[0].trend, found[1].trend], [Trend::Unknown, Trend::Flat], "a run that falls did not stay");
 }
 
 #[test]
