@@ -9,7 +9,7 @@ pub mod coverage;
 pub mod evidence;
 mod judged;
 pub mod next;
-mod plan_facts;
+pub mod plan_facts;
 pub mod record;
 pub mod vary;
 pub mod vehicles;

@@ -1,7 +1,7 @@
 //! What a verdict must know of the rule and the vehicles that a plan names: what the rule asks for, what an engineer's own files change of
 //! the library, what is doubtful in them, and which load cases were not moved.
 
-use crate::vehicles::{Read, applicable, read};
+use crate::vehicles::{Library, Read, applicable, read};
 use bridge::{Bridge, SweepPlan};
 use outcome::facts::{DoubtFacts, SafetyFacts, VehicleFacts};
 use outcome::vehicles::Swept;
@@ -26,20 +26,8 @@ pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> Veh
             changed_factors.extend(changed_by_vehicles(&rule, &one.model, &one.acting));
         }
     }
-    let doubts = |file: &str, doubts: Vec<Doubt>| {
-        let of_file = |doubt: Doubt| DoubtFacts {
-            code: doubt.code.to_owned(),
-            file: file.to_owned(),
-            at: doubt.at,
-            told: doubt.message,
-        };
-        doubts.into_iter().map(of_file).collect::<Vec<_>>()
-    };
     let rule_file = plan.rule_file.clone().unwrap_or_default();
-    let mut doubtful = if rule_file.is_empty() { Vec::new() } else { doubts(&rule_file, doubts_of_rule(&rule)) };
-    for (file, model) in plan.vehicle_files.iter().zip(&library.models[own..]) {
-        doubtful.extend(doubts(file, doubts_of_vehicles(model)));
-    }
+    let doubtful = doubtful(plan, &rule, &library, own);
     let (based_on, based_on_named) = base.map_or_else(Default::default, |base| (base.rule.code.clone(), base.named));
     VehicleFacts {
         requires: requires(&rule, base.map(|base| base.rule)),
@@ -49,6 +37,31 @@ pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> Veh
         left_out,
         ..VehicleFacts::default()
     }
+}
+
+/// Doubtful values of the files of vehicles and of the rule that the bridge file's sweep names.
+pub fn doubtful_files(bridge: &Bridge) -> Vec<DoubtFacts> {
+    let Some(plan) = &bridge.sweep else { return Vec::new() };
+    match read(bridge, plan) {
+        Ok(Read { rule: Some(rule), library, own, .. }) => doubtful(plan, &rule, &library, own),
+        _ => Vec::new(),
+    }
+}
+
+/// The same of what was read, where the plan's own load models begin at `own`.
+fn doubtful(plan: &SweepPlan, rule: &Rule, library: &Library, own: usize) -> Vec<DoubtFacts> {
+    let of_file = |file: &str, doubts: Vec<Doubt>| {
+        let facts = |doubt: Doubt| DoubtFacts {
+            code: doubt.code.to_owned(),
+            file: file.to_owned(),
+            at: doubt.at,
+            told: doubt.message,
+        };
+        doubts.into_iter().map(facts).collect::<Vec<_>>()
+    };
+    let of_rule = plan.rule_file.iter().flat_map(|file| of_file(file, doubts_of_rule(rule)));
+    let models = plan.vehicle_files.iter().zip(&library.models[own..]);
+    of_rule.chain(models.flat_map(|(file, model)| of_file(file, doubts_of_vehicles(model)))).collect()
 }
 
 /// What a rule asks for: its own requirements and those of the rule that it builds on; braking of every rule for railways.

@@ -332,6 +332,12 @@ pub struct DoubtFacts {
     pub told: String,
 }
 
+impl std::fmt::Display for DoubtFacts {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(to, "{}, {}: {} ({})", self.file, self.at, self.told, self.code)
+    }
+}
+
 /// A vehicle that was moved over the bridge.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweptFacts {

@@ -60,6 +60,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Refusal>
         Some(Ok(meshed)) => report.with("mesh", quality(meshed)),
         _ => report,
     };
+    for one in assess::plan_facts::doubtful_files(bridge) {
+        report.warn(&mut desk.screen, &one.code, &format!("{}, {}: {}", one.file, one.at, one.told));
+    }
     // Records come after their file has been written, so that missing ones are a doubt.
     if let Err(refusal) = source.project.records() {
         report.warn(&mut desk.screen, refusal.code, &format!("update cannot use this file yet: {}", refusal.message));

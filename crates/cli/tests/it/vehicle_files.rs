@@ -58,6 +58,31 @@ fn a_name_that_nothing_bears_is_answered_with_the_nearest() {
     }
 }
 
+/// Axles of 11.5 kN where tonnes were meant are doubted by `check` and with every sweep, not by an assessment alone.
+#[test]
+fn tonnes_for_kilonewtons_are_doubted_wherever_vehicles_move() {
+    let stage = Stage::with_example("vehicle-doubts", "bridgemill");
+    let text = stage.read("bridge/vehicles.toml");
+    let source = "source = { text = \"a plate\", date = \"2026\", confidence = \"read\" }";
+    let under = format!(
+        "\n[[under]]\nrule = \"cs-454\"\nlive_load = {{ value = 1.5, {source} }}\nimpact = {{ kind = \"included\", {source} }}\n"
+    );
+    let asked = "vehicles = [\"our-lorry\"]\nvehicle_files = [\"lorry.toml\"]\n\n[dispersal]";
+    stage.write(
+        "bridge/own.toml",
+        text.replacen("rule = \"characteristic\"", "rule = \"cs-454\"", 1).replacen("[dispersal]", asked, 1),
+    );
+    let told = |axles: &str| {
+        stage.write("bridge/lorry.toml", LORRY.replace("[80.0, 110.0]", axles) + &under);
+        [&["check"][..], &["collapse", "--sweep"]].map(|command| {
+            let (answer, ending) = stage.object(&[command, &["bridge/own.toml"]].concat());
+            assert!(ending.code.is_some_and(|code| code < 2), "{command:?}: {}", ending.stderr);
+            answer["warnings"].as_array().expect("warnings").iter().any(|one| one.to_string().contains("P080"))
+        })
+    };
+    assert_eq!((told("[8.0, 11.5]"), told("[80.0, 115.0]")), ([true; 2], [false; 2]));
+}
+
 /// Schemas of both kinds of files are printed alone.
 #[test]
 fn schemas_of_vehicles_and_rules_are_printed() {

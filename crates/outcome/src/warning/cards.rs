@@ -326,7 +326,9 @@ findings::cards! {
          barrel carries more under a wall and less between two, and loads come down through walls, not through voids: check the strip under a wall \
          with the whole density. Friction and bending of the walls themselves are left out.";
     HELD_AGAINST_SLIDING = "A205", "joints that finite elements do not let slide would slide",
-        "Joints of finite elements shear elastically and never slide. At each load that was in balance their shear is held against what friction          on their compression, and cohesion on their compressed length, hold. Where it is more, the joint would slide there, and loads above the one          that is named may be too high: use limit analysis or the equilibrium path, in which joints slide.";
+        "Joints of finite elements shear elastically and never slide. At each load that was in balance their shear is held against what friction \
+         on their compression, and cohesion on their compressed length, hold. Where it is more, the joint would slide there, and loads above the one \
+         that is named may be too high: use limit analysis or the equilibrium path, in which joints slide.";
     JAMMED = "A206", "what blocks carry depends on how hard they are jammed",
         "Friction holds blocks only where they are pressed together. Between faces that do not give, blocks may be pressed by nothing but \
          self-stress: a key between two parallel walls holds any load where it was driven in hard, and slips under its own weight where it was \
@@ -339,6 +341,9 @@ findings::cards! {
          them, and what is least leads; the message gives both. A joint that has once opened or slid has lost its bond for good, and the bond \
          of a brittle joint is not there all at once along its length. Where the load rests on it, ask what the load without it means for the \
          bridge; a strength that was measured does not change that. Fill pressure is treated alike and told by A195.";
+    DOUBTFUL_FILE = "A208", "doubtful values in a file of vehicles or of a rule",
+        "Values in the message lie outside what is usual, as axles of 11.5 kN where 11.5 t were meant: a slip of unit makes any bridge strong. Each \
+         has a code that `extrados explain` tells more of. The result stands by the file as it is.";
 }
 
 /// Warnings of where a load goes at one position: they matter where that position governs.

@@ -25,6 +25,8 @@ warnings! {
         VEHICLE_NOT_READ: NotRead { sources: Vec<(Vec<String>, Source)> } =>
             "axles and distances that were not read in their standard: {}",
             sources.iter().map(|(codes, source)| format!("{} {}", codes.join(", "), doubtful(source))).collect::<Vec<_>>().join(". ");
+        DOUBTFUL_FILE: DoubtfulFile { values: Vec<String> } =>
+            "doubtful values in files of vehicles or of the rule: {}", listed(values);
         /// Load models that are not made for spans as long, each with the reason.
         SPAN_TOO_LONG: SpanTooLong { models: Vec<TooLong> } =>
             "spans of this bridge are too long for load models of the rule: {}", models.iter().map(TooLong::to_string).collect::<Vec<_>>().join("; ");

@@ -30,6 +30,10 @@ pub(super) fn of_vehicles(
     if !sources.is_empty() {
         list.push(warning::Vehicles::NotRead { sources }.into());
     }
+    let values: Vec<String> = crate::plan_facts::doubtful_files(bridge).iter().map(ToString::to_string).collect();
+    if !values.is_empty() {
+        list.push(warning::Vehicles::DoubtfulFile { values }.into());
+    }
     if !beyond.is_empty() {
         list.push(warning::Vehicles::SpanTooLong { models: beyond.to_vec() }.into());
     }
