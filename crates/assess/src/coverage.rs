@@ -204,6 +204,8 @@ pub fn less_braking(a: &Evidence) -> Option<Taken> {
 /// share a width are kept apart.
 const WIDEST_LANE: f64 = 3.65;
 const FARTHEST_WHEEL: f64 = 2.0;
+/// Between the wheels of an axle on a road [m] (CS 454, 7.3).
+const NARROWEST_TRACK: f64 = 1.8;
 
 /// How a road's carriageway keeps vehicles from where they weigh most on the barrel, each in a sentence.
 pub fn lanes_apart(bridge: &Bridge) -> Vec<Taken> {
@@ -226,5 +228,14 @@ pub fn lanes_apart(bridge: &Bridge) -> Vec<Taken> {
         wide.map(|width| told(format!("lane_width {width:.2} m"), "vehicles beside one another are that far apart"));
     let far = asked.edge_distance.filter(|distance| *distance > FARTHEST_WHEEL);
     let far = far.map(|distance| told(format!("edge_distance {distance:.2} m"), "no wheel comes nearer to the edge"));
-    fewer.into_iter().chain(wide).chain(far).collect()
+    let left = |edge: f64| bridge.width - 2.0 * edge;
+    let none = asked.edge_distance.filter(|edge| left(*edge) < NARROWEST_TRACK);
+    let none = none.map(|edge| {
+        let left = left(edge).max(0.0);
+        told(
+            format!("edge_distance {edge:.2} m at both edges of {:.2} m", bridge.width),
+            &format!("{left:.2} m are left between, where no vehicle has room; wheels are taken in the middle"),
+        )
+    });
+    fewer.into_iter().chain(wide).chain(far).chain(none).collect()
 }

@@ -263,8 +263,8 @@ fn between_cracks(bridge: &Bridge, one: &Arrangement<'_>, counts: &[usize], foun
             wheels.sort_by(f64::total_cmp);
             let [from, to] = loaded.strip;
             let derivation = format!(
-                "{}; on the strip from {from:.2} to {to:.2} m between longitudinal cracks, with a line of wheels at {} m, as much per \
-                 metre as one vehicle on {:.2} m",
+                "{}; the barrel is divided by longitudinal cracks, and on its strip from {from:.2} to {to:.2} m stand lines of wheels, at {} m \
+                 from the edge: each metre there bears as much as if {:.2} m carried one vehicle",
                 one.derived(count, false),
                 wheels.iter().map(|at| format!("{at:.2}")).collect::<Vec<_>>().join(", "),
                 loaded.width
