@@ -3,7 +3,6 @@
 
 use crate::card::{Field, Kind, Need, Section};
 use crate::cards::text;
-use crate::fields::FILE;
 use crate::findings::Findings;
 use crate::material::{Material, MaterialValue, materials};
 use crate::tree::{nearest, shorten, wrong_type};
@@ -79,10 +78,10 @@ pub(crate) fn taken(section: &Section, table: &dyn TableLike) -> Vec<(String, St
     material.values.iter().filter(wanted).map(of).collect()
 }
 
-/// What a file takes from the library, each as "masonry.density 2250 kg/m^3 (sandstone)".
-pub(crate) fn from_library(file: &DeTable<'_>) -> Vec<String> {
+/// What a file of some kind takes from the library, each as "masonry.density 2250 kg/m^3 (sandstone)".
+pub(crate) fn from_library(kind: &Section, file: &DeTable<'_>) -> Vec<String> {
     let mut found = Vec::new();
-    for (key, value) in file.iter().filter(|(key, _)| FILE.field(key.get_ref()).is_some()) {
+    for (key, value) in file.iter().filter(|(key, _)| kind.field(key.get_ref()).is_some()) {
         let tables: Vec<&DeTable<'_>> = match value.get_ref() {
             DeValue::Table(one) => vec![one],
             DeValue::Array(list) => list.iter().filter_map(|one| one.get_ref().as_table()).collect(),

@@ -392,11 +392,11 @@ const BEYOND: f64 = 1.5;
 /// Deepest cover over the crown that is common [m]: below it loads spread until hardly any are left.
 const DEEP: f64 = 3.0;
 
-/// Cover so deep that loads hardly matter, in an assessment.
+/// Cover so deep that loads hardly matter.
 fn deep_cover(file: &Table<'_>, findings: &mut Findings) {
     let layers = every(file, "cover");
     let depth: f64 = layers.iter().filter_map(|table| value(table, "thickness")).sum();
-    if let Some(last) = layers.last().filter(|_| depth > DEEP && file.has("assess")) {
+    if let Some(last) = layers.last().filter(|_| depth > DEEP) {
         findings.warning(
             "P034",
             last.place("thickness"),

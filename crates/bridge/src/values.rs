@@ -379,19 +379,27 @@ pub(crate) fn measure(field: &Field, raw: Raw<'_>, wanted: &[Dimension], finding
                 DeValue::Float(float) => float.to_string(),
                 _ => String::new(),
             };
+            let help = number.parse().ok().and_then(|number| with_unit(field, number, unit)).unwrap_or_else(|| {
+                format!("write {} = \"{} {unit}\", if {unit} is meant", field.key, shorten(&number))
+            });
             findings
-                .error(
-                    "B101",
-                    range,
-                    format!("`{}` needs a unit", field.key),
-                    field.doc,
-                    format!("write {} = \"{} {unit}\", if {unit} is meant", field.key, shorten(&number)),
-                )
+                .error("B101", range, format!("`{}` needs a unit", field.key), field.doc, help)
                 .because("bare numbers are refused where there is a dimension: slips of unit are the costliest of all");
             None
         }
         _ => wrong_type(field, raw, findings),
     }
+}
+
+/// The quantity that a bare number of the trade stands for: a coefficient of friction is the tangent of an angle.
+fn with_unit(field: &Field, number: f64, unit: &str) -> Option<String> {
+    let coefficient = field.key.contains("friction_angle") && unit == "deg" && number > 0.0 && number < 2.0;
+    coefficient.then(|| {
+        format!(
+            "write \"{:.1} deg\", the arctangent of a coefficient of friction of {number}",
+            number.atan().to_degrees()
+        )
+    })
 }
 
 /// What a unit measures.
@@ -426,7 +434,8 @@ fn unreadable<T>(
 ) -> Option<T> {
     let (code, message, help) = match reason {
         Unreadable::NoUnit(number) => {
-            let help = format!("write \"{number} {unit}\", if {unit} is meant");
+            let help = with_unit(field, number, unit)
+                .unwrap_or_else(|| format!("write \"{number} {unit}\", if {unit} is meant"));
             ("B102", format!("`{}` has no unit", field.key), help)
         }
         Unreadable::UnknownUnit(number, symbol, near) => {

@@ -245,7 +245,13 @@ pub(crate) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut F
             range,
             format!("\"{}\" is no share of a span", shorten(text)),
             field.doc,
-            "write \"1/4 of span 1\", \"30% of span 2\" or \"crown of span 1\"",
+            match crate::quantity::parse(text) {
+                Ok(_) if table.section.field("position").is_some() => {
+                    format!("a distance from the first springing is written position = \"{}\"; a share, at = \"1/4 of span 1\"", shorten(text))
+                }
+                Ok(_) => "a distance is written as x and y; a share, \"1/4 of span 1\"".to_owned(),
+                Err(_) => "write \"1/4 of span 1\", \"30% of span 2\" or \"crown of span 1\"".to_owned(),
+            },
         );
     };
     let layout = layout?;

@@ -64,7 +64,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         piers = vec![one.clone(); spans.len() - 1];
     }
     Some(Bridge {
-        from_library: file.written().map_or_else(Vec::new, library::from_library),
+        from_library: file.written().map_or_else(Vec::new, |written| library::from_library(file.section, written)),
         name: general.name,
         width: general.width,
         gravity: general.gravity,
