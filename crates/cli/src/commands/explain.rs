@@ -1,9 +1,11 @@
-//! `extrados explain`: what a code or a status means, and which codes and keys are about some words.
+//! `extrados explain`: what a code, a status or a word of the glossary means, and which codes, keys and vehicles are about some words.
 
+use super::vehicles::GRAVITY;
 use crate::failure;
 use crate::report::Report;
 use crate::status::{self, Status};
-use bridge::fields::Need;
+use assess::vehicles::{Library, LoadModel, Vehicle};
+use bridge::fields::{Kind, Need};
 use extrados::Refusal;
 use findings::Card;
 use std::fmt::Write;
@@ -26,7 +28,7 @@ pub(super) fn run(words: &[String]) -> Result<Report, Refusal> {
         [code] if cards.iter().any(|card| card.code.eq_ignore_ascii_case(code)) => {
             Ok(one(cards.iter().find(|card| card.code.eq_ignore_ascii_case(code)).expect("it was found")))
         }
-        words => about(words, cards.into_iter().chain(keys()).collect()),
+        words => about(words, cards.into_iter().chain(keys()).chain(glossary()).chain(vehicles()).collect()),
     }
 }
 
@@ -47,7 +49,8 @@ fn about(words: &[String], entries: Vec<Entry>) -> Result<Report, Refusal> {
     match &found[..] {
         [] => {
             let said = words.join(" ");
-            let message = format!("there is no error, warning, status or key about {said}");
+            let message =
+                format!("there is no error, warning, status, key, vehicle or word of the glossary about {said}");
             let help = "extrados explain lists errors, warnings and statuses; docs/input/reference.md has the keys";
             Err(Refusal::new("F105", message, help))
         }
@@ -103,10 +106,43 @@ fn keys() -> impl Iterator<Item = Entry> {
             };
             let example =
                 if field.example.is_empty() { String::new() } else { format!("\n\nFor example: {}", field.example) };
-            let text = format!("A key of a bridge file. {missing}{example}\n\ndocs/input/reference.md has all keys.");
+            let words = match field.kind {
+                Kind::Word(words) => words.iter().map(|word| format!("\n  \"{}\": {}", word.word, word.doc)).collect(),
+                _ => String::new(),
+            };
+            let words = if words.is_empty() { words } else { format!("\n\nOne of these words:{words}") };
+            let text =
+                format!("A key of a bridge file. {missing}{example}{words}\n\ndocs/input/reference.md has all keys.");
             Entry { code, title: field.doc.to_owned(), text }
         })
     })
+}
+
+/// Every word of the glossary, as the book has it.
+fn glossary() -> impl Iterator<Item = Entry> {
+    let rows = include_str!("../../../../docs/glossary.md").lines().filter(|line| line.starts_with("| "));
+    rows.skip(1).filter_map(|row| {
+        let mut cells = row.trim_matches('|').split(" | ").map(str::trim);
+        let (code, text) = (cells.next()?.to_owned(), cells.next()?);
+        let title = text.split([';', ':', ',']).next().unwrap_or(text).to_owned();
+        Some(Entry { code, title, text: format!("A word of the glossary: {text}.\n\ndocs/glossary.md has all words.") })
+    })
+}
+
+/// Every vehicle of the library.
+fn vehicles() -> impl Iterator<Item = Entry> {
+    let library = assess::vehicles::library(GRAVITY);
+    let entries = |library: Library| -> Vec<Entry> {
+        let of = |(model, vehicle): (&LoadModel, &Vehicle)| {
+            let text = format!(
+                "A vehicle of the library, of {}: {}.\n\nextrados vehicles {} tells its axles and its rules.",
+                model.title, model.source.text, vehicle.code
+            );
+            Entry { code: vehicle.code.clone(), title: vehicle.title.clone(), text }
+        };
+        library.vehicles().map(of).collect()
+    };
+    library.map(entries).unwrap_or_default().into_iter()
 }
 
 fn list(cards: &[Entry]) -> Report {
@@ -203,6 +239,12 @@ mod tests {
             (&["backing"], "backing.height"),
             (&["Skew"], "span.skew"),
             (&["separated", "rings"], "defect.ring"),
+            (&["lost-mortar"], "defect.kind"),
+            (&["voussoir"], "voussoir"),
+            (&["watched", "point"], "watched point"),
+            (&["sign", "convention"], "sign convention"),
+            (&["Sobol"], "Sobol index"),
+            (&["SV80"], "sv-80"),
         ] {
             let found = first(words).unwrap();
             assert!(found.contains(&code.to_owned()) && found.len() <= MOST, "{words:?}: {found:?}");

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Gravity by which the trains' axles weigh here; a bridge file may give another [m/s^2].
-const GRAVITY: f64 = 9.81;
+pub(super) const GRAVITY: f64 = 9.81;
 
 /// Lists the library, or what bears one name.
 pub(super) fn run(asked: Option<&str>) -> Result<Report, Refusal> {

@@ -98,6 +98,32 @@ fn a_second_answer_takes_the_place_of_the_first() {
     assert_eq!(object(&stage.read("o/result.json"))["method"], answer["method"]);
 }
 
+/// What docs/signs.md says of forces and hinges: the first block's force on the second, by normal and shear, has one horizontal part all along a
+/// ring under vertical loads, and is the weight apart between its ends; hinges at the extrados turn counter-clockwise.
+#[test]
+fn signs_are_as_their_page_says() {
+    let stage = Stage::with_example("signs", "bridgemill");
+    let (answer, _) = stage.object(&["collapse", "bridge/case-1.toml", "--method", "limit", "--out", "o"]);
+    let table = stage.read("o/contacts.csv");
+    let mut joints = std::collections::BTreeMap::<usize, [f64; 2]>::new();
+    for row in table.lines().skip(1) {
+        let cell: Vec<f64> = row.split(',').take(9).map(|cell| cell.parse().expect("a number")).collect();
+        let (normal, compression, shear) = ([cell[5], cell[6]], cell[7], cell[8]);
+        let force = joints.entry(cell[2] as usize).or_default();
+        force[0] += compression * normal[0] - shear * normal[1];
+        force[1] += compression * normal[1] + shear * normal[0];
+    }
+    assert_eq!(joints.len(), 63);
+    let (first, last) = (joints[&1], joints[&63]);
+    assert!(joints.values().all(|force| near(force[0], first[0], 1e-6)), "{joints:?}");
+    // Down on the left, up on the right: what both supports bear is the load and the ring's weight.
+    assert!(first[1] > 300.0 && last[1] < -150.0 && first[1] - last[1] > answer["headline_kn_per_m"].as_f64().unwrap());
+    for hinge in answer["hinges"].as_array().expect("hinges") {
+        let sign = if hinge["edge"] == "extrados" { 1.0 } else { -1.0 };
+        assert!(sign * hinge["rotation"].as_f64().expect("a rotation") > 0.0, "{hinge}");
+    }
+}
+
 #[test]
 fn limit_analysis_bounds_the_load_from_both_sides() {
     let stage = Stage::with_example("answers-limit", "bridgemill");
