@@ -2,7 +2,7 @@
 //! how far it is where no bar can be drawn.
 
 use crate::report::Report;
-use crate::signs::{self, Now};
+use crate::signs::{self, Now, left, span};
 use crate::status::Status;
 use std::io::{IsTerminal, Write};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -73,23 +73,12 @@ fn line(seconds: f64, now: &Now) -> String {
     }
     let spent = now.begun.map_or(0.0, |begun| begun.elapsed().as_secs_f64());
     if let Some(share) = now.fraction.filter(|share| *share > 0.0 && *share <= 1.0) {
-        line += &format!(": {:.0} %", 100.0 * share);
-        // Before that an estimate is a guess.
-        if share > 0.02 && spent > 1.0 {
-            line += &format!(", about {} left", span(spent * (1.0 - share) / share));
+        line += &format!(": {:.*} %", usize::from(share < 0.01), 100.0 * share);
+        if let Some(left) = left(spent, share) {
+            line += &format!(", {left} left");
         }
     }
     line
-}
-
-/// Minutes and seconds.
-fn span(seconds: f64) -> String {
-    let whole = seconds.round() as u64;
-    match whole {
-        0..60 => format!("{whole} s"),
-        60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
-        _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
-    }
 }
 
 /// The answer of a run that was cut off, with what is kept of it.
@@ -113,5 +102,8 @@ mod tests {
         let silent = Now { task: String::new(), words: String::new(), fraction: None, begun: None, kept: None };
         assert_eq!(line(30.2, &silent), "30 s so far");
         assert_eq!(span(7320.0), "2 h 02 min");
+        let slow = Now { fraction: Some(0.004), begun, ..silent };
+        assert_eq!(line(30.2, &slow), "30 s so far: 0.4 %, at this pace 2 h 04 min left");
+        assert_eq!((left(0.5, 0.5), left(5.0, 0.001), left(5.0, 0.0)), (None, None, None), "a guess is none");
     }
 }

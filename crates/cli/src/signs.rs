@@ -105,3 +105,24 @@ pub(crate) fn tell(words: &str, fraction: Option<f64>) {
 pub(crate) fn keeps(key: &'static str, place: &std::path::Path, words: impl Into<String>) {
     lock().kept = Some(Kept { key, place: place.display().to_string(), words: words.into() });
 }
+
+/// How long the rest of a piece of work takes that has come so far in so many seconds; nothing where nobody can tell yet.
+pub(crate) fn left(spent: f64, share: f64) -> Option<String> {
+    let rest = spent * (1.0 - share) / share;
+    match share {
+        0.02..=1.0 if spent > 1.0 => Some(format!("about {}", span(rest))),
+        // Of long work the first pieces tell the size.
+        1e-9..0.02 if spent > 10.0 => Some(format!("at this pace {}", span(rest))),
+        _ => None,
+    }
+}
+
+/// Minutes and seconds.
+pub(crate) fn span(seconds: f64) -> String {
+    let whole = seconds.round() as u64;
+    match whole {
+        0..60 => format!("{whole} s"),
+        60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
+        _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+    }
+}

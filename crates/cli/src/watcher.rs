@@ -5,11 +5,11 @@ use crate::signs;
 pub(crate) use crate::signs::asked_to_stop;
 use extrados::{Progress, Refusal, Watch, Wish};
 use findings::visible::one_line;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::time::{Duration, Instant};
 
 /// Steps of the bar.
-const BAR: u64 = 1000;
+const BAR: u64 = 1_000_000;
 
 /// Looks on one run, and keeps its checkpoint every so often.
 pub(crate) struct Watcher<'a> {
@@ -78,12 +78,15 @@ pub(crate) fn bar(quiet: bool, length: u64) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(length), target);
     // The template is a constant that a test reads; without it the plain bar does.
     if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
-        bar.set_style(style);
+        bar.set_style(style.with_key("left", |state: &ProgressState, words: &mut dyn std::fmt::Write| {
+            let told = signs::left(state.elapsed().as_secs_f64(), f64::from(state.fraction()));
+            let _ = words.write_str(&told.map_or(String::new(), |left| format!(", {left} left")));
+        }));
     }
     bar
 }
 
-const TEMPLATE: &str = "{elapsed:>4} {wide_bar} {percent:>3} %, {eta} left  {msg}";
+const TEMPLATE: &str = "{elapsed:>4} {wide_bar} {percent:>3} %{left}  {msg}";
 
 impl Watch for Watcher<'_> {
     fn look(&mut self, progress: &Progress) -> Wish {
