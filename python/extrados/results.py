@@ -205,6 +205,9 @@ class Result:
             try:
                 return self._whole()[name]
             except KeyError:
+                # What a result of this kind may lack, as the collapse load of an arch that does not stand.
+                if any(name in getattr(one, "__annotations__", ()) for one in type(self).__mro__):
+                    return None
                 known = [one for one in dir(self) if not one.startswith("_")]
                 meant = near(name, known)
                 told = f"did you mean {' or '.join(meant)}?" if meant else f"it has {', '.join(known)}"

@@ -42,6 +42,17 @@ def test_representations_are_short_and_say_units(dem, small_passage):
         assert max(map(len, repr(shown).split("extrados."))) < 250 and "<svg" not in repr(shown)
 
 
+def test_results_that_lack_a_field_can_be_shown():
+    tiny = extrados.Bridge.example("tiny")
+    ring = extrados.Bridge.example("semicircle").collapse()
+    falls = tiny.with_(span_1_thickness="0.05 m").collapse(method="limit")
+    assert falls.status == "unstable-under-self-weight"
+    assert (ring.collapse_load_kn_per_m, falls.collapse_load_kn_per_m) == (None, None)
+    for found in (ring, falls):
+        assert found.status in repr(found) and found.status in found._repr_html_() and "None" not in repr(found)
+        assert hash(found) == hash(found)
+
+
 # ---- suggestions
 
 
