@@ -346,6 +346,9 @@ fn number_length(text: &str) -> usize {
 
 /// Units with their other spellings.
 const SPELLINGS: &[(&str, &[&str])] = &[
+    ("m", &["metre", "metres", "meter", "meters"]),
+    ("mm", &["millimetres", "millimeters"]),
+    ("deg", &["degree", "degrees", "deg."]),
     ("ft", &["feet", "foot", "ft.", "'", "′"]),
     ("in", &["inches", "inch", "in.", "\"", "″"]),
     ("kip", &["kips"]),

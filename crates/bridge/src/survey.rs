@@ -2,13 +2,16 @@
 //! and vehicles that the bridge is judged by. What a sheet does not say is written into the file as an assumption, in words, to be replaced.
 
 mod answers;
+mod names;
 mod page;
+mod rows;
 
 use crate::Severity;
 use answers::{Answer, Answers};
-use page::Sheet;
+use page::{More, Sheet};
 
 pub use answers::Unusable;
+pub use rows::{Left, Rows, Taken, is_table, rows};
 
 /// A number that a survey finds.
 #[derive(Debug, Clone, Copy)]
@@ -80,6 +83,33 @@ pub const PIER: [Question; 2] = [
         .usual("1 to 12 times its width"),
 ];
 
+/// What a sheet may say beyond that, as other programs have it; the file has no line of what it does not say, or the value that it assumes anyway.
+pub const MORE: [Question; 11] = [
+    question("profile", "Shape of the intrados: segmental, parabolic, elliptical, pointed.", "", "segmental"),
+    question("rings", "Rings that the thickness is made of; several may slide on one another.", "", "1"),
+    question("voussoirs", "Stones or bricks of a ring, in place of their length.", "", "40"),
+    question("skew", "Angle of skew.", "deg", "15 deg"),
+    question("fill_density", "Density of the fill, or its weight per volume.", "kg/m^3", "1900 kg/m^3"),
+    question("surfacing", "Depth of surfacing or ballast above the fill, at the crown.", "m", "0.10 m"),
+    question(
+        "surfacing_density",
+        "Density of the surfacing or ballast, or its weight per volume.",
+        "kg/m^3",
+        "2300 kg/m^3",
+    )
+    .assumed("2300 kg/m^3"),
+    question("backing_density", "Density of the backing, or its weight per volume.", "kg/m^3", "2200 kg/m^3"),
+    question("friction", "Angle of friction in the joints of a ring.", "deg", "30 deg"),
+    question("ring_friction", "Angle of friction between rings.", "deg", "30 deg").assumed("30 deg"),
+    question("fill_friction", "Angle of friction of the fill, which then presses on the ring's back.", "deg", "30 deg"),
+];
+
+/// Cohesion of the fill, where it has an angle of friction.
+const FILL_COHESION: Question = question("fill_cohesion", "Cohesion of the fill.", "kPa", "0 kPa").assumed("0 kPa");
+
+/// Most rings of a span, and most stones of a ring.
+const MOST_OF_A_RING: [usize; 2] = [10, 400];
+
 /// Most spans that a sheet may have.
 const MOST_SPANS: usize = 20;
 
@@ -112,7 +142,8 @@ fn checked(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> (Option<Stri
     let piers: Vec<[Answer; 2]> =
         (1..count).map(|k| std::array::from_fn(|n| answers.of_each(&PIER[n], &pier[n], k))).collect();
     let judged = answers.judged();
-    let sheet = Sheet { spans, piers, width, cover, unit, backing, density, strength, axle, judged };
+    let more = more(&mut answers);
+    let sheet = Sheet { spans, piers, width, cover, unit, backing, density, strength, axle, judged, more };
     let mut found = answers.wrong();
     if !found.is_empty() {
         return (None, found);
@@ -128,6 +159,39 @@ fn checked(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> (Option<Stri
         found.push(out_of_range(&sheet.unit, help));
     }
     (Some(text), found)
+}
+
+/// What the sheet says beyond the ten numbers.
+fn more(answers: &mut Answers<'_>) -> More {
+    let [
+        _,
+        rings,
+        voussoirs,
+        skew,
+        fill_density,
+        surfacing,
+        surfacing_density,
+        backing_density,
+        friction,
+        ring_friction,
+        fill_friction,
+    ] = &MORE;
+    let surfacing = answers.optional(surfacing);
+    let fill_friction = answers.optional(fill_friction);
+    let rings = if answers.said("rings").is_some() { answers.count(rings, MOST_OF_A_RING[0]) } else { 1 };
+    More {
+        number: answers.said("number").unwrap_or_default(),
+        profile: answers.said("profile").unwrap_or_else(|| "segmental".to_owned()),
+        voussoirs: answers.said("voussoirs").map(|_| answers.count(voussoirs, MOST_OF_A_RING[1])),
+        skew: answers.optional(skew),
+        fill_density: answers.optional(fill_density),
+        surfacing: surfacing.map(|depth| [depth, answers.of(surfacing_density)]),
+        backing_density: answers.optional(backing_density),
+        friction: answers.optional(friction),
+        ring_friction: if rings > 1 { answers.of(ring_friction) } else { Answer::default() },
+        fill_friction: fill_friction.map(|angle| [angle, answers.of(&FILL_COHESION)]),
+        rings,
+    }
 }
 
 /// What is said of an answer that is not possible.

@@ -42,6 +42,13 @@ impl Answer {
     pub(super) fn imperial(&self) -> bool {
         quantity::parse(&self.text).is_ok_and(|found| found.unit.imperial())
     }
+
+    /// One of so many equal parts of it.
+    pub(super) fn share(&self, parts: usize) -> Answer {
+        let si = self.si / parts as f64;
+        let text = if self.imperial() { feet(si, 6) } else { format!("{} m", (1e6 * si).round() / 1e6) };
+        Answer { text, si, ..self.clone() }
+    }
 }
 
 /// What the sheet says, and what of it is no value.
@@ -60,7 +67,8 @@ impl<'a> Answers<'a> {
         self.wrong
     }
 
-    fn said(&self, key: &str) -> Option<String> {
+    /// What is said of a question.
+    pub(super) fn said(&self, key: &str) -> Option<String> {
         (self.said)(key).map(|text| text.trim().to_owned()).filter(|text| !text.is_empty())
     }
 
@@ -82,6 +90,11 @@ impl<'a> Answers<'a> {
                 Answer { assumed: "the survey says nothing".to_owned(), ..value }
             }
         }
+    }
+
+    /// The answer to a question that may be left out.
+    pub(super) fn optional(&mut self, question: &Question) -> Option<Answer> {
+        self.said(question.key).map(|text| self.value(question, question.key, &text))
     }
 
     /// The same of the k-th span or pier, which is as the first where the sheet does not say otherwise.

@@ -18,6 +18,26 @@ pub(super) struct Sheet {
     pub axle: Answer,
     /// Code of a rule, and codes of vehicles; none for all of the rule.
     pub judged: Option<(String, Vec<String>)>,
+    pub more: More,
+}
+
+/// What a sheet may say beyond the ten numbers.
+pub(super) struct More {
+    /// Number of the structure; empty where none is said.
+    pub number: String,
+    /// The word of a shape.
+    pub profile: String,
+    pub rings: usize,
+    pub voussoirs: Option<usize>,
+    pub skew: Option<Answer>,
+    pub fill_density: Option<Answer>,
+    /// Its depth and density.
+    pub surfacing: Option<[Answer; 2]>,
+    pub backing_density: Option<Answer>,
+    pub friction: Option<Answer>,
+    pub ring_friction: Answer,
+    /// Angle of friction and cohesion.
+    pub fill_friction: Option<[Answer; 2]>,
 }
 
 /// Most voussoirs of a ring, and most courses of a pier, that a file made here has.
@@ -39,19 +59,36 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
         lines.push((page.lines().count(), value.clone()));
         line(page, key, value);
     };
-    let literal: String = name.chars().filter(|c| !c.is_control() && *c != '"' && *c != '\\').take(80).collect();
+    let more = &sheet.more;
     let mut page = format!(
-        "# From a survey sheet. Lines with \"assumed\" are to be replaced by what is known of this bridge.\n\n[bridge]\nname = \"{literal}\"\n"
+        "# From a survey sheet. Lines with \"assumed\" are to be replaced by what is known of this bridge.\n\n[bridge]\nname = \"{}\"\n",
+        literal(name)
     );
     line(&mut page, "width", &sheet.width);
     for [span, rise, thickness] in &sheet.spans {
-        page += "\n[[span]]\nprofile = \"segmental\"\n";
+        let _ = writeln!(page, "\n[[span]]\nprofile = \"{}\"", literal(&more.profile));
         line(&mut page, "span", span);
         line(&mut page, "rise", rise);
-        line(&mut page, "thickness", thickness);
+        if let Some(skew) = &more.skew {
+            line(&mut page, "skew", skew);
+        }
         let stones = arc(span.si, rise.si) / sheet.unit.si.max(1e-3);
-        let remark = if sheet.unit.assumed.is_empty() { "" } else { "  # assumed: stones of 0.30 m" };
-        let _ = writeln!(page, "voussoirs = {}{remark}", stones.round().clamp(5.0, MOST[0]) as u64);
+        let counted = stones.round().clamp(5.0, MOST[0]) as usize;
+        let remark = match more.voussoirs {
+            Some(_) => "",
+            None if sheet.unit.assumed.is_empty() => "",
+            None => "  # assumed: stones of 0.30 m",
+        };
+        let voussoirs = more.voussoirs.unwrap_or(counted);
+        if more.rings == 1 {
+            line(&mut page, "thickness", thickness);
+            let _ = writeln!(page, "voussoirs = {voussoirs}{remark}");
+        }
+        for _ in 0..if more.rings > 1 { more.rings } else { 0 } {
+            page += "\n[[span.ring]]  # assumed: rings of one thickness\n";
+            line(&mut page, "thickness", &thickness.share(more.rings));
+            let _ = writeln!(page, "voussoirs = {voussoirs}{remark}");
+        }
     }
     for [width, height] in &sheet.piers {
         page += "\n[[pier]]  # on ground that does not give\n";
@@ -63,17 +100,45 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
     if sheet.cover.si != 0.0 {
         page += "\n[[cover]]\nlayer = \"fill\"\n";
         line(&mut page, "thickness", &sheet.cover);
-        page += "density = \"1900 kg/m^3\"  # assumed: fill and surfacing as one layer\n";
+        match (&more.fill_density, &more.surfacing) {
+            (Some(density), _) => line(&mut page, "density", density),
+            (None, None) => page += "density = \"1900 kg/m^3\"  # assumed: fill and surfacing as one layer\n",
+            (None, Some(_)) => page += "density = \"1900 kg/m^3\"  # assumed\n",
+        }
+    }
+    if let Some([depth, density]) = more.surfacing.as_ref().filter(|[depth, _]| depth.si != 0.0) {
+        page += "\n[[cover]]  # assumed: above the fill, whose depth was given without it\nlayer = \"surfacing\"\n";
+        line(&mut page, "thickness", depth);
+        line(&mut page, "density", density);
     }
     if sheet.backing.si != 0.0 {
         page += "\n[backing]  # height above the springings\n";
         line(&mut page, "height", &sheet.backing);
-        page += "density = \"2200 kg/m^3\"  # assumed\n";
+        match &more.backing_density {
+            Some(density) => line(&mut page, "density", density),
+            None => page += "density = \"2200 kg/m^3\"  # assumed\n",
+        }
     }
     page += "\n[masonry]\n";
     line(&mut page, "density", &sheet.density);
     line(&mut page, "compressive_strength", &sheet.strength);
-    page += "\n[joint]\nfriction_angle = \"30 deg\"  # assumed\ncohesion = \"0 kPa\"  # assumed: mortar carries no tension\n\n\
+    page += "\n[joint]\n";
+    match &more.friction {
+        Some(angle) => line(&mut page, "friction_angle", angle),
+        None => page += "friction_angle = \"30 deg\"  # assumed\n",
+    }
+    page += "cohesion = \"0 kPa\"  # assumed: mortar carries no tension\n";
+    if more.rings > 1 {
+        page += "\n[ring_joint]\n";
+        line(&mut page, "friction_angle", &more.ring_friction);
+        page += "cohesion = \"0 kPa\"  # assumed: rings may separate\n";
+    }
+    if let Some([angle, cohesion]) = &more.fill_friction {
+        page += "\n[fill_pressure]\n";
+        line(&mut page, "friction_angle", angle);
+        line(&mut page, "cohesion", cohesion);
+    }
+    page += "\n\
              [dispersal]\nrule = \"uniform\"\nslope = \"2:1\"\n\n\
              [[load]]\nname = \"axle\"\nkind = \"axle\"\n";
     line(&mut page, "axle_force", &sheet.axle);
@@ -97,7 +162,15 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
             false => format!("vehicles = [{}]\n", vehicles.join(", ")),
         };
     }
+    if !more.number.is_empty() {
+        let _ = writeln!(page, "\n[document]\nstructure_number = \"{}\"", literal(&more.number));
+    }
     (page + "\n[analysis]\nmethod = \"limit\"\n", lines)
+}
+
+/// A text that may stand between quotation marks.
+fn literal(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control() && *c != '"' && *c != '\\').take(80).collect()
 }
 
 /// Length of a segmental arc [m].
