@@ -28,6 +28,12 @@ pub(crate) fn close(strands: Vec<Strand>, options: &Options, findings: &mut Find
     closed
 }
 
+/// Whether these make up one open line, and nothing else.
+pub(crate) fn is_one_line(strands: &[Strand], options: &Options) -> bool {
+    let partners = partners(strands, options.gap_tolerance.max(COINCIDE), &mut Findings::default());
+    !strands.is_empty() && strands.iter().all(|strand| !strand.closed) && 2 * strands.len() == partners.len() + 2
+}
+
 /// A line of no length is a duplicate point.
 fn has_length(strand: &Strand, findings: &mut Findings) -> bool {
     let first = strand.points[0];
@@ -130,7 +136,8 @@ fn follow(
             from[1],
             distance(from, to)
         );
-        let help = "close it, or state a larger gap_tolerance";
+        let help =
+            "close it, or state a larger gap_tolerance; an intrados is drawn as one open line, alone in its drawing";
         findings.error("D301", strands[end.strand].place.at(to), message, help);
         return None;
     }

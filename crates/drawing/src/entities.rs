@@ -38,6 +38,8 @@ pub(crate) struct Strand {
 pub(crate) struct Strands {
     pub(crate) strands: Vec<Strand>,
     pub(crate) circles: Vec<Circle>,
+    /// Single points: their layer and place [m].
+    pub(crate) points: Vec<(String, Point)>,
 }
 
 pub(crate) struct Expansion<'a> {
@@ -105,6 +107,14 @@ impl Expansion<'_> {
                 let ends = [10, 11].map(|code| entity.space(code, ORIGIN));
                 if self.is_flat(&place, context, ends.iter().map(|p| p[2])) {
                     self.strand(place, ends.map(|p| [p[0], p[1]]).to_vec(), &context.map, false, false);
+                }
+            }
+            "POINT" => {
+                let [x, y, z] = entity.space(10, ORIGIN);
+                let at = context.map.point([x, y]);
+                if z == 0.0 && self.is_near(&place, &[at]) {
+                    self.points += 1;
+                    self.out.points.push((place.layer, at));
                 }
             }
             "LWPOLYLINE" | "POLYLINE" => self.polyline(place, entity, context),

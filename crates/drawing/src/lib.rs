@@ -1,4 +1,4 @@
-//! Drawings (DXF) as closed outlines and circles in metres, both ways. A leaf: it knows neither bridges nor mechanics.
+//! Drawings (DXF) as closed outlines and circles in metres, both ways, and road profiles (LandXML) as lines. A leaf: it knows neither bridges nor mechanics.
 //!
 //! Reading never fails, whatever the bytes are: it gives what it understood and every finding, each with the layer, the
 //! handle and the coordinates of its place. [`read()`] goes through four steps: the sieve keeps the parts of
@@ -14,6 +14,7 @@ mod cut;
 mod entities;
 mod entity;
 mod finding;
+pub mod landxml;
 mod options;
 mod outline;
 mod overlap;
@@ -29,7 +30,7 @@ mod write;
 pub use finding::{Finding, Place};
 pub use findings::Severity;
 pub use options::{Concave, Options};
-pub use read::{Read, read};
+pub use read::{Read, Trace, read, trace};
 pub use shapes::{Circle, Drawing, Outline};
 pub use write::{Item, Layer, Sheet, layer_name};
 

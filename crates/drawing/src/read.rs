@@ -1,5 +1,6 @@
 //! Reading a drawing: from bytes to outlines and circles, with every finding.
 
+use crate::Point;
 use crate::finding::{Finding, Findings, Place};
 use crate::options::{Options, is_ignored};
 use crate::shapes::{Drawing, Outline};
@@ -34,7 +35,13 @@ pub fn read(bytes: &[u8], options: &Options) -> Read {
 fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Option<Drawing> {
     let sieved = sieve::sieve(bytes, findings)?;
     let unit = unit(sieved.header, options, findings);
-    for ((layer, kind), count) in sieved.left_out.iter().filter(|((layer, _), _)| !is_ignored(options, layer)) {
+    let content = entity::content(sieved.records, sieved.hidden_layers);
+    let drawn = entities::expand(&content, unit, options, findings);
+    let mut left_out = sieved.left_out;
+    for (layer, _) in &drawn.points {
+        *left_out.entry((layer.clone(), "POINT".to_owned())).or_insert(0) += 1;
+    }
+    for ((layer, kind), count) in left_out.iter().filter(|((layer, _), _)| !is_ignored(options, layer)) {
         let place = Place { layer: layer.clone(), ..Place::default() };
         let message = format!(
             "{count} of kind {kind} left out: only lines, arcs, polylines, circles, ellipses, splines \
@@ -42,8 +49,6 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         );
         findings.warning("D104", place, message, "draw what is meant to be a block as a closed polyline");
     }
-    let content = entity::content(sieved.records, sieved.hidden_layers);
-    let drawn = entities::expand(&content, unit, options, findings);
     let layers = layers(&drawn);
     let closed = chain::close(drawn.strands, options, findings);
     let outlines: Vec<Outline> =
@@ -54,6 +59,33 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         findings.error("D101", Place::default(), "there is no outline and no circle in the drawing", help);
     }
     Some(Drawing { outlines, circles: drawn.circles, layers, unit })
+}
+
+/// A curve that was drawn without being an outline: one open line, or single points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trace {
+    /// Its points [m]: those of the line, with curves as chords, or the single points.
+    pub points: Vec<Point>,
+    /// Every finding; one that is an error says why the points cannot be used.
+    pub findings: Vec<Finding>,
+}
+
+/// The one open line of a drawing, such as an intrados from springing to springing, or its single points; none of a drawing with outlines, circles or
+/// several open lines, which is a drawing of blocks.
+pub fn trace(bytes: &[u8], options: &Options) -> Option<Trace> {
+    let mut findings = Findings::default();
+    let sieved = sieve::sieve(bytes, &mut findings)?;
+    let unit = unit(sieved.header, options, &mut findings);
+    let content = entity::content(sieved.records, sieved.hidden_layers);
+    let drawn = entities::expand(&content, unit, options, &mut findings);
+    let is_line = chain::is_one_line(&drawn.strands, options);
+    if !drawn.circles.is_empty() || !(is_line || (drawn.strands.is_empty() && drawn.points.len() > 1)) {
+        return None;
+    }
+    let on_line = drawn.strands.into_iter().flat_map(|strand| strand.points);
+    let points: Vec<Point> =
+        if is_line { on_line.collect() } else { drawn.points.into_iter().map(|one| one.1).collect() };
+    Some(Trace { points, findings: findings.finish() })
 }
 
 /// Every layer on which something is drawn, in order of first use.

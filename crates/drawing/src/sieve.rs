@@ -40,7 +40,8 @@ struct Group<'a> {
 }
 
 /// The kinds of entities that are kept, each with its groups besides handle, layer and paper space.
-const KEPT: [(&str, &[i32]); 12] = [
+const KEPT: [(&str, &[i32]); 13] = [
+    ("POINT", &[10, 20, 30]),
     ("LINE", &[10, 20, 30, 11, 21, 31]),
     ("LWPOLYLINE", &[10, 20, 42, 38, 70, 210, 220, 230]),
     ("POLYLINE", &[10, 20, 30, 70, 210, 220, 230]),

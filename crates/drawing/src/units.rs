@@ -39,6 +39,18 @@ impl Header {
     }
 }
 
+/// Units of length of LandXML, by their names there, and metres in one.
+pub(crate) const LANDXML: [(&str, f64); 8] = [
+    ("meter", 1.0),
+    ("millimeter", 1e-3),
+    ("centimeter", 1e-2),
+    ("kilometer", 1e3),
+    ("foot", 0.3048),
+    ("USSurveyFoot", 1200.0 / 3937.0),
+    ("inch", 0.0254),
+    ("mile", 1609.344),
+];
+
 /// The unit of a header's number: its symbol, and metres in one.
 pub(crate) fn numbered(number: i16) -> Option<(&'static str, f64)> {
     UNITS.into_iter().find(|unit| unit.0 == number).map(|(_, symbol, metres)| (symbol, metres))
