@@ -41,7 +41,7 @@ pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use policy::bare;
 pub use preflight::planned;
 pub use state::by_weight_alone;
-pub use statics::statics;
+pub use statics::{statics, weighed};
 pub use sweep::{Places, sweep};
 pub use thickness::thickness;
 pub use vehicles::vehicle_sweep;

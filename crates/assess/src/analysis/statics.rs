@@ -33,6 +33,17 @@ pub fn statics(bridge: &Bridge) -> Result<Statics, AnalysisError> {
     })
 }
 
+/// The blocks whose weights [`statics`] tells, with the loads of the file: fill and particles as weight, the strip between the walls. Fill does not
+/// press on the rings.
+///
+/// # Errors
+/// A bridge that cannot be cut into blocks.
+pub fn weighed(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
+    let changes =
+        [Change::FillAsWeight, Change::ParticlesAsWeight, Change::Method(Method::Limit), Change::Strip(Strip::Fill)];
+    rigid::prepared(&state::with(bridge, &changes))
+}
+
 /// The parts in which weights are told.
 fn part(bridge: &Bridge, origin: Origin) -> String {
     match origin {

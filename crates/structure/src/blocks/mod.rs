@@ -2,11 +2,15 @@
 
 mod bodies;
 mod laws;
+mod listing;
 mod loads;
+mod opensees;
 mod overlaps;
 mod write;
 
 pub use bodies::{Body, Particle};
+pub use listing::{ListedBlock, ListedJoint, Listing, listing};
+pub use opensees::opensees;
 pub use write::{of_bridge, skeleton, toml};
 
 use crate::discretise::cover::Surface;
