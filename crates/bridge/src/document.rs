@@ -8,7 +8,7 @@ use crate::values::{bare_words, of_keys};
 
 of_keys! {
     /// The document.
-    #[derive(Debug, Clone, PartialEq, Eq, Default)]
+    #[derive(Debug, Clone, PartialEq, Default)]
     pub struct ReportDocument {
         pub structure_number: Option<String> =
             text("number of the structure in the owner's list", "ABC1/0123").optional("left blank"),
@@ -16,6 +16,12 @@ of_keys! {
             text("line or road that the bridge carries", "Settle to Carlisle, up and down main").optional("left blank"),
         pub location: Option<String> =
             text("mileage, chainage, grid reference", "12 m 34 ch, SD 765 795").optional("left blank"),
+        pub latitude: Option<f64> = number("geographic latitude in degrees (WGS 84), north positive, for the map of a folder of bridges", "54.0689")
+            .between(-90.0, 90.0)
+            .optional("the bridge has no place on the map"),
+        pub longitude: Option<f64> = number("geographic longitude in degrees (WGS 84), east positive", "-2.2836")
+            .between(-180.0, 180.0)
+            .optional("the bridge has no place on the map"),
         pub owner: Option<String> = text("who owns the bridge", "County Council").optional("left blank"),
         pub purpose: Option<String> =
             text("what the assessment is for", "quantitative assessment, level 1").optional("left blank"),
@@ -61,7 +67,7 @@ of_keys! {
 pub(crate) static DOCUMENT: Section = Section {
     path: "document",
     doc: "Identification, revisions and signatures of the report of `extrados assess`. No analysis reads it.",
-    fields: &joined::<13>(&[
+    fields: &joined::<15>(&[
         ReportDocument::CARDS,
         &[
             tables("revision", &REVISION, "Versions of the document, the newest last.")
@@ -89,7 +95,22 @@ pub(crate) fn document(file: &Table<'_>, findings: &mut Findings) -> Option<Repo
     if !file.has("document") {
         return None;
     }
-    ReportDocument::of(&file.table("document", findings)?, findings)
+    let table = file.table("document", findings)?;
+    let found = ReportDocument::of(&table, findings)?;
+    let [given, missing] = match (found.latitude, found.longitude) {
+        (Some(_), None) => ["latitude", "longitude"],
+        (None, Some(_)) => ["longitude", "latitude"],
+        _ => return Some(found),
+    };
+    let message = format!("`{given}` without `{missing}` is no place");
+    findings.error(
+        "B107",
+        table.place(given),
+        message,
+        "both, in degrees",
+        format!("write `{missing}` as well, or none of both"),
+    );
+    Some(found)
 }
 
 fn revisions(table: &Table<'_>, findings: &mut Findings) -> Option<Vec<Revision>> {

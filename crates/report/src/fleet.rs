@@ -35,6 +35,12 @@ pub struct FleetRow {
     pub left_out: Vec<String>,
     /// Codes of doubtful values.
     pub doubtful: Vec<String>,
+    /// Least factor on a vehicle of the rule, or else on the loads of the file; none where nothing was found.
+    pub factor: Option<f64>,
+    /// What that factor is on; empty where there is none.
+    pub factor_on: String,
+    /// Latitude and longitude [deg], where the file has both.
+    pub place: Option<[f64; 2]>,
     /// Its report, relative to the table; empty where there is none.
     pub report: String,
 }

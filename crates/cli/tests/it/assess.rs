@@ -287,6 +287,28 @@ fn a_fleet_survives_broken_files_and_a_kill() {
     assert_eq!(stage.read("calm/fleet.csv"), table);
 }
 
+/// A place in a bridge file is a point of the map, with the least factor of its verdict.
+#[test]
+fn a_fleet_with_places_is_a_map() {
+    let stage = fleet("assess-map", 2);
+    let placed = fleet_file(1) + "\n[document]\nlatitude = 54.0689\nlongitude = -2.2836\n";
+    stage.write("bridges/0001.toml", &placed);
+    stage.object(&["assess", "bridges", "--out", "fleet", "--skip", "sensitivity"]);
+    let map: serde_json::Value = serde_json::from_str(&stage.read("fleet/fleet.geojson")).expect("JSON");
+    let features = map["features"].as_array().expect("features");
+    assert_eq!(features.len(), 2);
+    let one = features.iter().find(|one| one["properties"]["file"] == "0001.toml").expect("the bridge");
+    assert_eq!(one["geometry"], serde_json::json!({ "type": "Point", "coordinates": [-2.2836, 54.0689] }));
+    let (alone, _) = stage.object(&["assess", "bridges/0001.toml", "--out", "alone", "--skip", "sensitivity"]);
+    let factor = one["properties"]["least_factor"].as_f64().expect("a factor");
+    let values = alone["checks"].as_array().into_iter().flatten().filter_map(|check| check["value"].as_f64());
+    assert!(values.clone().any(|value| value == factor), "{factor} is no value of {alone}");
+    // One coordinate alone is told, and no place without both.
+    stage.write("half.toml", fleet_file(1) + "\n[document]\nlatitude = 54.0689\n");
+    let said = stage.run(&["check", "half.toml"]).stderr;
+    assert!(said.contains("B107") && said.contains("write `longitude` as well"), "{said}");
+}
+
 /// Names of the bridges of a fleet that are finished.
 fn finished(stage: &Stage, fleet: &str) -> Vec<String> {
     let names = stage.names(fleet).into_iter();

@@ -90,18 +90,33 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     if unusable.len() > MOST_LISTED {
         report.summary += &format!("  and {} more, in the table\n", unusable.len() - MOST_LISTED);
     }
-    report.summary += &format!("\nfleet.html and fleet.csv are in {}\n", folder.path().display());
+    let map = ::report::fleet_geojson(&rows);
+    let named = if map.is_some() { "fleet.html, fleet.csv and fleet.geojson" } else { "fleet.html and fleet.csv" };
+    report.summary += &format!("\n{named} are in {}\n", folder.path().display());
+    if map.is_none() {
+        report.summary += "no map: write latitude and longitude into [document] of the bridge files\n";
+    }
     let made = format!(
         "Made by extrados {}: {}",
         extrados::VERSION,
         command(arguments, &arguments.file.display().to_string())
     );
     let title = arguments.file.display().to_string();
-    let files = vec![
+    let mut files = vec![
         figures::File { name: "fleet.csv".into(), bytes: ::report::fleet_csv(&rows).into_bytes() },
         figures::File { name: "fleet.html".into(), bytes: ::report::fleet_html(&title, &rows, &made).into_bytes() },
     ];
+    files.extend(map.map(|map| figures::File { name: "fleet.geojson".into(), bytes: map.into_bytes() }));
     results::publish(desk, report, &folder, Written { files, ..Written::default() })
+}
+
+/// The least factor on a vehicle of the rule, or else on the loads of the file, and what it is on.
+fn least(facts: &::outcome::assessment::Facts) -> (Option<f64>, String) {
+    let swept = facts.vehicles.made().into_iter().flat_map(|facts| &facts.vehicles);
+    let factors = swept.filter_map(|one| Some((one.adequacy?, one.title.clone())));
+    let own = facts.ultimate.made().and_then(|own| Some((own.load_factor?, own.load.clone())));
+    let found = factors.min_by(|a, b| a.0.total_cmp(&b.0)).or(own);
+    found.map_or((None, String::new()), |(factor, on)| (Some(factor), on))
 }
 
 /// A shard of a fleet: the finished stages of its bridges are its pieces, the bridge files its inputs.
@@ -238,7 +253,12 @@ fn judged(
     let verdict = &assessment.verdict;
     let worst = ::outcome::checked::worst(&assessment.checked);
     let all = assessment.checked.iter().flat_map(|check| check.outcome.iter().flatten());
+    let (factor, factor_on) = least(&assessment.facts);
+    let document = source.project.meaning().document.as_ref();
     Ok(Some(FleetRow {
+        factor,
+        factor_on,
+        place: document.and_then(|document| Some([document.latitude?, document.longitude?])),
         name: assessment.bridge.clone(),
         utilisation: worst.map(|(_, finding)| finding.utilisation),
         governing: worst.map_or(String::new(), |(check, _)| format!("{} {}", check.code, check.title)),
