@@ -135,9 +135,9 @@ pub(crate) struct Check {
 /// `extrados convert`.
 #[derive(Debug, Args)]
 pub(crate) struct Convert {
-    /// A bridge file or a block model file (.toml), a drawing (.dxf), or a surveyed section of an intrados (.csv)
+    /// A bridge file or a block model file (.toml), a drawing (.dxf), a surveyed section of an intrados (.csv), a table of a bridge's numbers (.txt, .csv), or a road profile (LandXML, .xml)
     pub from: PathBuf,
-    /// What to write: .toml, .dxf or .vtu; of a section .toml, .svg, .png or .csv
+    /// What to write: .toml, .dxf, .vtu, .py (OpenSees) or .csv; of a section .toml, .svg, .png or .csv; of a table or a road profile .toml
     pub to: PathBuf,
     /// Unit of a drawing or a section, in place of what its header says
     #[arg(long, value_name = "UNIT", value_parser = ["m", "cm", "mm", "ft", "in"])]
@@ -151,6 +151,15 @@ pub(crate) struct Convert {
     /// Cut concave outlines into convex pieces
     #[arg(long)]
     pub cut_concave: bool,
+    /// Of a road profile (.xml): the station of the left springing of the first span, at the intrados, such as "1234.5 m"
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub station: Option<String>,
+    /// Of a road profile: the level of that springing in the same datum
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub springing_level: Option<String>,
+    /// Of a road profile: which one, where the file has several
+    #[arg(long, value_name = "NAME")]
+    pub profile: Option<String>,
     /// Replace TO where it exists; never the input
     #[arg(long)]
     pub overwrite: bool,

@@ -66,7 +66,8 @@ findings::cards! {
                (.toml) becomes a drawing (.dxf), a ParaView file (.vtu) or a block model file with every block listed \
                (.toml); a drawing becomes a block model file, a ParaView file, or a cleaned drawing in metres; a surveyed section \
                of an intrados (.csv, .txt, .xy) becomes the beginning of a bridge file (.toml), a drawing of its deviations (.svg, .png) \
-               or a table of them (.csv).";
+               or a table of them (.csv); a table of a bridge's numbers (.txt, .csv) becomes a bridge file (.toml); a road profile (LandXML, .xml) becomes the [road] \
+               of one; a bridge or block model file becomes tables (.csv) or a script for OpenSees (.py) for checkers.";
     "F119", "the file to be written exists",
         "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
         drawing that this one names. `extrados respond --records FILE` replaces a record that is labelled synthetic, and never another \
@@ -120,6 +121,18 @@ findings::cards! {
         "The curve was fitted, and the message says what may be wrong with it: points that were left out, faces of abutments below the springings (left out too), a stretch without points, steps or a \
         kink that a smooth curve rounds off, ends that are not level. `extrados convert SECTION.csv SECTION.svg` draws every point with \
         its distance from the curve.";
+    "F135", "a line of a table that was not taken",
+        "A table of numbers has a name, a value and a unit on each line. The line has a name that no question of a survey has, or a value that \
+        cannot be read. The file is made without it, so that it has what it would have had without this line: write the line as the message says \
+        and convert again, or write the value into the file. docs/input/other-programs.md lists the names.\n\nExample: `Mortar loss; 20; mm` is \
+        no question of a survey; in the file it is a [[defect]].";
+    "F136", "what was assumed in reading a table",
+        "A number without a unit, a unit in other letters, a coefficient of friction in place of its angle, or an answer outside of what is usual. The \
+        message names the line and what it was taken for: correct the table where that is wrong.";
+    "F137", "a road profile cannot be used",
+        "A LandXML file has its profiles as <ProfAlign> (intersections of grades with vertical curves) or <ProfSurf> (points), with stations and levels in the \
+        unit of its <Units>. --station says where the left springing of the first span stands on it. The message names the line of the file, or the \
+        profiles that it has.\n\nExample: `extrados convert alignment.xml road.toml --station \"1234.5 m\" --springing-level \"99.80 m\"`.";
     "F140", "the program has no workbench",
         "The page of the workbench is a part of the program only where it was built with the feature `workbench`, after the page itself. \
         `.ci/workbench build` does both; docs/tutorials/workbench.md has every step. The page works from any web server as well.";

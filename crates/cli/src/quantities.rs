@@ -25,6 +25,11 @@ pub(crate) fn length(option: &str, text: &str) -> Result<f64, Refusal> {
     above_zero(option, text, Dimension::Length, "0.25 m")
 }
 
+/// A station or a level [m], of either sign.
+pub(crate) fn place(option: &str, text: &str) -> Result<f64, Refusal> {
+    Ok(read(option, text, &[Dimension::Length], "1234.5 m")?.si())
+}
+
 /// A stress or modulus [Pa].
 pub(crate) fn stress(option: &str, text: &str) -> Result<f64, Refusal> {
     above_zero(option, text, Dimension::Stress, "40 MPa")

@@ -1,6 +1,9 @@
 //! `extrados convert`: bridge files, block model files, drawings and ParaView files, by extension.
 
+mod checker;
+mod road;
 mod section;
+mod table;
 
 use super::model::Model;
 use super::source::{Source, read_file, read_text};
@@ -31,8 +34,27 @@ enum Content {
 /// Reads FROM and writes TO.
 pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Refusal> {
     let (from, to) = (ending(&arguments.from), ending(&arguments.to));
-    if matches!((from.as_str(), to.as_str()), ("csv" | "txt" | "xy", "toml" | "svg" | "png" | "csv")) {
-        return section::run(desk, arguments, &to);
+    if matches!((from.as_str(), to.as_str()), ("xml" | "landxml", "toml")) {
+        return road::run(desk, arguments);
+    }
+    if arguments.station.is_some() || arguments.springing_level.is_some() || arguments.profile.is_some() {
+        let message = "--station, --springing-level and --profile are for road profiles (LandXML, .xml)";
+        return Err(Refusal::new("F107", message, "leave them out"));
+    }
+    if matches!((from.as_str(), to.as_str()), ("csv" | "txt" | "tsv" | "xy", "toml" | "svg" | "png" | "csv")) {
+        return match table::read(&arguments.from)? {
+            Some(text) => table::run(desk, arguments, &text, &to),
+            None => section::run(desk, arguments, &to),
+        };
+    }
+    if from == "dxf"
+        && matches!(to.as_str(), "toml" | "svg" | "png" | "csv")
+        && let Some(points) = traced(desk, arguments)?
+    {
+        return section::traced(desk, arguments, &points, &to);
+    }
+    if from == "toml" && matches!(to.as_str(), "py" | "csv") {
+        return checker::run(desk, arguments, &to);
     }
     if !matches!((from.as_str(), to.as_str()), ("toml" | "dxf", "toml" | "dxf" | "vtu")) {
         return Err(no_pair(&from, &to));
@@ -79,13 +101,22 @@ fn no_pair(from: &str, to: &str) -> Refusal {
     Refusal::new(
         "F118",
         message,
-        "convert .toml to .dxf, .vtu or .toml, .dxf to .toml, .vtu or .dxf, or a section's .csv to .toml, .svg, .png or .csv",
+        "convert .toml to .dxf, .vtu, .toml, .py (OpenSees) or .csv, .dxf to .toml, .vtu or .dxf, a section's .csv to .toml, .svg, .png or .csv, or a table of \
+         numbers (.txt, .csv) or a road profile (LandXML, .xml) to .toml",
     )
 }
+
+/// How a bridge is cut into blocks.
+type Cut<'a> = dyn Fn(&bridge::Bridge) -> Result<structure::discretise::Discretised, AnalysisError> + 'a;
 
 type ReadIn = (Report, Option<Content>, Vec<std::path::PathBuf>);
 
 fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal> {
+    read_model_by(desk, arguments, &|bridge| Ok(structure::discretise::discretise(bridge)?))
+}
+
+/// The same, with a bridge cut into blocks as is wanted.
+fn read_model_by(desk: &mut Desk, arguments: &Convert, cut: &Cut<'_>) -> Result<ReadIn, Refusal> {
     let of_drawing = arguments.unit.is_some()
         || arguments.chord_tolerance.is_some()
         || arguments.gap_tolerance.is_some()
@@ -104,26 +135,44 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal> {
     }
     let source = Source::open(desk, &arguments.from)?;
     let Some(bridge) = source.bridge() else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
-    let cut = structure::discretise::discretise(bridge).map_err(AnalysisError::from)?;
-    let scene = Box::new(of_bridge(bridge, &cut));
+    let scene = Box::new(of_bridge(bridge, &cut(bridge)?));
     Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))
 }
 
-fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal> {
-    let bytes = read_file(&arguments.from, LONGEST_DRAWING)?;
+/// How a drawing is to be read.
+fn options(arguments: &Convert) -> Result<Options, Refusal> {
     let length = |option: &str, text: &Option<String>, default: f64| match text {
         Some(text) => quantities::length(option, text),
         None => Ok(default),
     };
     let default = Options::default();
     let metres = |symbol: &str| bridge::quantity::UNITS.iter().find(|unit| unit.symbol == symbol).map(|unit| unit.size);
-    let options = Options {
+    Ok(Options {
         unit: arguments.unit.as_deref().and_then(metres),
         chord_tolerance: length("--chord-tolerance", &arguments.chord_tolerance, default.chord_tolerance)?,
         gap_tolerance: length("--gap-tolerance", &arguments.gap_tolerance, default.gap_tolerance)?,
         concave: if arguments.cut_concave { drawing::Concave::Cut } else { drawing::Concave::Refuse },
         ignored: Vec::new(),
-    };
+    })
+}
+
+/// Points of the one line, or the single points, that a drawing has where it has no blocks.
+fn traced(desk: &mut Desk, arguments: &Convert) -> Result<Option<Vec<[f64; 2]>>, Refusal> {
+    // One that cannot be read is told of by the reader of drawings.
+    let Ok(bytes) = read_file(&arguments.from, LONGEST_DRAWING) else { return Ok(None) };
+    let Some(trace) = drawing::trace(&bytes, &options(arguments)?) else { return Ok(None) };
+    let is_usable = trace.findings.iter().all(|finding| finding.severity != drawing::Severity::Error);
+    if is_usable && !desk.screen.quiet {
+        let name = arguments.from.display().to_string();
+        desk.screen.remark(&render::drawing(&name, &trace.findings, &Paint::for_stderr()));
+    }
+    // What keeps it from being read is told by the reader of drawings.
+    Ok(is_usable.then_some(trace.points))
+}
+
+fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal> {
+    let bytes = read_file(&arguments.from, LONGEST_DRAWING)?;
+    let options = options(arguments)?;
     let read = drawing::read(&bytes, &options);
     let name = arguments.from.display().to_string();
     let usable = read.is_usable();
@@ -137,8 +186,13 @@ fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Refusal>
 
 /// Refuses to replace an input, and any other file unless it was asked for.
 fn guard(arguments: &Convert, inputs: &[&Path]) -> Result<(), Refusal> {
-    let Ok(target) = arguments.to.canonicalize() else { return Ok(()) };
-    let shown = arguments.to.display();
+    guard_at(&arguments.to, arguments, inputs)
+}
+
+/// The same of a file at another place.
+fn guard_at(to: &Path, arguments: &Convert, inputs: &[&Path]) -> Result<(), Refusal> {
+    let Ok(target) = to.canonicalize() else { return Ok(()) };
+    let shown = to.display();
     if inputs.iter().any(|input| input.canonicalize().is_ok_and(|input| input == target)) {
         let message = format!("{shown} is an input of this conversion");
         return Err(Refusal::new("F119", message, "write to another file"));

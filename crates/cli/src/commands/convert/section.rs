@@ -28,13 +28,40 @@ pub(super) fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Repo
         return Err(Refusal::new("F107", message, "leave them out"));
     }
     let from = arguments.from.display().to_string();
-    let refused = |error: section::SectionError| {
-        Refusal::new("F133", format!("{from}: {error}"), "extrados explain F133 tells what a section is")
-    };
     let unit = arguments.unit.as_deref().and_then(LengthUnit::named);
     let table = bridge::as_utf8(read_file(&arguments.from, LONGEST)?);
-    let read = section::read(&String::from_utf8_lossy(&table), unit).map_err(refused)?;
-    let found = section::fit(&read.points).map_err(refused)?;
+    let read = section::read(&String::from_utf8_lossy(&table), unit)
+        .map_err(|error| refused(&from, &error, "extrados explain F133 tells what a section is"))?;
+    let overruled = read.overruled.zip(unit).map(|(headed, unit)| {
+        format!("the heading says {}, --unit says {}, which is taken: correct the heading", headed.symbol, unit.symbol)
+    });
+    fitted(desk, arguments, (&read.points, overruled), to)
+}
+
+/// The points of an open line, or single points, of a drawing as a section.
+pub(super) fn traced(desk: &mut Desk, arguments: &Convert, points: &[[f64; 2]], to: &str) -> Result<Report, Refusal> {
+    fitted(desk, arguments, (points, None), to)
+}
+
+fn refused(from: &str, error: &section::SectionError, help: &str) -> Refusal {
+    Refusal::new("F133", format!("{from}: {error}"), help)
+}
+
+/// Fits the curve of a section [m] and writes what the extension `to` asks for; with it a doubt about its unit.
+fn fitted(
+    desk: &mut Desk,
+    arguments: &Convert,
+    (points, overruled): (&[[f64; 2]], Option<String>),
+    to: &str,
+) -> Result<Report, Refusal> {
+    let from = arguments.from.display().to_string();
+    let help = match super::ending(&arguments.from) == "dxf" {
+        true => {
+            "draw the intrados as one open line or as points, twelve or more, alone in its drawing; blocks are drawn as closed polylines"
+        }
+        false => "extrados explain F133 tells what a section is",
+    };
+    let found = section::fit(points).map_err(|error| refused(&from, &error, help))?;
     let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let drawing = || figures::section_drawing(&name, &found);
     let bytes = match to {
@@ -48,9 +75,6 @@ pub(super) fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Repo
     guard(arguments, &[&arguments.from])?;
     folder::write_whole(&arguments.to, &bytes).map_err(|error| failure::unwritable(&arguments.to, &error))?;
     let mut report = Report::new(Status::Completed);
-    let overruled = read.overruled.zip(unit).map(|(headed, unit)| {
-        format!("the heading says {}, --unit says {}, which is taken: correct the heading", headed.symbol, unit.symbol)
-    });
     for doubt in overruled.into_iter().chain(doubts(&found)) {
         report.warn(&mut desk.screen, "F134", &doubt);
     }
