@@ -100,8 +100,8 @@ const IMPERIAL: Record<string, Conversion> = {
 
 const QUANTITY = /^\s*([+-]?(?:\d[\d_ \u2009]*)?(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*(\D.*)?$/;
 
-/** A quantity as written ("18.30 m") shown in the wanted system; its text where it is metric anyway or no number. */
-export function shown(written: string, system: System): { text: string; unit: string } {
+/** A quantity as written ("18.30 m") shown in the wanted system, with so many digits where it is converted; its text where it is metric anyway or no number. */
+export function shown(written: string, system: System, digits = 4): { text: string; unit: string } {
   const match = QUANTITY.exec(written);
   if (!match || match[1] === "") return { text: written, unit: "" };
   const unit = (match[2] ?? "").trim();
@@ -109,7 +109,7 @@ export function shown(written: string, system: System): { text: string; unit: st
   if (!Number.isFinite(number)) return { text: written, unit: "" };
   const conversion = system === "imperial" ? IMPERIAL[unit] : undefined;
   if (!conversion) return { text: match[1]!.trim(), unit };
-  return { text: Number((number * conversion.times).toPrecision(6)).toString(), unit: conversion.to };
+  return { text: Number((number * conversion.times).toPrecision(digits)).toString(), unit: conversion.to };
 }
 
 /** Units in which engineers write what a survey asks for in a metric unit, the usual one first. The reader of files knows all of them. */
@@ -127,20 +127,20 @@ function plain(unit: string): string {
 }
 
 /** An answer for its field: its number where the field offers its unit, and its text with a unit of its own otherwise. */
-export function entry(written: string, unit: string, system: System): { text: string; unit: string } {
+export function entry(written: string, unit: string, system: System, digits = 4): { text: string; unit: string } {
   const offered = choices(unit, system);
   const [usual = ""] = offered;
   const match = QUANTITY.exec(written);
   const own = plain((match?.[2] ?? "").trim());
   if (match && match[1] !== "" && offered.includes(own)) return { text: match[1]!.trim(), unit: own };
-  const converted = shown(written, system);
+  const converted = shown(written, system, digits);
   if (converted.unit !== "" && offered.includes(converted.unit)) return converted;
   return { text: written, unit: usual };
 }
 
 /** An answer as its field shows it, with its unit; as it is where the field has no unit for it. `digits` are those of a number that is converted. */
 export function restated(written: string, unit: string, system: System, digits = 6): string {
-  const there = entry(written, unit, system);
+  const there = entry(written, unit, system, Math.max(digits, 6));
   const same = shown(written, "metric");
   if (!choices(unit, system).includes(there.unit) || there.unit === plain(same.unit) || there.text === written || there.text === "") return written;
   return `${Number(Number(there.text).toPrecision(digits))} ${there.unit}`;
@@ -170,7 +170,7 @@ export function also(written: string): string {
 /** Metric quantities within words, "1500 to 3000 kg/m^3", in the wanted system; what stands in quotation marks stays. */
 export function inSystem(words: string, system: System): string {
   if (system === "metric") return words;
-  return words.replace(/"[^"]*"|(\d[\d.]*)(?: to (\d[\d.]*))? (kg\/m\^3|kN\/m\^3|GPa|MPa|kPa|kN|mm|m)(?![\w^/])/g, (all, low: string | undefined, high: string | undefined, unit: string) => {
+  return words.replace(/"[^"]*"|(\d[\d.]*)(?: to (\d[\d.]*))? (kg\/m\^3|kN\/m\^3|kN\/m\^2|kN\/m|GPa|MPa|kPa|kN|mm|m)(?![\w^/])/g, (all, low: string | undefined, high: string | undefined, unit: string) => {
     const conversion = low === undefined ? undefined : IMPERIAL[unit];
     if (!conversion) return all;
     const said = (number: string): string => Number((Number(number) * conversion.times).toPrecision(3)).toString();

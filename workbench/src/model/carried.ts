@@ -1,7 +1,9 @@
 /** What a load per metre of width means for the whole of it. */
 import { metresOf } from "../drawing/handles";
-import { force, words, type System } from "../units";
+import { force, shown, words, type System } from "../units";
 import type { Sheet } from "./sheet";
+
+const said = (written: string, system: System): string => ((one) => (system === "metric" ? written : `${one.text} ${one.unit}`.trim()))(shown(written, system));
 
 /** A load [N/m] in words: over the whole width for loads that lie across it; on the axle for an axle, which presses on its effective width alone. */
 export function overItsWidth(sheet: Sheet, load: number, system: System): string {
@@ -12,5 +14,5 @@ export function overItsWidth(sheet: Sheet, load: number, system: System): string
   const loads = sheet.reading[0]()?.sections?.loads ?? 0;
   const width = loads === 1 && own("axle_force").length === 1 ? metresOf(narrow[0]!) : null;
   // Several axles or loads share a width each: their sum is the force on no width there is.
-  return width === null ? "all loads of the file, each over its own width" : `${words(force(load * width, system))} on the axle, over its ${narrow[0]!.text}`;
+  return width === null ? "all loads of the file, each over its own width" : `${words(force(load * width, system))} on the axle, over its ${said(narrow[0]!.text, system)}`;
 }

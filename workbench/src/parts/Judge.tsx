@@ -35,6 +35,8 @@ export function Judge(props: { id: string; start: Judged; change: (judged: Judge
   };
   // A rule brings its vehicles; what must be carried besides, or alone, is ticked.
   const pickRule = (value: string): void => {
+    // A rule for road and rail does not say which of both runs here.
+    setChosen(traffic());
     setRule(value);
     setTicked(new Set(all()));
     give();

@@ -230,11 +230,11 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     const found = object();
     if (!found) return [];
     const list: { kind: string; text: string; line?: number }[] = [];
-    const texts = (key: string): string[] => ((found[key] as string[] | undefined) ?? []).map(plainly);
+    const texts = (key: string): string[] => ((found[key] as string[] | undefined) ?? []).map((text) => plainly(inSystem(text, system())));
     const missing = texts("missing");
     for (const text of missing) list.push({ kind: "warn", text: `Missing: ${text}` });
     if (assumed().length > 0) list.push({ kind: "", text: typeset(inSystem(`Assumed by the file, measured by nobody: ${assumed().join("; ")}.`, system())) });
-    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${plainly(one.message ?? "")}`, ...(one.line ? { line: one.line } : {}) });
+    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${plainly(inSystem(one.message ?? "", system()))}`, ...(one.line ? { line: one.line } : {}) });
     // What the command says beside the verdict, in the same words.
     for (const text of texts("beside")) list.push({ kind: "", text: `Beside the verdict: ${text}` });
     for (const text of texts("assumptions")) list.push({ kind: "", text });
@@ -349,6 +349,7 @@ export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
       <Show when={verdict().mode === "runs"}>
         <button type="button" class="btn" onClick={() => background.stop()}>Stop</button>
       </Show>
+      <Show when={system() === "imperial"}><p class="soft">The report, its figures and files are in metric units, as the command writes them.</p></Show>
       <JudgeFile sheet={props.sheet} />
       <Show when={verdict().result?.report}>
         <div class="row spaced">

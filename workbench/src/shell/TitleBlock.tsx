@@ -82,7 +82,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     const list: Note[] = [];
     const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? props.sheet.placeTrouble[0]();
     if (trouble) list.push({ kind: "err", text: sentences(trouble) });
-    for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${plainly(one.message)}`, finding: one });
+    for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${plainly(inSystem(one.message, system()))}`, finding: one });
     if (findings().length > MOST_NOTES) list.push({ kind: "warn", text: `and ${findings().length - MOST_NOTES} more: see the findings of the bridge.` });
     if (about()?.stands === false) list.push({ kind: "err", text: "The bridge does not stand under its own weight." });
     const found = answer()?.words;
@@ -97,7 +97,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
       list.push({ kind: "warn", text: `${less} The answer settles when the load rests.` });
     }
     if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
-    for (const text of about()?.assumptions ?? []) list.push({ kind: "", text: plainly(text) });
+    for (const text of about()?.assumptions ?? []) list.push({ kind: "", text: plainly(inSystem(text, system())) });
     const assumed = assumedIn(props.sheet.text());
     if (assumed.length > 0) list.push({ kind: "", text: typeset(inSystem(`Assumed by the file: ${assumed.join("; ")}.`, system())) });
     return list;
