@@ -31,7 +31,7 @@ const SYNONYMS: [(&str, &[&str]); 15] = [
 ];
 
 /// Words that mean something else in a table, or belong to another one; a table without a name is the file.
-const ELSEWHERE: [(&str, &[&str], &str); 19] = [
+const ELSEWHERE: [(&str, &[&str], &str); 21] = [
     (
         "",
         &["arch", "arches", "barrel", "ring", "rings", "geometry"],
@@ -47,9 +47,11 @@ const ELSEWHERE: [(&str, &[&str], &str); 19] = [
     ("", &["settings", "options", "solver"], "how to analyse is said in [analysis]"),
     (
         "",
-        &["parapet", "parapets", "spandrel", "spandrels", "walls"],
+        &["spandrel", "spandrels", "walls"],
         "walls that stand on the ring are [spandrel_wall]; `extrados explain spandrel`",
     ),
+    ("", &["parapets"], "parapets at both edges are one table, [parapet]"),
+    ("", &["kerbs", "footway", "footpath", "verge"], "a kerb and what is raised behind it are one table, [kerb]"),
     ("bridge", &["number", "structure_number", "id"], "write it as structure_number in [document]"),
     ("bridge", &["skew"], "write it as skew in each [[span]]"),
     ("bridge", &["lanes", "tracks"], "write lanes in [carriageway]"),

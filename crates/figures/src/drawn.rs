@@ -4,6 +4,7 @@ use crate::cover;
 use crate::defects;
 use crate::dimension;
 use crate::discs;
+use crate::edges;
 use crate::elevation::{self as draw, Sign};
 use crate::sheet::{Sheet, place::Room};
 use outcome::picture::Picture;
@@ -13,13 +14,16 @@ use outcome::picture::Picture;
 pub fn bridge_as_drawn(picture: &Picture) -> String {
     let (mut sheet, top) = Sheet::titled("bridge", &picture.title, "The bridge as drawn");
     let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };
+    let extent = edges::extent(picture, extent);
     let (frame, view) = draw::fit(extent, top + draw::ARROW, draw::TALLEST);
+    edges::behind(&mut sheet, &view, picture);
     cover::bands(&mut sheet, &view, picture);
     discs::by_layer(&mut sheet, &view, picture, None);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     defects::lines(&mut sheet, &view, picture);
     draw::surface(&mut sheet, &view, picture, draw::SURFACE);
+    edges::over(&mut sheet, &view, picture);
     let on_surface = !picture.surface_loads.is_empty();
     if on_surface {
         draw::surface_loads(&mut sheet, &view, picture);
@@ -31,6 +35,7 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     y = draw::scale_bar(&mut sheet, &view, y);
     y = discs::key(&mut sheet, y + 4.0, picture, false);
     y = cover::key(&mut sheet, y, picture);
+    y = edges::key(&mut sheet, y, picture);
     y = defects::key(&mut sheet, y, picture);
     let load = if on_surface { "variable load on the surface" } else { "variable load" };
     let entries = [

@@ -1,4 +1,4 @@
-//! A bridge from above, with skew, cracks and lines of wheels; and cut across its crown.
+//! A bridge from above, with skew, cracks and lines of wheels.
 
 use crate::dimension::tick;
 use crate::elevation::{INK, fit, scale_bar};
@@ -7,15 +7,13 @@ use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, Sheet, Spot, Style};
 use crate::words::metres;
 use outcome::ground::{GroundPlan, SpanInPlan};
 
-const BARREL: &str = "#e9e2d3";
-const SUPPORT: &str = "#cfc6b3";
-const CRACK: &str = "#c02020";
-const WHEEL: &str = "#0b5394";
+pub(crate) const BARREL: &str = "#e9e2d3";
+pub(crate) const SUPPORT: &str = "#cfc6b3";
+pub(crate) const CRACK: &str = "#c02020";
+pub(crate) const WHEEL: &str = "#0b5394";
 const STRIP: &str = "#f6c9a8";
-/// Tallest drawings.
-const TALLEST: [f64; 2] = [330.0, 300.0];
-/// Colours of layers, from the extrados up.
-const LAYERS: [&str; 4] = ["#d8c9a3", "#c4b48a", "#8d8d8d", "#a7a7a7"];
+/// Tallest drawing.
+const TALLEST: f64 = 330.0;
 
 /// The bridge from above.
 pub fn plan(ground: &GroundPlan) -> Option<String> {
@@ -33,7 +31,7 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
     let [lowest, highest] = across.fold([-half, half], |[low, high], y| [low.min(y), high.max(y)]);
     let extent =
         Extent { low: [ends[0], lowest - 0.12 * ground.width], high: [ends[1], highest + 0.06 * ground.width] };
-    let (_, view) = fit(extent, top + 6.0, TALLEST[0]);
+    let (_, view) = fit(extent, top + 6.0, TALLEST);
     let spot = |x: f64, y: f64| view.spot([x, y]);
     // Where a place of the bridge, as if it were square, stands with its skew.
     let skewed = |x: f64, skew: f64, y: f64| spot(x + lean(skew, y), y);
@@ -111,7 +109,7 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
 }
 
 /// A dimension line between two places, with strokes up to a height.
-fn dimension(sheet: &mut Sheet, from: Spot, to: Spot, up: f64) {
+pub(crate) fn dimension(sheet: &mut Sheet, from: Spot, to: Spot, up: f64) {
     sheet.line(from, to, Pen::line(INK, HAIR));
     for p in [from, to] {
         sheet.line([p[0], up], [p[0], p[1] + 4.0], Pen::line("#777777", HAIR));
@@ -151,85 +149,10 @@ fn told(ground: &GroundPlan) -> String {
     }
 }
 
-/// The barrel cut across the crown of the first span.
-pub fn cross_section(ground: &GroundPlan) -> Option<String> {
-    let thickness: f64 = ground.rings.iter().sum();
-    let depth: f64 = ground.layers.iter().map(|layer| layer.1).sum();
-    let parapet: f64 = if ground.wall.is_some() { 0.07 * ground.width } else { 0.0 };
-    if !(ground.width > 0.0 && thickness > 0.0) {
-        return None;
-    }
-    let high = thickness + depth + parapet.max(if ground.vehicle.is_some() { 0.06 * ground.width } else { 0.0 });
-    let (mut sheet, top) =
-        Sheet::titled("cross-section", &ground.bridge, "Cross-section at the crown of the first span");
-    // Room beside the barrel for its levels.
-    let beside = 0.34 * ground.width;
-    let extent = Extent { low: [-0.03 * ground.width, -0.09 * ground.width], high: [ground.width + beside, high] };
-    let (_, view) = fit(extent, top + 6.0, TALLEST[1]);
-    let spot = |x: f64, y: f64| view.spot([x, y]);
-    let slab =
-        |from: f64, to: f64, low: f64, high: f64| [spot(from, low), spot(to, low), spot(to, high), spot(from, high)];
-    let label = Style::small();
-    let mut level = 0.0;
-    let mut rows: Vec<(f64, String)> = Vec::new();
-    sheet.open("rings");
-    for (k, ring) in ground.rings.iter().enumerate() {
-        sheet.polygon(&slab(0.0, ground.width, level, level + ring), Pen::shape(BARREL, INK, MEDIUM));
-        let name = if ground.rings.len() == 1 { "ring".to_owned() } else { format!("ring {}", k + 1) };
-        rows.push((level + 0.5 * ring, format!("{name} {}", metres(*ring))));
-        level += ring;
-    }
-    sheet.close();
-    let inner = ground.wall.map_or([0.0, ground.width], |wall| {
-        [wall.min(0.5 * ground.width), ground.width - wall.min(0.5 * ground.width)]
-    });
-    sheet.open("layers");
-    for (k, (name, layer)) in ground.layers.iter().enumerate() {
-        sheet.polygon(&slab(inner[0], inner[1], level, level + layer), Pen::shape(LAYERS[k % LAYERS.len()], INK, HAIR));
-        rows.push((level + 0.5 * layer, format!("{name} {}", metres(*layer))));
-        level += layer;
-    }
-    sheet.close();
-    if ground.wall.is_some() {
-        for [from, to] in [[0.0, inner[0]], [inner[1], ground.width]] {
-            sheet.polygon(&slab(from, to, thickness, level + parapet), Pen::shape(SUPPORT, INK, MEDIUM));
-        }
-    }
-    for crack in &ground.cracks {
-        sheet.line(spot(*crack, -0.03 * ground.width), spot(*crack, thickness), Pen::line(CRACK, 2.2));
-    }
-    if let Some(vehicle) = &ground.vehicle {
-        for wheel in &vehicle.wheels {
-            let [x, y] = spot(*wheel, level);
-            sheet.arrow([x, y - 34.0], [x, y], Pen::line(WHEEL, 2.0));
-        }
-    }
-    // Levels beside the barrel, no closer than a line of text.
-    let mut last = f64::INFINITY;
-    for (height, words) in &rows {
-        let [x, y] = spot(ground.width, *height);
-        let place = (y + 4.0).min(last - 15.0);
-        sheet.line([x, y], [x + 14.0, place - 4.0], Pen::line("#777777", HAIR));
-        sheet.text([x + 17.0, place], words, label);
-        last = place;
-    }
-    let y = spot(0.0, extent.low[1])[1];
-    let [a, b] = [spot(0.0, 0.0), spot(ground.width, 0.0)];
-    dimension(&mut sheet, [a[0], y], [b[0], y], a[1]);
-    sheet.text([0.5 * (a[0] + b[0]), y + 14.0], &metres(ground.width), label.anchored(Anchor::Middle));
-    let below = scale_bar(&mut sheet, &view, y + 22.0);
-    let words = match &ground.vehicle {
-        Some(vehicle) => {
-            format!("{} (arrows) is carried by {}: {}.", vehicle.code, metres(vehicle.width), vehicle.derivation)
-        }
-        None => "The barrel without vehicles.".to_owned(),
-    };
-    Some(sheet.end(below, &words))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::across::cross_section;
     use outcome::ground::{PierInPlan, VehicleAcross};
 
     fn ground() -> GroundPlan {
@@ -247,6 +170,8 @@ mod tests {
             rings: vec![0.23, 0.23],
             layers: vec![("fill".into(), 0.4), ("ballast".into(), 0.3)],
             wall: Some(0.45),
+            edges: Default::default(),
+            defects: Vec::new(),
             vehicle: Some(VehicleAcross {
                 code: "cs454-single".into(),
                 wheels: vec![1.3, 3.1],

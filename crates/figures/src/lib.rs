@@ -7,6 +7,7 @@
 // Units stand in brackets and are no links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod across;
 mod all;
 mod animation;
 mod bar;
@@ -21,6 +22,7 @@ mod discs;
 mod displaced;
 mod drawn;
 pub mod dxf;
+mod edges;
 mod elevation;
 mod envelope;
 mod factor_bars;
@@ -53,6 +55,7 @@ mod vehicles;
 pub mod vtk;
 mod words;
 
+pub use across::cross_section;
 pub use all::{FIGURES, Figure, drawings, paraview};
 pub use animation::animation;
 pub use calibration::calibration;
@@ -65,7 +68,7 @@ pub use factor_bars::case_factors;
 pub use file::{File, PNG_WIDTH, written};
 pub use fill_stress::fill_stress;
 pub use frames::collapse_frames;
-pub use ground::{cross_section, plan};
+pub use ground::plan;
 pub use load_path::load_displacement;
 pub use mechanism::mechanism;
 pub use mesh::mesh;

@@ -2,6 +2,28 @@
 
 use serde::{Deserialize, Serialize};
 
+/// What stands at the edges of the road and on it, as drawings show it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Edges {
+    /// Height of a parapet above the road, and its thickness [m].
+    pub parapet: Option<[f64; 2]>,
+    /// Distance of a kerb's face from the edge of the barrel, and its height above the road [m].
+    pub kerb: Option<[f64; 2]>,
+    /// Middles of tracks, from the edge from which cracks are measured [m]; none on roads.
+    pub tracks: Vec<f64>,
+    /// Distance between the middles of both rails [m].
+    pub gauge: f64,
+}
+
+/// A defect of the first span at its crown, cut across.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CrownDefect {
+    /// What it is, in a few words.
+    pub what: String,
+    /// From and to which height above the intrados it reaches [m].
+    pub heights: [f64; 2],
+}
+
 /// Plan and cross-section.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct GroundPlan {
@@ -23,6 +45,10 @@ pub struct GroundPlan {
     pub layers: Vec<(String, f64)>,
     /// Thickness of one of two spandrel walls [m]; none where the file has none.
     pub wall: Option<f64>,
+    /// What stands at the edges and on the road.
+    pub edges: Edges,
+    /// Defects of the first span at its crown.
+    pub defects: Vec<CrownDefect>,
     /// The governing vehicle and how it stands across, where vehicles were moved.
     pub vehicle: Option<VehicleAcross>,
 }

@@ -265,6 +265,10 @@ pub struct Picture {
     pub case: Option<String>,
     /// Outline of the road surface, where there is a cover [m].
     pub surface: Vec<Point>,
+    /// Upper edge of the spandrel walls, where the file describes some [m].
+    pub wall_top: Vec<Point>,
+    /// What stands at the edges of the road and on it.
+    pub edges: crate::ground::Edges,
     /// Where loads touch the surface: middle and length [m].
     pub surface_loads: Vec<(Point, f64)>,
     /// Forces on the blocks from the variable loads.

@@ -10,6 +10,8 @@ pub struct Statics {
     pub width: f64,
     /// Weight of every part, in the order of the bridge.
     pub weights: Vec<Weight>,
+    /// What stands on the bridge, or may, and is not among these weights.
+    pub apart: Vec<Apart>,
     /// What springings and feet of piers carry at rest; empty where the blocks have no elastic state.
     pub reactions: Vec<Reaction>,
     /// What was assumed, in words.
@@ -23,6 +25,17 @@ pub struct Weight {
     pub part: String,
     /// Per metre of width [N/m].
     pub force: f64,
+}
+
+/// Something that stands on the bridge and loads no strip of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Apart {
+    /// What it is: "parapets".
+    pub part: String,
+    /// Its weight on the whole bridge [N]; none where the file does not say enough.
+    pub weight: Option<f64>,
+    /// Why it is not in the loads, or what the loads have in its place.
+    pub why: String,
 }
 
 /// What a joint that hands weight down is.

@@ -1,8 +1,13 @@
 //! A bridge in plan and in cross-section.
 
-use bridge::{Bridge, Cutwater, Pier};
-use outcome::ground::{GroundPlan, PierInPlan, SpanInPlan, VehicleAcross};
+use super::vehicles::across::lanes;
+use crate::vehicles::chosen;
+use bridge::defect::{Defect, DefectKind, Face};
+use bridge::{Bridge, Cutwater, Pier, Span};
+use outcome::ground::{CrownDefect, Edges, GroundPlan, PierInPlan, SpanInPlan, VehicleAcross};
+use outcome::note::words_of_defect;
 use outcome::vehicles::VehicleSweep;
+use rules::Ways;
 
 /// The bridge from above, with the governing vehicle where vehicles were moved over it.
 pub fn ground_plan(bridge: &Bridge, swept: Option<&VehicleSweep>) -> GroundPlan {
@@ -31,6 +36,8 @@ pub fn ground_plan(bridge: &Bridge, swept: Option<&VehicleSweep>) -> GroundPlan 
         rings: bridge.spans[0].rings.iter().map(|ring| ring.crown_thickness).collect(),
         layers: bridge.cover.layers.iter().map(|layer| (layer.name.word().to_owned(), layer.thickness)).collect(),
         wall: bridge.spandrel_wall.as_ref().map(|wall| 0.5 * wall.thickness),
+        edges: edges(bridge),
+        defects: at_crown(&bridge.spans[0]),
         vehicle: governing.map(|vehicle| VehicleAcross {
             code: vehicle.code.clone(),
             wheels: vehicle.across.wheels.clone(),
@@ -39,6 +46,58 @@ pub fn ground_plan(bridge: &Bridge, swept: Option<&VehicleSweep>) -> GroundPlan 
             derivation: vehicle.across.derivation.clone(),
         }),
     }
+}
+
+/// What stands at the edges of the road and on it; tracks where trains cross or vehicles of railways are moved.
+pub(super) fn edges(bridge: &Bridge) -> Edges {
+    let asked = bridge.carriageway.clone().unwrap_or_default();
+    let gauge = asked.sideways.gauge;
+    let tracks = if carries_trains(bridge) {
+        let (count, apart) = lanes(bridge, Ways::Rail);
+        let first = match asked.edge_distance {
+            Some(edge) => edge + 0.5 * gauge,
+            None => 0.5 * bridge.width - 0.5 * apart * (count - 1) as f64,
+        };
+        (0..count).map(|k| first + apart * k as f64).collect()
+    } else {
+        Vec::new()
+    };
+    Edges {
+        parapet: bridge.parapet.map(|parapet| [parapet.height, parapet.thickness]),
+        kerb: bridge.kerb.map(|kerb| [kerb.distance, kerb.upstand]),
+        tracks,
+        gauge,
+    }
+}
+
+/// Whether trains run on the bridge.
+pub(super) fn carries_trains(bridge: &Bridge) -> bool {
+    let moved = bridge.sweep.as_ref().and_then(|plan| chosen(bridge, plan).ok());
+    bridge.passage.is_some() || moved.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Rail))
+}
+
+/// Defects that reach the crown of a span, and how high above its intrados.
+fn at_crown(span: &Span) -> Vec<CrownDefect> {
+    let rings: Vec<f64> = span.rings.iter().map(|ring| ring.crown_thickness).collect();
+    let whole: f64 = rings.iter().sum();
+    let middle = 0.5 * span.span;
+    // A joint of its own place is at the crown where no voussoir lies between.
+    let near =
+        |one: &&Defect| one.from_to[0] <= middle + 0.02 * span.span && one.from_to[1] >= middle - 0.02 * span.span;
+    let face = |face: Face, depth: f64| match face {
+        Face::Extrados => [whole - depth, whole],
+        _ => [0.0, depth],
+    };
+    let heights = |one: &Defect| match one.kind {
+        DefectKind::LostMortar { face: of, depth }
+        | DefectKind::ThinRing { face: of, depth }
+        | DefectKind::OpenJoint { face: of, depth } => face(of, depth),
+        DefectKind::RingSeparation { ring, .. } => [rings.iter().take(ring + 1).sum(); 2],
+        DefectKind::MissingStones => [0.0, rings.first().copied().unwrap_or(0.0)],
+        DefectKind::WeakMasonry { .. } | DefectKind::DroppedStones { .. } => [0.0, whole],
+    };
+    let defect = |one: &Defect| CrownDefect { what: words_of_defect(one), heights: heights(one) };
+    span.defects.iter().filter(near).map(defect).collect()
 }
 
 /// Sides of a round cutwater.

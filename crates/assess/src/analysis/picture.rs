@@ -4,11 +4,12 @@ use super::bands::bands;
 use super::defects;
 use super::dimensions::dimensions;
 use super::geometry::point;
+use super::ground;
 use bridge::Bridge;
 use mechanics::blocks::Particle;
 use mechanics::ids::BlockId;
 use mechanics::plane::Vec2;
-use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Shape};
+use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Point, Shape};
 use structure::discretise::{Discretised, cover};
 
 /// Blocks, surface and loads of a bridge as built.
@@ -28,6 +29,8 @@ pub(super) fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         layers: layers(bridge, d),
         fill: d.fill.iter().flat_map(|fill| &fill.outline).map(|&v| point(v)).collect(),
         surface: surface.into_iter().map(point).collect(),
+        wall_top: wall_top(bridge, d),
+        edges: ground::edges(bridge),
         surface_loads: d
             .spreads
             .iter()
@@ -38,6 +41,17 @@ pub(super) fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         defects: defects::marks(bridge),
         dimensions: dimensions(bridge, &d.surface),
         ..Picture::default()
+    }
+}
+
+/// Upper edge of the spandrel walls: as high above the highest crown as the file says, or the road surface.
+fn wall_top(bridge: &Bridge, d: &Discretised) -> Vec<Point> {
+    let Some(wall) = &bridge.spandrel_wall else { return Vec::new() };
+    let backs = || d.extrados.stretches.iter().filter(|stretch| !stretch.ground).flat_map(|s| [s.left, s.right]);
+    let highest = backs().map(|back| back.y).fold(f64::NEG_INFINITY, f64::max);
+    match (wall.top, backs().next(), backs().last()) {
+        (Some(top), Some(first), Some(last)) => [first.x, last.x].map(|x| [x, highest + top]).to_vec(),
+        _ => cover::surface_line(bridge, &d.extrados).into_iter().map(point).collect(),
     }
 }
 

@@ -1,13 +1,13 @@
 //! What a bridge weighs, part by part, and what it hands to the ground at rest.
 
-use super::AnalysisError;
 use super::engine::rigid;
 use super::state::{self, Change};
+use super::{AnalysisError, ground};
 use bridge::{Bridge, Method, Strip};
 use mechanics::ids::BlockId;
 use mechanics::limit::{Ground, Section};
 use outcome::note::{self, Note};
-use outcome::statics::{Reaction, Seat, Statics, Weight};
+use outcome::statics::{Apart, Reaction, Seat, Statics, Weight};
 use structure::discretise::{Discretised, Origin};
 
 /// Weights and reactions of the strip between the walls, without its loads.
@@ -28,8 +28,9 @@ pub fn statics(bridge: &Bridge) -> Result<Statics, AnalysisError> {
     Ok(Statics {
         width: bridge.width,
         weights: weights(&own, &d),
+        apart: apart(bridge),
         reactions: reactions(&own, &d, &ground),
-        assumptions: assumptions(&own),
+        assumptions: assumptions(),
     })
 }
 
@@ -74,6 +75,69 @@ fn weights(bridge: &Bridge, d: &Discretised) -> Vec<Weight> {
     }
     masonry.extend(cover);
     masonry
+}
+
+/// What stands on the bridge, or may, and loads no strip of it.
+fn apart(bridge: &Bridge) -> Vec<Apart> {
+    let one = |part: &str, weight: Option<f64>, why: &str| Apart { part: part.to_owned(), weight, why: why.to_owned() };
+    let along = bridge.spans.iter().map(|span| span.span).sum::<f64>()
+        + bridge.piers.iter().map(|pier| pier.width).sum::<f64>();
+    let weighs = |across: f64, density: f64| Some(across * along * density * bridge.gravity);
+    let behind = bridge.parapet.map_or(0.0, |parapet| parapet.thickness);
+    let mut list = vec![match &bridge.spandrel_wall {
+        Some(_) => one(
+            "spandrel walls",
+            walls(bridge),
+            "they stand on the edges of the barrel: the strip between them is analysed",
+        ),
+        None => one(
+            "spandrel walls",
+            None,
+            "the file describes none: cover lies on the whole width of the barrel in their place",
+        ),
+    }];
+    list.push(match bridge.parapet {
+        Some(own) => one(
+            "parapets, from end springing to end springing",
+            weighs(2.0 * own.height * own.thickness, own.density.unwrap_or(bridge.masonry.density)),
+            "they stand on the edges of the barrel",
+        ),
+        None => one("parapets", None, "the file describes none: write [parapet]"),
+    });
+    let top = bridge.cover.layers.last().map_or(0.0, |layer| layer.density);
+    list.extend(bridge.kerb.map(|own| {
+        let raised = (own.distance - behind).max(0.0) * own.upstand;
+        one(
+            "kerbs and what is raised behind them",
+            weighs(2.0 * raised, own.density.unwrap_or(top)),
+            "above the road of the model",
+        )
+    }));
+    if ground::carries_trains(bridge) {
+        let track = bridge.passage.as_ref().map(|passage| passage.track.dead_load);
+        let why = match track {
+            Some(_) => "in the passage of the train, and not at collapse",
+            None => "the file does not weigh them: a layer of ballast in [[cover]] may hold them in its density",
+        };
+        list.push(one("rails and sleepers", track.map(|pressure| pressure * bridge.width * along), why));
+    }
+    list
+}
+
+/// Weight of the spandrel walls [N]; none where they cannot be divided into bricks.
+fn walls(bridge: &Bridge) -> Option<f64> {
+    let thickness = bridge.spandrel_wall.as_ref()?.thickness;
+    let changes = [
+        Change::FillAsWeight,
+        Change::ParticlesAsWeight,
+        Change::NoLoads,
+        Change::Method(Method::Limit),
+        Change::Strip(Strip::Wall),
+    ];
+    let d = rigid::prepared(&state::with(bridge, &changes)).ok()?;
+    let bricks = d.model.blocks.pairs().filter(|(id, _)| matches!(d.origins[*id], Origin::Brick { .. }));
+    let per_metre: f64 = bricks.map(|(_, block)| -block.mass() * d.model.gravity.y).sum();
+    (per_metre > 0.0).then_some(per_metre * thickness)
 }
 
 /// Springings of every span, all rings together, and feet of piers.
@@ -161,9 +225,8 @@ fn springing(bridge: &Bridge, span: usize, voussoir: usize) -> String {
     if bridge.spans.len() == 1 { side.to_owned() } else { format!("span {}, {side}", span + 1) }
 }
 
-fn assumptions(bridge: &Bridge) -> Vec<Note> {
-    let walls = bridge.spandrel_wall.is_some().then_some(note::Barrel::WallsNotWeighed);
-    [note::Barrel::AtRest, note::Barrel::ElasticReactions].into_iter().chain(walls).map(Note::from).collect()
+fn assumptions() -> Vec<Note> {
+    [note::Barrel::AtRest, note::Barrel::ElasticReactions].into_iter().map(Note::from).collect()
 }
 
 #[cfg(test)]
@@ -191,6 +254,29 @@ mod tests {
             let springing = &found.reactions[0];
             assert!(springing.horizontal > 0.0, "an arch pushes outwards: {springing:?}");
         }
+    }
+
+    /// What stands at the edges weighs its volume, and loads no strip.
+    #[test]
+    fn edges_are_weighed_beside_the_loads() {
+        let mut b = samples::bridgemill();
+        let before = statics(&b).unwrap().total();
+        b.parapet = Some(bridge::Parapet { height: 1.0, thickness: 0.25, density: Some(2000.0) });
+        b.kerb = Some(bridge::Kerb { distance: 0.75, upstand: 0.1, density: Some(1000.0) });
+        let found = statics(&b).unwrap();
+        assert_eq!(found.total(), before);
+        let weight = |part: &str| found.apart.iter().find(|one| one.part.starts_with(part)).unwrap().weight;
+        let wanted = |area: f64, density: f64| 2.0 * area * b.spans[0].span * density * b.gravity;
+        assert!((weight("parapets").unwrap() / wanted(0.25, 2000.0) - 1.0).abs() < 1e-12);
+        assert!((weight("kerbs").unwrap() / wanted(0.5 * 0.1, 1000.0) - 1.0).abs() < 1e-12);
+        assert_eq!(weight("spandrel walls"), None);
+        b.spandrel_wall = Some(samples::spandrel_wall(&b));
+        let walls = statics(&b).unwrap().apart[0].weight.unwrap();
+        // Not more than the whole height from the springings to the road, as long as the walls are.
+        let wall = b.spandrel_wall.as_ref().unwrap();
+        let most =
+            (b.spans[0].rise + 0.711 + 1.0) * (b.spans[0].span + 6.0) * wall.thickness * wall.density * b.gravity;
+        assert!(walls > 0.1 * most && walls < most, "{walls} {most}");
     }
 
     /// Half a circle of one ring without cover: weight of a ring is pi (r + t/2) t per metre and unit weight.

@@ -6,6 +6,7 @@ pub(crate) mod case;
 pub(crate) mod continuum;
 pub(crate) mod cover;
 pub(crate) mod defect;
+pub(crate) mod edge;
 pub(crate) mod loading;
 pub(crate) mod material;
 pub(crate) mod particles;
@@ -47,6 +48,8 @@ pub static FILE: Section = Section {
         table("spandrel_wall", &wall::SPANDREL_WALL, "Spandrel walls that stand on the rings.").optional("no walls"),
         table("wall_joint", &material::WALL_JOINT, "Joints of the spandrel walls.")
             .optional("bricks are joined as voussoirs are; each contact point represents half its own joint"),
+        table("parapet", &edge::PARAPET, "Parapets at both edges.").optional("drawn and weighed without parapets"),
+        table("kerb", &edge::KERB, "Kerbs at both edges.").optional("drawn and weighed without kerbs"),
         table("particles", &particles::PARTICLES, "Fill as particles.").optional("no layer is modelled as particles"),
         table("particle_joint", &material::PARTICLE_JOINT, "Contacts between particles.")
             .optional("no layer is modelled as particles"),

@@ -1,6 +1,7 @@
 //! What a bridge file means, in SI units: the value that reading returns. Plain data, nothing computed.
 
 mod cover;
+mod edge;
 mod load;
 mod masonry;
 mod plan;
@@ -9,6 +10,7 @@ mod sweep;
 
 pub use crate::calibration::{Calibration, Modulus};
 pub use cover::*;
+pub use edge::*;
 pub use load::*;
 pub use masonry::*;
 pub use plan::*;
@@ -40,6 +42,10 @@ pub struct Bridge {
     pub ring_joint: Joint,
     /// Walls of coursed masonry that stand on the rings, where the file describes them.
     pub spandrel_wall: Option<SpandrelWall>,
+    /// Parapets, where the file describes them.
+    pub parapet: Option<Parapet>,
+    /// Kerbs, where the file describes them.
+    pub kerb: Option<Kerb>,
     /// How layers of the cover are filled with particles, where some are.
     pub particles: Option<Particles>,
     /// How the contact stiffness of particles is found from a wanted modulus.

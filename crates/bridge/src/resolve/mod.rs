@@ -24,6 +24,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let ring_joint = if file.has("ring_joint") { material::joint(file, "ring_joint", findings) } else { joint };
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
+    let edges = edge::edges(file, width, findings);
     let cover = cover::cover(file, width, findings);
     let cover = road::lay(file, cover, spans.as_deref(), piers.as_deref(), findings);
     let continuum = continuum::continuum(file, cover.as_ref(), findings);
@@ -63,6 +64,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     if let [one] = &piers[..] {
         piers = vec![one.clone(); spans.len() - 1];
     }
+    let (parapet, kerb) = edges?;
     Some(Bridge {
         from_library: file.written().map_or_else(Vec::new, |written| library::from_library(file.section, written)),
         name: general.name,
@@ -75,6 +77,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         joint: joint?,
         ring_joint: ring_joint?,
         spandrel_wall: spandrel_wall?,
+        parapet,
+        kerb,
         particles: particles?,
         calibration: calibration?,
         cover: cover?,

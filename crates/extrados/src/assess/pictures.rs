@@ -58,18 +58,18 @@ fn acts(picture: &Picture) -> String {
 }
 
 /// The load that governs in its place, with what its mechanism does: for the first page of the report.
-fn governing(stage: &str, picture: &Picture) -> Option<Figure> {
-    figure(stage, Figure::GOVERNING, acts(picture), figures::sketch(picture))
+fn governing(stage: &str, picture: &Picture, ground: &GroundPlan) -> Option<Figure> {
+    figure(stage, Figure::GOVERNING, acts(picture), figures::sketch(picture, ground))
 }
 
 /// Mechanism, line of thrust, envelope.
-pub(super) fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
+pub(super) fn ultimate(found: &Ultimate, ground: &GroundPlan) -> Vec<Figure> {
     let Some(Collapse { picture, .. }) = found.facts.collapse.as_deref() else { return Vec::new() };
     let points = found.sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
-    let envelope = figures::envelope(bridge, figures::Ordinate::Factor, &[curve], None);
+    let envelope = figures::envelope(&ground.bridge, figures::Ordinate::Factor, &[curve], None);
     let all = [
-        governing("ultimate", picture),
+        governing("ultimate", picture, ground),
         figure(
             "ultimate",
             "mechanism",
@@ -92,7 +92,7 @@ pub(super) fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure>
         .into_iter()
         .filter_map(|(name, svg)| figure("vehicles", name, caption(name), Some(svg)))
         .collect();
-    list.extend(found.collapse.as_ref().and_then(|collapse| governing("vehicles", &collapse.picture)));
+    list.extend(found.collapse.as_ref().and_then(|collapse| governing("vehicles", &collapse.picture, ground)));
     let mechanism = found.collapse.as_ref().and_then(|collapse| figures::mechanism(&collapse.picture));
     let caption = "Mechanism under the governing vehicle, loads and weights with their factors.";
     list.extend(figure("vehicles", "mechanism", caption, mechanism));

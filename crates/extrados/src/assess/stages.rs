@@ -206,7 +206,7 @@ impl Stages<'_> {
             let Some(found) = chain::ultimate(bridge, &mut Looking(watch)).map_err(|error| error.to_string())? else {
                 return Ok(None);
             };
-            let figures = pictures::ultimate(&found, &bridge.name);
+            let figures = pictures::ultimate(&found, &analysis::ground_plan(bridge, None));
             Ok(Some((found.facts, figures)))
         })
     }

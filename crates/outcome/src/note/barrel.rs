@@ -59,6 +59,5 @@ notes! {
         ElasticReactions => "Reactions at rest are those of elastic blocks on rigid supports whose joints open nowhere: one of many states in \
              which the bridge stands. A support that gives, or a centring that was struck late, changes thrust and eccentricity, the vertical \
              sum stays.";
-        WallsNotWeighed => "Spandrel walls stand on the edges of the barrel and are not among these weights.";
     }
 }

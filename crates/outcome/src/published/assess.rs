@@ -47,6 +47,7 @@ pub(crate) fn statics(found: &Statics) -> Object {
         dead_load_kn_per_m: 1e-3 * found.total(),
         width_m: found.width,
         weights: list(&found.weights, |one| object! { part: one.part, kn_per_m: 1e-3 * one.force, }),
+        not_in_the_loads: list(&found.apart, |one| object! { part: one.part, kn: one.weight.map(|weight| 1e-3 * weight), why: one.why, }),
         reactions: list(&found.reactions, |one| object! {
             place: one.place,
             vertical_kn_per_m: 1e-3 * one.vertical,

@@ -17,7 +17,7 @@ pub const ROAD_LANE: f64 = 2.5;
 const TRACKS: f64 = 3.4;
 
 /// How many vehicles may stand abreast, and how far their middles are apart [m].
-pub(super) fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
+pub(in crate::analysis) fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
     let asked = bridge.carriageway.clone().unwrap_or_default();
     let usual = if ways == Ways::Road { ROAD_LANE } else { TRACKS };
     let apart = asked.lane_width.unwrap_or(usual);

@@ -5,7 +5,7 @@
 //! strengths their factors, `traffic` puts vehicles under them, `cases` lists places, `standing` what stands there, `search` tells what `moving` finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
 //! discrete elements.
 
-mod across;
+pub(super) mod across;
 mod beside;
 mod braking;
 mod cases;
