@@ -197,7 +197,7 @@ pub fn less_braking(a: &Evidence) -> Option<Taken> {
     let plan = a.bridge.sweep.as_ref().filter(|plan| plan.braking_given && plan.braking < LEAST_BRAKING)?;
     let asked = a.facts.vehicles.made()?.requires.iter().any(|one| one.what == Required::Braking);
     let how = plan.braking_reason.clone().filter(|_| asked)?;
-    Some(Taken { what: format!("braking {}", plan.braking), how, open: false })
+    Some(Taken { what: format!("braking {}", plan.braking), how, ..Taken::default() })
 }
 
 /// Widest lane of a road, and the farthest that the nearest wheel usually stands from the edge of a barrel [m]: beyond them vehicles that
@@ -214,7 +214,7 @@ pub fn lanes_apart(bridge: &Bridge) -> Vec<Taken> {
     if !road.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Road)) {
         return Vec::new();
     }
-    let told = |what, how: &str| Taken { what, how: how.to_owned(), open: false };
+    let told = |what, how: &str| Taken { what, how: how.to_owned(), ..Taken::default() };
     let room = (bridge.width / crate::analysis::vehicles::ROAD_LANE).floor().min(2.0) as usize;
     let fewer = asked.lanes.filter(|lanes| *lanes < room).map(|lanes| {
         let width = bridge.width;
@@ -225,15 +225,16 @@ pub fn lanes_apart(bridge: &Bridge) -> Vec<Taken> {
     });
     let wide = asked.lane_width.filter(|width| *width > WIDEST_LANE);
     let wide =
-        wide.map(|width| told(format!("lane_width {width:.2} m"), "vehicles beside one another are that far apart"));
+        wide.map(|width| told(format!("lanes {width:.2} m apart"), "vehicles beside one another are that far apart"));
     let far = asked.edge_distance.filter(|distance| *distance > FARTHEST_WHEEL);
-    let far = far.map(|distance| told(format!("edge_distance {distance:.2} m"), "no wheel comes nearer to the edge"));
+    let far =
+        far.map(|distance| told(format!("wheels {distance:.2} m from the edge"), "no wheel comes nearer to the edge"));
     let left = |edge: f64| bridge.width - 2.0 * edge;
     let none = asked.edge_distance.filter(|edge| left(*edge) < NARROWEST_TRACK);
     let none = none.map(|edge| {
         let left = left(edge).max(0.0);
         told(
-            format!("edge_distance {edge:.2} m at both edges of {:.2} m", bridge.width),
+            format!("wheels {edge:.2} m from both edges of {:.2} m", bridge.width),
             &format!("{left:.2} m are left between, where no vehicle has room; wheels are taken in the middle"),
         )
     });

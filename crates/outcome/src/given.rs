@@ -20,8 +20,10 @@ published! {
         pub by: Option<String>,
         /// The same as it is said: "CS 454".
         pub name: String as by_name,
-        /// What is carried where the vehicles stand for grades: "18 t".
+        /// What is asked for where the vehicles stand for grades: "18 t".
         pub level: Option<String>,
+        /// What is carried of grades, where that is settled and less than what is asked for: "RA2", "less than 3 t".
+        pub carried: Option<String>,
         /// How many factors are to be confirmed.
         = to_confirm: usize = given.to_confirm.len(),
         /// Factors that act on this bridge and are recalled or assumed, each with its value.
@@ -44,12 +46,14 @@ published! {
 }
 
 /// Something that a verdict takes without being told, or otherwise than usual.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Taken {
-    /// What, in few words: "skew not given".
+    /// What, in few words: "skew not given, taken as square".
     pub what: String,
-    /// What it is taken for.
+    /// What that means.
     pub how: String,
+    /// What to write in the bridge file in its place; empty where nothing is missing.
+    pub write: String,
     /// Whether somebody should look at the bridge for it.
     pub open: bool,
 }
@@ -86,10 +90,21 @@ fn changed(one: &ChangedFactor) -> String {
 }
 
 impl Given {
-    /// What a verdict is to be read with, in brackets: factors to be confirmed, values that are doubtful, factors that are not the
-    /// library's, what was taken; empty where there is nothing.
+    /// Doubts, each once: several spans may give the same.
+    fn doubts(&self) -> Vec<&Doubt> {
+        let mut all: Vec<&Doubt> = Vec::new();
+        for one in &self.doubtful {
+            if !all.contains(&one) {
+                all.push(one);
+            }
+        }
+        all
+    }
+
+    /// What a verdict is to be read with, in brackets: what is carried, factors to be confirmed, factors that are not the library's, how many values
+    /// are doubtful, what was taken; empty where there is nothing.
     fn in_short(&self) -> String {
-        let mut parts = Vec::new();
+        let mut parts: Vec<String> = self.carried.iter().map(|grade| format!("carries {grade}")).collect();
         match self.to_confirm.len() {
             0 => {}
             n => parts.push(format!("{} to be confirmed", counted(n, "factor"))),
@@ -98,10 +113,9 @@ impl Given {
             let names: Vec<&str> = self.changed_factors.iter().map(|one| one.factor.as_str()).collect();
             parts.push(format!("not the library's: {}", names.join(", ")));
         }
-        if !self.doubtful.is_empty() {
-            let mut codes: Vec<&str> = self.doubtful.iter().map(|one| one.code.as_str()).collect();
-            codes.dedup();
-            parts.push(format!("doubtful: {}", codes.join(", ")));
+        match self.doubts().len() {
+            0 => {}
+            n => parts.push(counted(n, "doubtful value")),
         }
         parts.extend(self.taken.iter().map(|one| one.what.clone()));
         if parts.is_empty() { String::new() } else { format!(" ({})", parts.join("; ")) }
@@ -144,7 +158,7 @@ impl Verdict {
         list(format!("load cases of {} left out", given.name), &given.load_cases_left_out);
         let changed: Vec<String> = given.changed_factors.iter().map(changed).collect();
         list("factors that differ from the library's".to_owned(), &changed);
-        let doubts: Vec<String> = given.doubtful.iter().map(|one| format!("{} ({})", one.message, one.code)).collect();
+        let doubts: Vec<String> = given.doubts().iter().map(|one| format!("{} ({})", one.message, one.code)).collect();
         list("doubtful values".to_owned(), &doubts);
         lines.extend(given.taken.iter().map(Taken::to_string));
         if let Some(model) = &given.model_factor {

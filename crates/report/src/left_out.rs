@@ -26,9 +26,8 @@ pub(crate) fn left_out(a: &Assessment, open: &[OpenRow]) -> Vec<Part> {
     for words in a.facts.vehicles.made().into_iter().flat_map(|facts| &facts.left_out) {
         part.rows.push(vec!["part of the rule's loads".into(), words.clone(), "another calculation".into()]);
     }
-    for one in given.taken.iter().filter(|one| one.what.ends_with("not given")) {
-        let keys = one.what.trim_end_matches(" not given");
-        part.rows.push(vec![keys.to_owned(), format!("not given: {}", one.how), format!("write {keys}")]);
+    for one in given.taken.iter().filter(|one| !one.write.is_empty()) {
+        part.rows.push(vec![one.what.clone(), one.how.clone(), format!("write {}", one.write)]);
     }
     if part.rows.is_empty() {
         part.heads.clear();

@@ -11,6 +11,7 @@ mod page;
 mod parts;
 mod rows;
 mod springings;
+mod standing;
 mod summary;
 
 pub use assessed::Assessed;

@@ -9,6 +9,7 @@ use crate::rows::{
     self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, EveryRow, FitRow, OpenRow, VehicleRow,
 };
 use crate::springings::springings;
+use crate::standing;
 use crate::summary::{self, Summary};
 use askama::Template;
 use base64::Engine;
@@ -139,14 +140,11 @@ pub(crate) struct Page<'a> {
     pub augment: String,
     pub limits_source: String,
     pub condition: Vec<ConditionRow>,
-    pub no_update: &'a str,
-    pub no_service: &'a str,
-    pub no_collapse: &'a str,
-    pub no_changes: &'a str,
     pub update_words: Vec<String>,
     pub fit: Vec<FitRow>,
     pub runs: Vec<String>,
     pub channels: Vec<ChannelRow>,
+    pub stands: Vec<Part>,
     pub loads: Vec<[String; 4]>,
     pub collapse: Vec<[String; 2]>,
     pub vehicles: Vec<VehicleRow>,
@@ -161,6 +159,7 @@ pub(crate) struct Page<'a> {
     pub warnings: Vec<[String; 3]>,
     pub assumptions: Vec<[String; 2]>,
     pub inputs: &'a [Input],
+    pub inputs_words: String,
     pub appendix: &'a Appendix,
     pub front: Vec<Part>,
     pub cases: Vec<Part>,
@@ -181,6 +180,11 @@ impl Page<'_> {
         let same = self.assumptions.chunk_by(|one, next| one[0] == next[0]);
         same.filter_map(|list| Some((list.first()?[0].as_str(), list.iter().map(|one| one[1].as_str()).collect())))
             .collect()
+    }
+
+    /// Whether there is a chapter of collapse.
+    fn has_collapse(&self) -> bool {
+        !(self.collapse.is_empty() && self.vehicles.is_empty() && self.movement.is_empty())
     }
 
     /// The drawings of a section.
@@ -239,10 +243,6 @@ fn page(material: &Assessed) -> Page<'_> {
         augment: augment(a),
         limits_source: a.limits_source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
         condition: rows::condition(&a.condition, update, &material.inputs),
-        no_update: a.facts.update.why_not().unwrap_or("the stage has no result"),
-        no_service: a.facts.service.why_not().unwrap_or("the stage has no result"),
-        no_collapse: a.facts.ultimate.why_not().unwrap_or("the stage has no result"),
-        no_changes: a.facts.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
         update_words: update.map(rows::updated).unwrap_or_default(),
         fit: update.map(|update| rows::fit(update, &material.inputs)).unwrap_or_default(),
         runs: update.map(|update| update.records.runs.iter().map(|run| match run.synthetic {
@@ -250,6 +250,7 @@ fn page(material: &Assessed) -> Page<'_> {
             None => format!("{}: measured", run.name),
         }).collect()).unwrap_or_default(),
         channels: a.facts.service.made().map(|facts| rows::channels(facts, &material.inputs)).unwrap_or_default(),
+        stands: a.facts.service.made().and_then(standing::standing).into_iter().collect(),
         loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [
             load.name.clone(),
             format!("{} t", digits(load.heaviest_axle_t)),
@@ -279,6 +280,7 @@ fn page(material: &Assessed) -> Page<'_> {
         warnings,
         assumptions,
         inputs: &material.inputs,
+        inputs_words: inputs_words(&material.inputs),
         appendix: &material.appendix,
         front: parts::control(&material.document, &a.bridge, &material.appendix)
             .into_iter()
@@ -291,6 +293,19 @@ fn page(material: &Assessed) -> Page<'_> {
         photographs: &material.photographs,
         figures: &material.figures,
     }
+}
+
+/// What the table of inputs is, and how many of its values have no source.
+fn inputs_words(inputs: &[Input]) -> String {
+    let without = inputs.iter().filter(|input| input.remark.is_empty()).count();
+    let told = match without {
+        0 => "Each has one.".to_owned(),
+        n => format!("{n} of {} have none.", inputs.len()),
+    };
+    format!(
+        "Every value that the file gives, with the source or remark that stands beside it there. {told} What the file leaves out has the default of \
+         the input reference."
+    )
 }
 
 /// Coefficients of spans that differ from those of the longest.

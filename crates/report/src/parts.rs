@@ -191,6 +191,18 @@ pub(crate) fn statics(statics: &Statics) -> Vec<Part> {
     let weight = |name: &str, force: f64| vec![name.to_owned(), kilonewtons(force), kilonewtons(force * statics.width)];
     weights.rows = statics.weights.iter().map(|one| weight(&one.part, one.force)).collect();
     weights.rows.push(weight("total", statics.total()));
+    let mut apart = Part { title: "Not in the loads", ..Part::default() };
+    apart.words.push(
+        "What stands on the bridge, or may, and loads no strip of it: whoever signs decides whether that matters."
+            .into(),
+    );
+    apart.heads = vec!["part", "whole bridge [kN]", "why not"];
+    apart.numbers = vec![false, true, false];
+    apart.rows = statics
+        .apart
+        .iter()
+        .map(|one| vec![one.part.clone(), one.weight.map_or("not known".to_owned(), kilonewtons), one.why.clone()])
+        .collect();
     let mut reactions = Part { title: "Springings and feet of piers at rest", ..Part::default() };
     reactions.heads = vec![
         "place",
@@ -209,7 +221,7 @@ pub(crate) fn statics(statics: &Statics) -> Vec<Part> {
             .into(),
     );
     reactions.rows = statics.reactions.iter().map(|one| reaction(one, statics.width)).collect();
-    if reactions.rows.is_empty() { vec![weights] } else { vec![weights, reactions] }
+    [weights, apart, reactions].into_iter().filter(|part| !part.rows.is_empty()).collect()
 }
 
 fn reaction(one: &Reaction, width: f64) -> Vec<String> {

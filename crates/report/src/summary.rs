@@ -41,6 +41,8 @@ pub(crate) struct Summary {
     pub checks: Vec<CheckRow>,
     /// How many more there are.
     pub more_checks: String,
+    /// Why a rule of thumb that is met does not count beside a mechanism that is not; empty where both say the same.
+    pub rule_of_thumb: String,
     /// The first thing to do.
     pub next: String,
     /// What is missing or assumed that could turn the verdict.
@@ -113,6 +115,7 @@ pub(crate) fn summary(material: &Assessed, changes: &[ChangeRow]) -> Summary {
         grades: a.facts.vehicles.made().map(|facts| facts.grades.iter().map(grade).collect()).unwrap_or_default(),
         checks,
         more_checks,
+        rule_of_thumb: rule_of_thumb(a),
         next: a.next.first().map(|one| format!("{}: {}", one.action, one.what)).unwrap_or_default(),
         doubts: doubts.iter().map(|words| clipped(words, MOST_LETTERS)).collect(),
         more_doubts,
@@ -122,6 +125,30 @@ pub(crate) fn summary(material: &Assessed, changes: &[ChangeRow]) -> Summary {
             ["approved".to_owned(), name(&document.approved_by)],
         ],
     }
+}
+
+/// Checks of a mechanism at collapse.
+const OF_MECHANISMS: [&str; 2] = ["C201", "C204"];
+
+/// Modified MEXE that is met beside a mechanism that carries too little.
+fn rule_of_thumb(a: &Assessment) -> String {
+    let of = |code: &'static str| {
+        a.checked.iter().filter(move |check| check.code == code).flat_map(|check| check.outcome.iter().flatten())
+    };
+    let Some(mexe) = of("C301").find(|one| one.met()) else { return String::new() };
+    let short = OF_MECHANISMS.iter().flat_map(|code| of(*code)).filter(|one| !one.met());
+    let Some(least) = short.max_by(|one, other| one.utilisation.total_cmp(&other.utilisation)) else {
+        return String::new();
+    };
+    format!(
+        "Modified MEXE is met ({} of its limit) where {} is not carried (factor {:.2}, {} is asked for): MEXE is a rule of thumb for the span, the \
+         ring and the fill. It knows no vehicle, no defect, no separated ring and no skew, and allows too much on short spans. It does not count against \
+         a mechanism.",
+        percent(mexe.utilisation),
+        least.load_model,
+        least.value,
+        least.limit
+    )
 }
 
 /// The drawing of the load that governs at collapse; without one, the bridge as its file describes it.

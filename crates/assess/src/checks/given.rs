@@ -3,7 +3,10 @@
 use crate::coverage::{self, Coverage};
 use crate::evidence::Evidence;
 use crate::record;
+use crate::vehicles::chosen;
+use findings::words::counted;
 use outcome::given::{Doubt, Given, ModelFactor, Taken};
+use outcome::vehicles::Graded;
 
 /// Reads it off the evidence; none of it changes the rung.
 pub(super) fn given(a: &Evidence) -> Given {
@@ -18,6 +21,7 @@ pub(super) fn given(a: &Evidence) -> Given {
     Given {
         name,
         level: coverage.as_ref().and_then(|found| found.level.clone()),
+        carried: carried(a),
         to_confirm: coverage.as_ref().map_or_else(Vec::new, |found| found.to_confirm.clone()),
         skipped: a.facts.left_out(),
         load_cases_left_out: coverage.as_ref().map_or_else(Vec::new, |found| found.left_out.clone()),
@@ -68,47 +72,97 @@ fn doubtful(a: &Evidence) -> Vec<Doubt> {
     a.doubts.iter().cloned().chain(told).collect()
 }
 
+/// What is carried of the grades that were asked for, where one is not: of several scales with what each is of.
+fn carried(a: &Evidence) -> Option<String> {
+    let graded = &a.facts.vehicles.made()?.graded;
+    let short = |one: &&Graded| !one.not_carried.is_empty() && one.unanswered.is_empty();
+    let told = graded.iter().filter(short).map(|one| match graded.len() {
+        1 => one.told(),
+        _ => format!("{} of {}", one.told(), one.of),
+    });
+    let told: Vec<String> = told.collect();
+    (!told.is_empty()).then(|| told.join(", "))
+}
+
 /// What the file does not give and was taken, or takes otherwise than the rule.
 fn taken(a: &Evidence) -> Vec<Taken> {
-    let told = |what: String, how: &str, open| Taken { what, how: how.to_owned(), open };
+    let told = |what: String, how: &str| Taken { what, how: how.to_owned(), ..Taken::default() };
     let mut list = Vec::new();
     let carriageway = a.bridge.carriageway.as_ref();
     let skewed = a.bridge.spans.iter().any(|span| span.skew != 0.0);
     if !skewed && carriageway.is_none_or(|asked| asked.skew.is_none()) {
-        list.push(told("skew not given".to_owned(), "the bridge is taken as square", true));
+        list.push(Taken {
+            what: "skew not given, taken as square".to_owned(),
+            how: "the verdict holds for a square barrel alone: a skew one carries otherwise, and may carry less"
+                .to_owned(),
+            write: "skew in [carriageway], or in each [[span]]; 0 for a square bridge".to_owned(),
+            open: true,
+        });
     }
     if a.bridge.sweep.is_some() {
-        let missing: Vec<&str> = [
-            ("lanes", carriageway.is_some_and(|asked| asked.lanes.is_some())),
-            ("edge_distance", carriageway.is_some_and(|asked| asked.edge_distance.is_some())),
-        ]
-        .into_iter()
-        .filter(|(_, given)| !given)
-        .map(|(key, _)| key)
-        .collect();
-        if !missing.is_empty() {
-            let what = format!("{} not given", missing.join(" and "));
-            list.push(told(what, "vehicles stand across the bridge as is usual (A182)", true));
+        let given = |of: fn(&bridge::Carriageway) -> bool| carriageway.is_some_and(of);
+        let lanes = given(|asked| asked.lanes.is_some());
+        let edge = given(|asked| asked.edge_distance.is_some());
+        let missing = match (lanes, edge) {
+            (true, true) => None,
+            (false, true) => Some(("how many stand abreast", "lanes")),
+            (true, false) => Some(("distance from the edge", "edge_distance")),
+            (false, false) => Some(("place across", "lanes and edge_distance")),
+        };
+        if let Some((what, keys)) = missing {
+            list.push(Taken {
+                what: format!("{what} not given, taken as usual"),
+                how: "vehicles that stand nearer to the edge, or more of them abreast, have less width to carry them (A182)".to_owned(),
+                write: format!("{keys} in [carriageway]"),
+                open: true,
+            });
         }
         list.extend(coverage::lanes_apart(&a.bridge));
         list.extend(coverage::less_braking(a));
     }
+    list.extend(condition(a));
     if !a.bridge.from_library.is_empty() {
         let how = format!("its usual values, none of them measured: {}", a.bridge.from_library.join(", "));
-        list.push(Taken { what: "materials of the library".to_owned(), how, open: false });
+        list.push(told("materials of the library".to_owned(), &how));
     }
     let included = a.asked.limits.load_factor_included;
     if a.asked.limits.adequacy_factor.is_some() && included != 1.0 {
-        list.push(told(format!("loads of the file carry a factor of {included}"), "by load_factor_included", false));
+        list.push(told(format!("loads of the file carry a factor of {included}"), "by load_factor_included"));
     }
     if a.asked.limits.adequacy_factor.is_some() {
         let whole = a.bridge.loads.iter().filter(|load| load.whole_length);
-        list.extend(whole.map(|load| {
-            told(format!("{} on its whole length", load.name), "not shortened where that does more harm", false)
-        }));
+        list.extend(
+            whole.map(|load| {
+                told(format!("{} on its whole length", load.name), "not shortened where that does more harm")
+            }),
+        );
     }
     if let Some(source) = &a.asked.limits.skew_source {
-        list.push(told(format!("skew confirmed by {source}"), "the model is square", false));
+        list.push(told(format!("skew confirmed by {source}"), "the model is square"));
     }
     list
+}
+
+/// A condition factor of 1 on a barrel of which the file tells cracks or defects: what of them counts in another way.
+fn condition(a: &Evidence) -> Option<Taken> {
+    let cracks = a.bridge.carriageway.as_ref().map_or(0, |asked| asked.cracks.len());
+    let defects = a.bridge.spans.iter().map(|span| span.defects.len()).sum();
+    let rule = a.bridge.sweep.as_ref().and_then(|plan| chosen(&a.bridge, plan).ok());
+    let whole: Vec<&str> = [
+        (rule.is_some_and(|(rule, _)| rule.factors.condition.value >= 1.0), "the rule"),
+        (a.asked.mexe.as_ref().is_some_and(|mexe| mexe.condition_factor >= 1.0), "MEXE"),
+    ]
+    .into_iter()
+    .filter_map(|(is_one, what)| is_one.then_some(what))
+    .collect();
+    if whole.is_empty() || cracks + defects == 0 {
+        return None;
+    }
+    let found = [(cracks, "longitudinal crack"), (defects, "ring defect")].into_iter().filter(|(count, _)| *count > 0);
+    let found: Vec<String> = found.map(|(count, what)| counted(count, what)).collect();
+    let how = format!(
+        "the file tells of {}; cracks bound the width that carries a vehicle and defects are taken out of the rings, and nothing else is taken off",
+        found.join(" and ")
+    );
+    Some(Taken { what: format!("condition factor 1 by {}", whole.join(" and ")), how, ..Taken::default() })
 }

@@ -322,7 +322,7 @@ fn the_head_names_what_qualifies_it() {
     a.doubts = vec![outcome::given::Doubt { code: "P001".into(), message: "density".into() }];
     let found = verdict(&a, &run(&a));
     let head = found.head();
-    for words in ["not the library's: live load", "doubtful: P001", "skew not given"] {
+    for words in ["not the library's: live load", "1 doubtful value", "skew not given"] {
         assert!(head.contains(words), "{words}: {head}");
     }
     let beside = found.beside().join("; ");
