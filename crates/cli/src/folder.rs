@@ -76,6 +76,13 @@ impl Folder {
         &self.path
     }
 
+    /// Room of its own for another program, until it has ended.
+    pub(crate) fn room(&self) -> io::Result<Staging> {
+        let room = self.path.join(format!("{PARTIAL}room-{}", std::process::id()));
+        fs::create_dir_all(&room)?;
+        Ok(Staging(room))
+    }
+
     pub(crate) fn file(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
@@ -271,7 +278,14 @@ pub(crate) fn files_in(folder: &Path) -> io::Result<Vec<String>> {
 }
 
 /// A folder that is gone when the work is done, whichever way it ends.
-struct Staging(PathBuf);
+pub(crate) struct Staging(PathBuf);
+
+impl Staging {
+    /// Where it is.
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+}
 
 impl Drop for Staging {
     fn drop(&mut self) {

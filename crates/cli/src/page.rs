@@ -24,14 +24,16 @@ pub(crate) struct Page {
 }
 
 /// Warnings that are told last: where loads go at some position, and what stands in the head of a verdict anyway.
-const LAST: [&str; 7] = [
+const LAST: [&str; 8] = [
     warning::CHOSEN,
     warning::RECALLED_FACTOR,
     warning::STRENGTH_OPEN,
     warning::NO_LONGITUDINAL,
     "A102",
     "A103",
-    "A161",
+    // The place says it.
+    warning::WITHOUT_PDF,
+    warning::UNSET_PDF,
 ];
 
 impl Page {
@@ -50,8 +52,8 @@ impl Page {
         let told = important(warnings);
         let more = more(told.len().saturating_sub(MOST_WARNINGS), self.assumptions.len());
         let shown = told.len().min(MOST_WARNINGS);
-        // A line for each warning and one over them, one for what is left out, two for the place, and one that says what was made.
-        let beside = usize::from(shown > 0) + shown + usize::from(!more.is_empty()) + 3;
+        // A line for each warning and one over them, one for what is left out, the place after an empty line, and one that says what was made.
+        let beside = usize::from(shown > 0) + shown + usize::from(!more.is_empty()) + self.place.lines().count() + 2;
         let body: Vec<&str> = self.body.trim_end().lines().collect();
         let room = MOST_LINES - beside;
         let mut page: Vec<String> = body.iter().take(room).map(|line| clipped(line)).collect();

@@ -41,13 +41,11 @@ const ERRORS = /error/;
 const SAMPLED = (4 * Math.SQRT2) / Math.sqrt(10_000);
 const POSTERIOR = /standard_deviation|interval_95|correlation(?!s)|model_error/;
 
-/** What only the command knows: its clock, its folder, how it was built (A161: without the printer of PDF). */
+/** What only the command knows: its clock, its folder. */
 const OF_THE_COMMAND = ["wall_seconds", "threads", "version", "out", "files", "stages", "input_hash", "evaluations_taken_up"];
-const BUILT = ["A161"];
 function ofTheCommand(result) {
   OF_THE_COMMAND.forEach((key) => delete result[key]);
   for (const search of result.searches ?? []) delete search.seconds;
-  if (result.warnings) result.warnings = result.warnings.filter((one) => !BUILT.includes(one.code));
 }
 
 /** Bridges that are their own mirror image, with their length [m]: a vehicle carries as much as its image that travels the other way, and which of

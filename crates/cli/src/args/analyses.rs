@@ -147,6 +147,9 @@ pub(crate) struct Assess {
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
     pub resume: bool,
+    /// Write report.pdf too, for A4: by extrados-pdf where it lies beside this program, else by Chromium, Chrome or Edge
+    #[arg(long)]
+    pub pdf: bool,
     /// Take photographs from outside the folder of the bridge file into the report
     #[arg(long)]
     pub allow_outside: bool,

@@ -44,15 +44,20 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
         report.warn(&mut desk.screen, &code, &message);
     }
     let mut written = extrados::written::assessed(&done);
-    let mut named = "report.html";
-    match pdf::pdf(&done) {
-        Ok(bytes) => {
-            written.files.push(figures::File { name: "report.pdf".to_owned(), bytes });
-            named = "report.html, report.pdf";
+    let mut named = "report.html".to_owned();
+    match arguments.pdf.then(|| pdf::pdf(&done, &folder)) {
+        None => {}
+        Some(Ok(file)) => {
+            named += ", report.pdf";
+            written.files.push(file);
         }
-        Err([code, message]) => report.warn(&mut desk.screen, &code, &message),
+        Some(Err([code, message])) => {
+            named = format!("{message}\n{named}");
+            report.warn(&mut desk.screen, &code, &message);
+        }
     }
-    let page = summary::assessment(&done.assessment, named, folder.path(), desk.screen.details);
+    let place = format!("{named}, checks.csv and result.json are in {}", folder.path().display());
+    let page = summary::assessment(&done.assessment, place, desk.screen.details);
     report.show(&desk.screen, &page);
     results::publish(desk, report, &folder, written)
 }

@@ -5,12 +5,10 @@ use ::outcome::assessment::Assessment;
 use ::outcome::checked::{told_apart, worst};
 use findings::words::counted;
 use std::fmt::Write;
-use std::path::Path;
 
-/// The verdict in a few lines, or with every comparison, the condition and what is missing; `report` names the reports that are written.
-pub(crate) fn assessment(a: &Assessment, report: &str, folder: &Path, details: bool) -> Page {
+/// The verdict in a few lines, or with every comparison, the condition and what is missing; `place` says where the reports are.
+pub(crate) fn assessment(a: &Assessment, place: String, details: bool) -> Page {
     let body = if details { everything(a) } else { digest(a) };
-    let place = format!("{report}, checks.csv and result.json are in {}", folder.display());
     Page { body, assumptions: Vec::new(), place }
 }
 

@@ -130,27 +130,44 @@ fn a_limit_that_is_not_met_is_exit_code_one() {
     assert!(stage.read("out/bridge/report.html").contains("Not adequate"));
 }
 
-/// With the typesetter beside the command report.pdf says the verdict that the page says; without it a warning says how to have it.
+/// With --pdf the report is a PDF too, by the typesetter beside the command or by a browser; without either a line says what to do, and without the
+/// flag nothing is said of it.
 #[test]
 fn the_report_as_pdf_or_the_way_to_it() {
     let stage = stage("assess-pdf", LIMITS);
-    let (answer, ending) = stage.object(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]);
-    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    let words = ["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"];
     let file = stage.folder.join("out/report.pdf");
-    let warnings = answer["warnings"].as_array().expect("a list");
-    let told = warnings.iter().find(|one| one["code"] == "A161");
+    let said = |ending: &std::process::Output| String::from_utf8_lossy(&ending.stdout).into_owned();
+    let plain = said(&stage.command(&words).output().expect("it starts"));
+    assert!(
+        plain.contains("\nreport.html, checks.csv and result.json are in out") && !plain.contains("report.pdf"),
+        "{plain}"
+    );
+    let with = |browser: Option<&str>| {
+        let mut command = stage.command(&words);
+        command.arg("--pdf").env("PATH", "");
+        browser.map(|browser| command.env("EXTRADOS_BROWSER", browser));
+        command.output().expect("it starts")
+    };
     let typesetter = std::path::Path::new(env!("CARGO_BIN_EXE_extrados")).with_file_name("extrados-pdf");
     if !typesetter.exists() {
-        assert!(
-            told.is_some_and(|one| one["message"].as_str().is_some_and(|words| words.contains("crates/report-pdf")))
-        );
-        assert!(!file.exists());
+        let none = said(&with(None));
+        assert!(none.contains("\nno report.pdf: put extrados-pdf of the release archive beside extrados"), "{none}");
+        assert!(none.contains("A161") && !file.exists());
+        let wrong = said(&with(Some("/nowhere")));
+        assert!(wrong.contains("no report.pdf: EXTRADOS_BROWSER names “/nowhere”"), "{wrong}");
+        let fails = said(&with(Some("/bin/false")));
+        assert!(fails.contains("no report.pdf: /bin/false: it wrote none") && !file.exists(), "{fails}");
+    }
+    let browser = std::env::var("EXTRADOS_BROWSER").unwrap_or_else(|_| "/usr/bin/chromium".to_owned());
+    if !typesetter.exists() && !std::path::Path::new(&browser).exists() {
         return;
     }
-    assert!(ending.stderr.is_empty() || !ending.stderr.contains("A161"), "{}", ending.stderr);
-    let printed = stage.run(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]).stdout;
-    assert!(printed.contains("report.html, report.pdf, checks.csv and result.json are in"), "{printed}");
-    assert!(told.is_none() && std::fs::read(&file).expect("report.pdf").starts_with(b"%PDF-"), "{warnings:?}");
+    let printed =
+        said(&stage.command(&words).arg("--pdf").env("EXTRADOS_BROWSER", &browser).output().expect("it starts"));
+    assert!(printed.contains("\nreport.html, report.pdf, checks.csv and result.json are in out"), "{printed}");
+    assert!(std::fs::read(&file).expect("report.pdf").starts_with(b"%PDF-"));
+    assert!(stage.names("out").iter().all(|name| !name.contains("partial")), "{:?}", stage.names("out"));
     // Texts of a PDF are glyphs of a font; poppler reads them where it is installed, and the typesetter's own tests in any case.
     let Ok(read) = std::process::Command::new("pdftotext").arg(&file).arg("-").output() else { return };
     let text = String::from_utf8_lossy(&read.stdout);
@@ -396,15 +413,21 @@ fn names_that_the_library_lacks_are_findings_with_a_place() {
     }
 }
 
-/// What was left out is no lack of records: each section says why it is empty.
+/// A chapter with nothing in it is not there; why stands where everything stands that was not looked at.
 #[test]
-fn an_empty_section_of_the_report_says_why() {
+fn an_empty_chapter_is_left_out_and_said_elsewhere() {
     let stage = stage("assess-empty", LIMITS);
     let words = ["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity", "--skip", "service"];
     let _ = stage.object(&words);
     let page = stage.read("out/report.html");
-    for why in ["No train crossed: left out by --skip service", "holds: the file names no [records]"] {
+    for why in ["left out by --skip service", "left out by --skip sensitivity", "the file names no [records]"] {
         assert!(page.contains(why), "the report does not say: {why}");
     }
-    assert!(page.contains("No sensitivities were made: left out by --skip sensitivity"));
+    for chapter in ["service", "records", "condition", "changes"] {
+        assert!(
+            !page.contains(&format!("id=\"{chapter}\"")) && !page.contains(&format!("href=\"#{chapter}\"")),
+            "{chapter}"
+        );
+    }
+    assert!(page.contains("<h2 id=\"collapse\">") && page.contains("href=\"#collapse\""));
 }

@@ -166,14 +166,14 @@ findings::cards! {
         "An analysis of the file could not be set up or found no result; the message says which one and why. The other \
          stages are valid. Checks that depend on this one are not made, and if all others are met the verdict is \
          undetermined. Remove the cause and repeat the command: it uses the finished stages.";
-    WITHOUT_PDF = "A161", "this program writes no report.pdf",
-        "The typesetter for report.pdf needs some 200 packages and is a program of its own, extrados-pdf, which has to lie \
-         in the folder of the command: cargo install --path crates/report-pdf puts it there. report.html holds the same \
-         and prints on A4; verdict and numbers do not depend on it.";
-    UNSET_PDF = "A162", "the report could not be typeset as PDF",
-        "The typesetter refused the report; the message quotes its error. report.html and result.json are complete, \
-         and verdict and numbers are valid. The usual cause is a drawing that is not valid SVG, which is an error of \
-         this program: please report it with the bridge file.";
+    WITHOUT_PDF = "A161", "nothing was found that makes report.pdf",
+        "With --pdf the report is set by extrados-pdf, which lies beside the program in the release archive (from source: cargo install \
+         --path crates/report-pdf). Without it a browser prints report.html: the first of Chromium, Chrome, Edge and Brave that is found, or the one \
+         that EXTRADOS_BROWSER names. Firefox prints from its menu alone: open report.html there. Verdict and numbers do not depend on it.";
+    UNSET_PDF = "A162", "the report could not be made a PDF",
+        "The message says why. report.html and result.json are complete, and verdict and numbers are valid: print report.html from any browser. \
+         EXTRADOS_BROWSER names another browser for --pdf. Where the typesetter refuses a report, this is an error of ours: please \
+         report it with the bridge file.";
     STRENGTH_OUT_OF_REACH = "A163", "the wanted strength of the fill is out of reach",
         "Discs roll past one another, so fill made of discs is weaker than its contacts: above a certain contact \
          friction they roll instead of sliding, and the fill becomes no stronger. The message gives the strength that \

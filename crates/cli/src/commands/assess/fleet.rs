@@ -1,7 +1,7 @@
 //! A folder of bridge files: each is assessed into a folder of its own, side by side over the cores, and one table lists them,
 //! worst first. A file that cannot be used is a row and stops nothing. What is finished is taken up by the next run.
 
-use super::{answer, assessed, command, pictures, pictures_left_out};
+use super::{answer, assessed, command, pdf, pictures, pictures_left_out};
 use crate::args::Assess as Arguments;
 use crate::commands::source::{Source, read_text};
 use crate::desk::Desk;
@@ -238,9 +238,10 @@ fn judged(
     let folder = source.folder(&fleet.file(stem), "assess")?;
     let Some(done) = assessed(&source, &folder, program, arguments, true)? else { return Ok(None) };
     let mut report = answer(&done, &source);
-    let left_out = pictures_left_out(&done).into_iter();
+    let mut files = extrados::written::assessed(&done).files;
+    let printed = arguments.pdf.then(|| pdf::pdf(&done, &folder)).map(|pdf| pdf.map(|file| files.push(file)));
+    let left_out = pictures_left_out(&done).into_iter().chain(printed.and_then(Result::err));
     report.warnings.extend(left_out.map(|[code, message]| json!({ "code": code, "message": message })));
-    let files = extrados::written::assessed(&done).files;
     folder.fill(
         |staging| results::write(staging, &files),
         |names, place, _| {
