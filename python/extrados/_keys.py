@@ -374,7 +374,9 @@ class Assessment:
     by_name: str
     """The same as it is said: "CS 454"."""
     level: str | None
-    """What is carried where the vehicles stand for grades: "18 t"."""
+    """What is asked for where the vehicles stand for grades: "18 t"."""
+    carried: str | None
+    """What is carried of grades, where that is settled and less than what is asked for: "RA2", "less than 3 t"."""
     to_confirm: int
     """How many factors are to be confirmed."""
     factors_to_confirm: list[str]

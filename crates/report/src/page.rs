@@ -9,7 +9,6 @@ use crate::rows::{
     self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, EveryRow, FitRow, OpenRow, VehicleRow,
 };
 use crate::springings::springings;
-use crate::standing;
 use crate::summary::{self, Summary};
 use askama::Template;
 use base64::Engine;
@@ -250,7 +249,7 @@ fn page(material: &Assessed) -> Page<'_> {
             None => format!("{}: measured", run.name),
         }).collect()).unwrap_or_default(),
         channels: a.facts.service.made().map(|facts| rows::channels(facts, &material.inputs)).unwrap_or_default(),
-        stands: a.facts.service.made().and_then(standing::standing).into_iter().collect(),
+        stands: a.facts.service.made().and_then(parts::stands).into_iter().collect(),
         loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [
             load.name.clone(),
             format!("{} t", digits(load.heaviest_axle_t)),

@@ -4,9 +4,11 @@
 use crate::numbers::{digits, maybe, percent};
 use crate::page::{Appendix, Photograph};
 use crate::springings::{lies, pressure};
+use crate::standing::standing;
 use bridge::document::{Inspection, ReportDocument, Revision};
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
+use outcome::facts::ServiceFacts;
 use outcome::statics::{Reaction, Seat, Statics};
 use serde::{Serialize, Serializer};
 
@@ -236,6 +238,19 @@ fn reaction(one: &Reaction, width: f64) -> Vec<String> {
         scaled(one.depth, 1.0),
         scaled(one.pressure, 1e-6),
     ]
+}
+
+/// Where the train stands when the bridge answers most.
+pub(crate) fn stands(facts: &ServiceFacts) -> Option<Part> {
+    let mut part = Part { title: "Where the train stands", rows: standing(facts), ..Part::default() };
+    part.words.push(
+        "Where the first axle of the train stands when a place answers most, along the bridge from the left springing of the first span. At rest, \
+         without dynamic augment, self-weight taken off; of several spans and faces the one that answers most."
+            .into(),
+    );
+    part.heads = vec!["load", "place", "value", "first axle at [m]"];
+    part.numbers = vec![false, false, true, true];
+    (!part.rows.is_empty()).then_some(part)
 }
 
 /// Named cases side by side.

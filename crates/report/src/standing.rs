@@ -1,19 +1,11 @@
 //! Where the train stands when the bridge answers most.
 
 use crate::numbers::digits;
-use crate::parts::Part;
 use outcome::facts::{SectionFacts, ServiceFacts, Watched};
 
-/// Of every load, kind of place and quantity the least and the greatest value, and where the first axle stands then.
-pub(crate) fn standing(facts: &ServiceFacts) -> Option<Part> {
-    let mut part = Part { title: "Where the train stands", ..Part::default() };
-    part.words.push(
-        "Where the first axle of the train stands when a place answers most, along the bridge from the left springing of the first span. At rest, \
-         without dynamic augment, self-weight taken off; of several spans and faces the one that answers most."
-            .into(),
-    );
-    part.heads = vec!["load", "place", "value", "first axle at [m]"];
-    part.numbers = vec![false, false, true, true];
+/// Of every load, kind of place and quantity the least and the greatest value, and where the first axle stands then: load, place, value, position [m].
+pub(crate) fn standing(facts: &ServiceFacts) -> Vec<Vec<String>> {
+    let mut rows = Vec::new();
     for load in &facts.loads {
         let mut kinds: Vec<(&SectionFacts, &SectionFacts)> = Vec::new();
         for one in &load.places {
@@ -43,11 +35,11 @@ pub(crate) fn standing(facts: &ServiceFacts) -> Option<Part> {
                     format!("{at:.2}").replace('-', "−"),
                 ]
             };
-            part.rows.push(row(least, least.minimum, least.minimum_at_m, signs[0]));
-            part.rows.push(row(greatest, greatest.maximum, greatest.maximum_at_m, signs[1]));
+            rows.push(row(least, least.minimum, least.minimum_at_m, signs[0]));
+            rows.push(row(greatest, greatest.maximum, greatest.maximum_at_m, signs[1]));
         }
     }
-    (!part.rows.is_empty()).then_some(part)
+    rows
 }
 
 #[cfg(test)]
@@ -70,9 +62,9 @@ mod tests {
             places: vec![place(1, -0.4, 4.5), place(2, -0.5, 12.25)],
             ..Default::default()
         };
-        let part = standing(&ServiceFacts { loads: vec![load], ..ServiceFacts::default() }).expect("rows");
-        assert_eq!(part.rows[0], ["train", "crown of span 2, deflection, most downwards", "−0.500 mm", "12.25"]);
-        assert_eq!(part.rows[1][2..], ["0.100 mm", "−2.00"]);
-        assert!(standing(&ServiceFacts::default()).is_none());
+        let rows = standing(&ServiceFacts { loads: vec![load], ..ServiceFacts::default() });
+        assert_eq!(rows[0], ["train", "crown of span 2, deflection, most downwards", "−0.500 mm", "12.25"]);
+        assert_eq!(rows[1][2..], ["0.100 mm", "−2.00"]);
+        assert!(standing(&ServiceFacts::default()).is_empty());
     }
 }
