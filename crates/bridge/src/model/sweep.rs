@@ -38,7 +38,7 @@ of_keys! {
                 .optional("none") => bare_words,
         pub step: Option<f64> = length("distance between positions", "0.25 m")
             .at_least(LEAST_STEP)
-            .optional("a sixtieth of the shortest span; the worst position between steps is then found"),
+            .optional("a sixtieth of the shortest span, a thirtieth where a span has several rings; the worst position between steps is then found"),
         pub directions: Directions =
             word::<Directions>("directions in which vehicles travel", "both").default(Directions::Both.word()),
         pub subsets: bool = flag("whether every group of neighbouring axles is tried", "true").default("true"),

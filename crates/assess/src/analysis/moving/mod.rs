@@ -17,7 +17,7 @@ pub(crate) use least::{Answer, least};
 pub(crate) use place::{FAR_ABOVE, Found, Place, Tried};
 pub(crate) use search::{Line, REFINEMENTS, search};
 pub(crate) use sections::{Watched, outside, watched};
-pub(crate) use turns::Turns;
+pub(crate) use turns::{Turns, spaced};
 
 use mechanics::limit::{Effect, Friction, Ground, Sweeper};
 
@@ -62,13 +62,14 @@ pub(crate) trait Stands: Sync {
 }
 
 /// Which cases are answered without dilation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum WithoutDilation {
     /// At every place those up to [`DILATANCY`] times the least factor of all places, and those that lock, as the plan's friction says: each
     /// place has its own answer.
     Everywhere(Friction),
     /// In turn from the least factor up, as long as one may govern, and beside them those that lock: only the worst place has its own answer.
-    InTurn,
+    /// Of neighbouring places those are asked that are least among them, and others no nearer together than this [m].
+    InTurn(f64),
 }
 
 /// What all cases share.

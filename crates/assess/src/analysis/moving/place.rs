@@ -178,7 +178,7 @@ impl<S: Stands> Scene<'_, S> {
         let times = bounded.iter().filter(|[_, factor]| *factor <= near).map(|[bound, factor]| bound / factor);
         let times = times.fold(1.0, f64::max);
         match self.without_dilation {
-            WithoutDilation::InTurn => place.tried = Vec::new(),
+            WithoutDilation::InTurn(_) => place.tried = Vec::new(),
             WithoutDilation::Everywhere(_) => place.locks = None,
         }
         part.places.push(place);

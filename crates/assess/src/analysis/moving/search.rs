@@ -2,7 +2,7 @@
 
 use super::super::parallel::{self, CancelToken, Stage};
 use super::place::Found;
-use super::{Answer, DILATANCY, Key, Place, Scene, Stands, WithoutDilation, dips, least};
+use super::{Answer, DILATANCY, Key, Place, Scene, Stands, WithoutDilation, dips, least, spaced};
 use mechanics::limit::{Friction, Least, Status, Sweeper};
 use mechanics::watch::Watch;
 use rayon::prelude::*;
@@ -30,7 +30,8 @@ pub(crate) fn search<S: Stands>(
     watch: &mut dyn Watch,
 ) -> Vec<Found> {
     // Shares of the work at which all places are answered with dilation and without.
-    let shares = if scene.without_dilation == WithoutDilation::InTurn { [0.8, 0.8] } else { [0.4, 0.9] };
+    let in_turn = matches!(scene.without_dilation, WithoutDilation::InTurn(_));
+    let shares = if in_turn { [0.5, 0.5] } else { [0.4, 0.9] };
     let mut found = everywhere(scene, (lines, vehicles), shares[0], watch);
     if let WithoutDilation::Everywhere(friction) = scene.without_dilation {
         let whole = found.iter().all(|one| one.whole);
@@ -126,7 +127,7 @@ impl<S: Stands> Scene<'_, S> {
             let low = low.into_iter().filter_map(|k| found.places[k].least).collect();
             let friction = match self.without_dilation {
                 WithoutDilation::Everywhere(friction) => friction,
-                WithoutDilation::InTurn => Friction::Associated,
+                WithoutDilation::InTurn(_) => Friction::Associated,
             };
             let nearby = Nearby { step, tenths: 10, friction };
             (worst, unanswered) = self.refined(&mut sweepers, (worst, low), &nearby, token);
@@ -144,9 +145,11 @@ impl<S: Stands> Scene<'_, S> {
         let settled = all().map(|place| self.settled(&mut sweepers, place, worst.factor)).collect();
         let sliding = all().filter_map(|place| place.slides).collect();
         let mut level = match self.without_dilation {
-            WithoutDilation::InTurn => {
-                let level = self.in_turn(&mut sweepers, worst, [governing, sliding].concat(), token);
-                self.with_least_between(&mut sweepers, (worst, level), step, token)
+            WithoutDilation::InTurn(apart) => {
+                let others = [spaced(governing, apart), spaced(sliding, apart)].concat();
+                let level = self.in_turn(&mut sweepers, worst, others, token);
+                let between = if step > 0.0 { apart } else { 0.0 };
+                self.with_least_between(&mut sweepers, (worst, level), between, token)
             }
             WithoutDilation::Everywhere(_) => Vec::new(),
         };
@@ -154,20 +157,20 @@ impl<S: Stands> Scene<'_, S> {
         (Found { worst: Some(worst), level, whole: !token.is_cancelled(), ..end }, settled)
     }
 
-    /// Cases without dilation, with the least of them between the places where one carries less than the worst with dilation. Those at the places beside
-    /// it were asked where they may govern, so that half a step to either side is left.
+    /// Cases without dilation, with the least of them between the places, so far apart [m], where one carries less than the worst with dilation: as far
+    /// as the places beside it, that were asked where they may govern.
     fn with_least_between(
         &self,
         sweepers: &mut [Sweeper<'_>],
         (worst, mut level): (Answer, Vec<(Key, Option<f64>)>),
-        step: f64,
+        apart: f64,
         token: &CancelToken,
     ) -> Vec<(Key, Option<f64>)> {
         let answer =
             |(key, factor): &(Key, Option<f64>)| Some(Answer { key: *key, factor: (*factor)?, upper: (*factor)? });
         let known: Vec<Answer> = level.iter().filter_map(answer).collect();
-        if let Some(lowest) = least(&known).filter(|lowest| step > 0.0 && lowest.factor < worst.factor) {
-            let nearby = Nearby { step, tenths: 5, friction: Friction::Automatic };
+        if let Some(lowest) = least(&known).filter(|lowest| apart > 0.0 && lowest.factor < worst.factor) {
+            let nearby = Nearby { step: 2.0 * apart, tenths: 5, friction: Friction::Automatic };
             let (between, _) = self.refined(sweepers, (lowest, vec![lowest]), &nearby, token);
             if between.factor < lowest.factor {
                 level.push((between.key, Some(between.factor)));

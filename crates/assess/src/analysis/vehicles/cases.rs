@@ -30,10 +30,21 @@ pub(super) fn reach(d: &Discretised, foot: &Footprint) -> [f64; 2] {
     [from - margin, to + margin]
 }
 
-/// Distance between the positions of a sweep [m].
+/// Distance between the positions of a sweep [m]. Rings on one another, each position of which takes a hundred times as long, have half as many;
+/// the worst one is sought between them.
 pub(super) fn places_apart(bridge: &Bridge, plan: &SweepPlan) -> f64 {
-    let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
-    plan.step.unwrap_or(shortest / 60.0)
+    let several = bridge.spans.iter().any(|span| span.rings.len() > 1);
+    plan.step.unwrap_or(shortest(bridge) / if several { 30.0 } else { 60.0 })
+}
+
+/// Distance between positions at which cases are answered without dilation [m], before the least of them is sought between: with it and without
+/// it a load changes alike along the bridge, and one answer may take seconds.
+pub(super) fn asked_apart(bridge: &Bridge, step: f64) -> f64 {
+    step.max(shortest(bridge) / 20.0)
+}
+
+fn shortest(bridge: &Bridge) -> f64 {
+    bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min)
 }
 
 /// Every drive of a vehicle. A vehicle that looks the same from both ends drives one way only.

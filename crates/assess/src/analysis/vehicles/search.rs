@@ -4,7 +4,7 @@ use super::super::engine::rigid;
 use super::super::moving::{Found, Key, Line, Place, Scene, Watched, WithoutDilation, search, watched};
 use super::super::parallel;
 use super::AnalysisError;
-use super::cases::{drives, reach};
+use super::cases::{asked_apart, drives, reach};
 use super::factored::Footprint;
 use super::seeds::seeds;
 use super::standing::Standing;
@@ -43,7 +43,7 @@ pub(super) fn all(
         false => Vec::new(),
     };
     let standing = Standing::new((bridge, d), weights, feet.clone(), all_drives);
-    let (seeds, without_dilation) = (&seeds[..], WithoutDilation::InTurn);
+    let (seeds, without_dilation) = (&seeds[..], WithoutDilation::InTurn(asked_apart(bridge, step)));
     let scene = Scene { stands: &standing, grounds: &grounds, watched: &watched, screen, seeds, without_dilation };
     let lines = standing.drives.iter().map(|drive| {
         let (vehicle, positions) = (drive.vehicle, &drive.positions[..]);
