@@ -136,7 +136,7 @@ fn rule_of_thumb(a: &Assessment) -> String {
         a.checked.iter().filter(move |check| check.code == code).flat_map(|check| check.outcome.iter().flatten())
     };
     let Some(mexe) = of("C301").find(|one| one.met()) else { return String::new() };
-    let short = OF_MECHANISMS.iter().flat_map(|code| of(*code)).filter(|one| !one.met());
+    let short = OF_MECHANISMS.iter().flat_map(|code| of(code)).filter(|one| !one.met());
     let Some(least) = short.max_by(|one, other| one.utilisation.total_cmp(&other.utilisation)) else {
         return String::new();
     };

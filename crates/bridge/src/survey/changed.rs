@@ -126,7 +126,7 @@ fn put(before: Option<&Value>, key: &str, value: &Value, theirs: &mut dyn TableL
     let same = before.is_some_and(|one| plain(one) == plain(value) && comment(one) == comment(value));
     let there = theirs.get(key).and_then(Item::as_value).map(plain);
     let own = there.is_some() && there != before.map(plain);
-    if !same && !(own && comment(value).starts_with("assumed")) {
+    if !(same || own && comment(value).starts_with("assumed")) {
         theirs.insert(key, Item::Value(value.clone()));
     }
 }
