@@ -42,16 +42,32 @@ impl Document {
 
     /// The value at a path as TOML has it; none where nothing is written there.
     pub fn get(&self, path: &Path) -> Option<String> {
+        let value = self.value(path)?;
+        match path.steps.last()?.index {
+            None => Some(literal(value)),
+            Some(index) => value.as_array()?.get(index - 1).map(literal),
+        }
+    }
+
+    /// The value of a key with the remark behind it; a text without its quotation marks. None where nothing is written there.
+    pub fn said(&self, path: &Path) -> Option<(String, String)> {
+        let value = self.value(path)?;
+        Some((value.as_str().map_or_else(|| literal(value), str::to_owned), comment(value)))
+    }
+
+    /// The texts of a list; none where there is no list.
+    pub(crate) fn list(&self, path: &Path) -> Vec<String> {
+        let listed = self.value(path).and_then(Value::as_array);
+        listed.into_iter().flatten().filter_map(|one| one.as_str().map(str::to_owned)).collect()
+    }
+
+    fn value(&self, path: &Path) -> Option<&Value> {
         let (last, before) = path.steps.split_last()?;
         let mut table = self.root();
         for step in before {
             table = entry(table.get(&step.key)?, step.index)?;
         }
-        let value = table.get(&last.key)?.as_value()?;
-        match last.index {
-            None => Some(literal(value)),
-            Some(index) => value.as_array()?.get(index - 1).map(literal),
-        }
+        table.get(&last.key)?.as_value()
     }
 
     /// Writes a TOML value at a path, in the place of the one that is there or as a new key, with its section where
@@ -111,7 +127,7 @@ impl Document {
 }
 
 /// What is said behind a value.
-fn comment(value: &Value) -> String {
+pub(crate) fn comment(value: &Value) -> String {
     let behind = value.decor().suffix().and_then(|suffix| suffix.as_str()).unwrap_or_default();
     behind.split_once('#').map_or_else(String::new, |(_, words)| words.trim().to_owned())
 }

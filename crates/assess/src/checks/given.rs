@@ -84,13 +84,18 @@ fn carried(a: &Evidence) -> Option<String> {
     (!told.is_empty()).then(|| told.join(", "))
 }
 
+/// Whether the bridge is taken as square because nobody says that it is.
+pub(super) fn square(a: &Evidence) -> bool {
+    let carriageway = a.bridge.carriageway.as_ref();
+    a.bridge.spans.iter().all(|span| span.skew == 0.0) && carriageway.is_none_or(|asked| asked.skew.is_none())
+}
+
 /// What the file does not give and was taken, or takes otherwise than the rule.
 fn taken(a: &Evidence) -> Vec<Taken> {
     let told = |what: String, how: &str| Taken { what, how: how.to_owned(), ..Taken::default() };
     let mut list = Vec::new();
     let carriageway = a.bridge.carriageway.as_ref();
-    let skewed = a.bridge.spans.iter().any(|span| span.skew != 0.0);
-    if !skewed && carriageway.is_none_or(|asked| asked.skew.is_none()) {
+    if square(a) {
         list.push(Taken {
             what: "skew not given, taken as square".to_owned(),
             how: "the verdict holds for a square barrel alone: a skew one carries otherwise, and may carry less"

@@ -1,7 +1,7 @@
 //! From comparisons to a verdict, by a ladder: a limit that is not met; something missing that the rule asks for, or an analysis without
 //! an end; limits that are met where nobody asked for strength; the rule met.
 
-use super::given::given;
+use super::given::{given, square};
 use super::{by_file, by_rule};
 use crate::evidence::Evidence;
 use findings::words::counted;
@@ -63,7 +63,10 @@ pub fn verdict(a: &Evidence, checked: &[Checked]) -> Verdict {
                 "Every limit that the file gives is met ({comparisons}); it names no rule for strength, and no verdict of adequacy is given. {most}."
             ),
         ),
-        (0, true, false) => (Rung::Adequate, format!("Every limit is met, {comparisons} in all. {most}.")),
+        (0, true, false) => {
+            let square = if square(a) { " The file gives no skew: this holds for a square bridge." } else { "" };
+            (Rung::Adequate, format!("Every limit is met, {comparisons} in all. {most}.{square}"))
+        }
     };
     let status = match headline {
         Rung::NotAdequate => Judgement::Inadequate,

@@ -1,7 +1,8 @@
 //! Answers of a survey sheet as values of a bridge file.
 
-use super::Question;
+use super::{QUESTIONS, Question};
 use crate::Severity;
+use crate::material;
 use crate::quantity::{self, Dimension};
 
 /// What is wrong with an answer, or doubtful.
@@ -28,6 +29,22 @@ pub(super) struct Answer {
     pub si: f64,
     /// What the file remarks of it where nobody gave it; empty where somebody did.
     pub assumed: String,
+    /// What the file remarks instead; empty for the usual remark.
+    pub remark: String,
+}
+
+/// Answers by which a part is not there, with its words.
+pub(super) const NOTHING: [(&str, f64, &str); 5] = [
+    ("spans", 1.0, "further spans"),
+    ("rings", 1.0, "further rings"),
+    ("cover", 0.0, "cover"),
+    ("backing", 0.0, "backing"),
+    ("lost_mortar", 0.0, "joints without mortar"),
+];
+
+/// Words without what ends a text in the file.
+pub(super) fn plain(words: &str, most: usize) -> String {
+    words.chars().filter(|c| !c.is_control() && *c != '"' && *c != '\\').take(most).collect()
 }
 
 /// A length [m] in feet, with at most so many decimals.
@@ -38,28 +55,39 @@ pub(super) fn feet(metres: f64, decimals: i32) -> String {
 }
 
 impl Answer {
+    /// A share of it, in its own unit.
+    pub(super) fn over(&self, count: usize) -> String {
+        match quantity::parse(&self.text) {
+            Ok(whole) if count > 1 => {
+                let share = whole.number / count as f64;
+                format!("{} {}", (share * 1e6).round() / 1e6, whole.unit.symbol)
+            }
+            _ => self.text.clone(),
+        }
+    }
+
     /// Whether it is in feet, inches or yards.
     pub(super) fn imperial(&self) -> bool {
         quantity::parse(&self.text).is_ok_and(|found| found.unit.imperial())
-    }
-
-    /// One of so many equal parts of it.
-    pub(super) fn share(&self, parts: usize) -> Answer {
-        let si = self.si / parts as f64;
-        let text = if self.imperial() { feet(si, 6) } else { format!("{} m", (1e6 * si).round() / 1e6) };
-        Answer { text, si, ..self.clone() }
     }
 }
 
 /// What the sheet says, and what of it is no value.
 pub(super) struct Answers<'a> {
     said: &'a dyn Fn(&str) -> Option<String>,
+    /// Whether the example of a question stands for an answer that nobody gave yet.
+    begun: bool,
+    /// Whether lengths are measured in feet and inches.
+    in_feet: bool,
     wrong: Vec<Unusable>,
 }
 
 impl<'a> Answers<'a> {
-    pub(super) fn new(said: &'a dyn Fn(&str) -> Option<String>) -> Self {
-        Answers { said, wrong: Vec::new() }
+    pub(super) fn new(said: &'a dyn Fn(&str) -> Option<String>, begun: bool) -> Self {
+        let imperial =
+            |key: &str| said(key).is_some_and(|text| quantity::parse(&text).is_ok_and(|one| one.unit.imperial()));
+        let in_feet = QUESTIONS[..5].iter().any(|one| imperial(one.key));
+        Answers { said, begun, in_feet, wrong: Vec::new() }
     }
 
     /// Every answer that was none.
@@ -81,20 +109,62 @@ impl<'a> Answers<'a> {
     pub(super) fn of(&mut self, question: &Question) -> Answer {
         match self.said(question.key) {
             Some(text) => self.value(question, question.key, &text),
+            None if self.begun && question.assumed.is_empty() => {
+                self.assumed(question, question.example, "an example to begin with")
+            }
             None if question.assumed.is_empty() => {
                 let help = format!("write {} with its unit, such as {}", question.key, question.example);
                 self.refuse(question.key, format!("{} is missing", question.key), help)
             }
-            None => {
-                let value = self.value(question, question.key, question.assumed);
-                Answer { assumed: "the survey says nothing".to_owned(), ..value }
-            }
+            None => self.assumed(question, question.assumed, "the survey says nothing"),
         }
     }
 
-    /// The answer to a question that may be left out.
-    pub(super) fn optional(&mut self, question: &Question) -> Option<Answer> {
+    /// A value that nobody gave; a length in feet where the others are, so that nobody is asked about a mixture.
+    fn assumed(&mut self, question: &Question, value: &str, why: &str) -> Answer {
+        let value = self.value(question, question.key, value);
+        let text = if self.in_feet && question.unit == "m" { feet(value.si, 3) } else { value.text.clone() };
+        Answer { text, assumed: why.to_owned(), ..value }
+    }
+
+    /// The answer to a question of which nothing is ever assumed.
+    pub(super) fn measured(&mut self, question: &Question) -> Answer {
+        let begun = std::mem::replace(&mut self.begun, false);
+        let answer = self.of(question);
+        self.begun = begun;
+        answer
+    }
+
+    /// The answer to a question that may stay open.
+    pub(super) fn maybe(&mut self, question: &Question) -> Option<Answer> {
         self.said(question.key).map(|text| self.value(question, question.key, &text))
+    }
+
+    /// Words that the file holds as they are, but for what ends a text there.
+    pub(super) fn words(&self, key: &str) -> Option<String> {
+        self.said(key).map(|text| plain(&text, 400)).filter(|text| !text.is_empty())
+    }
+
+    /// A material of the library that may lie over a ring.
+    pub(super) fn fill(&mut self) -> Option<String> {
+        let code = self.said("fill")?;
+        let known = material::materials();
+        let mut fitting = known.iter().filter(|one| one.fills("cover"));
+        if fitting.clone().any(|one| one.code == code) {
+            return Some(code);
+        }
+        let codes: Vec<&str> = fitting.by_ref().map(|one| one.code.as_str()).collect();
+        let help = format!("the library has {}; extrados materials describes them", codes.join(", "));
+        self.refuse("fill", format!("fill: there is no fill called \"{}\"", plain(&code, 40)), help)
+    }
+
+    /// What was looked for and is not there, in words: answers that leave no other trace in the file.
+    pub(super) fn nothing(&self) -> Vec<&'static str> {
+        let is = |key: &str, none: f64| {
+            let said = self.said(key);
+            said.is_some_and(|text| quantity::parse(&text).map_or(text.parse() == Ok(none), |one| one.number == none))
+        };
+        NOTHING.iter().filter(|(key, none, _)| is(key, *none)).map(|(_, _, words)| *words).collect()
     }
 
     /// The same of the k-th span or pier, which is as the first where the sheet does not say otherwise.
@@ -152,7 +222,7 @@ impl<'a> Answers<'a> {
                 let marked = text.contains(['"', '\\']);
                 // To less than a thousandth of a millimetre.
                 let text = if marked { feet(found.si(), 6) } else { text };
-                Answer { key: key.to_owned(), text, si: found.si(), assumed: String::new() }
+                Answer { key: key.to_owned(), text, si: found.si(), ..Answer::default() }
             }
             Ok(found) => {
                 let (is, want) = (found.unit.dimension.name(), wanted.name());

@@ -36,7 +36,7 @@ const SMALL: &[&str] = &[
 /// Words of every question, in any order; a word in brackets may be missing.
 const NAMES: [(&str, &[&str]); 25] = [
     ("name", &["(bridge) (structure) name", "bridge", "structure"]),
-    ("number", &["(bridge) (structure) reference", "bridge number", "structure number", "asset number"]),
+    ("reference", &["(bridge) (structure) reference", "bridge number", "structure number", "asset number"]),
     ("spans", &["(number) spans"]),
     ("span", &["(clear) (arch) (square) (length) (intrados) (skew) span"]),
     ("rise", &["(clear) (arch) (crown) (midspan) (intrados) rise"]),
@@ -254,7 +254,7 @@ mod tests {
             ("Pier width", "pier_width"),
             ("Arch shape", "profile"),
             ("Intrados profile", "profile"),
-            ("Structure No.", "number"),
+            ("Structure No.", "reference"),
             ("Bridge name", "name"),
             ("Code", "rule"),
             ("Vehicle", "vehicles"),

@@ -1,7 +1,8 @@
 //! Tables of numbers, as spreadsheets and other programs have them, read as answers of a survey: a name, a value, a unit on each line.
 
 use super::names::{Named, is_unit, named};
-use super::{FILL_COHESION, MORE, PIER, QUESTIONS, Question};
+use super::questions::{FILL_COHESION, OTHERS};
+use super::{MORE, PIER, QUESTIONS, Question};
 use crate::quantity::{self, Unreadable};
 
 /// A line that answers a question.
@@ -188,7 +189,7 @@ fn valued(
     more: &str,
     coefficient: bool,
 ) -> Result<(String, String), (String, String)> {
-    if ["name", "number", "rule", "vehicles", "profile"].contains(&key) {
+    if ["name", "reference", "rule", "vehicles", "profile"].contains(&key) {
         return match key {
             "profile" => shape(value).map(|word| (word.to_owned(), String::new())),
             _ => Ok((value.to_owned(), String::new())),
@@ -264,6 +265,7 @@ fn question(key: &str) -> Option<&'static Question> {
     QUESTIONS
         .iter()
         .chain(&MORE)
+        .chain(&OTHERS)
         .chain(&PIER)
         .chain([&FILL_COHESION])
         .find(|question| question.key == key || question.key == first)

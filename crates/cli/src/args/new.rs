@@ -17,9 +17,11 @@ pub(crate) struct New {
     pub survey: Survey,
 }
 
-/// What a survey measured; a bare number is in metres, kg/m3, MPa or kN.
+/// What a survey measured; a bare number is in the unit of its question.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Your bridge (a bare number is in m, kg/m3, MPa or kN)")]
+#[command(
+    next_help_heading = "Your bridge (a bare number is in m, kg/m3, MPa, kN or deg; of --bond in kPa, of --lost-mortar in mm)"
+)]
 pub(crate) struct Survey {
     /// Clear span between the springings, at the intrados
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires_all = ["rise", "ring", "width", "cover"])]
@@ -63,6 +65,30 @@ pub(crate) struct Survey {
     /// Height of a pier, from the springings to the ground
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "spans")]
     pub pier_height: Option<String>,
+    /// Number of the structure in the owner's list
+    #[arg(long, value_name = "NUMBER", requires = "span")]
+    pub reference: Option<String>,
+    /// Rings of the arch one above the other, which share its thickness
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true, requires = "span")]
+    pub rings: Option<String>,
+    /// Cohesion between the rings, where headers or sound mortar tie them [default: 0 kPa]
+    #[arg(long, value_name = "STRESS", allow_hyphen_values = true, requires = "rings")]
+    pub bond: Option<String>,
+    /// Angle of skew, such as 12deg; 0 for a square bridge
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, requires = "span")]
+    pub skew: Option<String>,
+    /// Material of the fill, of the library: old-fill, crushed-stone, hardcore, …
+    #[arg(long, value_name = "MATERIAL", requires = "span")]
+    pub fill: Option<String>,
+    /// Density of fill and surfacing
+    #[arg(long, value_name = "DENSITY", allow_hyphen_values = true, requires = "span")]
+    pub fill_density: Option<String>,
+    /// Depth of joints without mortar, at the intrados, such as 20mm
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "span")]
+    pub lost_mortar: Option<String>,
+    /// What the inspection found of the barrel, in words
+    #[arg(long, value_name = "WORDS", requires = "span")]
+    pub condition: Option<String>,
     /// Rule that the bridge is judged by, such as cs-454
     #[arg(long, value_name = "RULE", requires = "span")]
     pub rule: Option<String>,

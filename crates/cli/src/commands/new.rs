@@ -79,12 +79,14 @@ fn surveyed(dir: &Path, said: &Survey) -> Result<Report, Refusal> {
 }
 
 /// What the flags are called that answer the questions of a survey otherwise named.
-const FLAGS: [(&str, &str); 5] = [
+const FLAGS: [(&str, &str); 7] = [
     ("thickness", "--ring"),
     ("unit", "--stone"),
     ("pier_width", "--pier-width"),
     ("pier_height", "--pier-height"),
     ("vehicles", "--vehicle"),
+    ("fill_density", "--fill-density"),
+    ("lost_mortar", "--lost-mortar"),
 ];
 
 impl Survey {
@@ -104,6 +106,14 @@ impl Survey {
             "spans" => self.spans.clone(),
             "pier_width" => self.pier_width.clone(),
             "pier_height" => self.pier_height.clone(),
+            "reference" => self.reference.clone(),
+            "rings" => self.rings.clone(),
+            "bond" => self.bond.clone(),
+            "skew" => self.skew.clone(),
+            "fill" => self.fill.clone(),
+            "fill_density" => self.fill_density.clone(),
+            "lost_mortar" => self.lost_mortar.clone(),
+            "condition" => self.condition.clone(),
             "rule" => self.rule.clone(),
             "vehicles" => Some(self.vehicle.join(",")),
             _ => None,

@@ -29,6 +29,50 @@ fn five_numbers_and_a_rule_make_a_file_that_is_judged() {
     assert_eq!(stage.object(&new("mill-lane", &[])).0["errors"][0]["code"], "F103");
 }
 
+/// What is known of rings, fill, skew and condition: a stated skew is never taken for a square bridge, and one that nobody states is told.
+#[test]
+fn rings_fill_skew_and_condition_are_flags() {
+    let stage = Stage::new("new-more");
+    let more =
+        ["--rings", "3", "--bond", "100", "--fill", "old-fill", "--lost-mortar", "20mm", "--reference", "ABC1/0123"];
+    let strong = ["--ring", "0.9", "--rule", "cs-454", "--vehicle", "cs454-single"];
+    let with = |folder: &'static str, own: &[&'static str]| {
+        let sheet = ["new", folder, "--span", "6", "--rise", "1.5", "--width", "6", "--cover", "0.5"];
+        assert_eq!(stage.object(&[&sheet[..], &strong, own].concat()).1.code, Some(0));
+        stage.read(&format!("{folder}/bridge.toml"))
+    };
+    let text = with("all", &[&more[..], &["--skew", "12deg", "--condition", "cracked along the east wall"]].concat());
+    for line in [
+        "skew = \"12deg\"",
+        "material = \"old-fill\"",
+        "thickness = \"0.3 m\"  # 1/3 of 0.9 m",
+        "[ring_joint]",
+        "cohesion = \"100 kPa\"\n",
+        "depth = \"20mm\"",
+        "structure_number = \"ABC1/0123\"",
+        "finding = \"cracked along the east wall\"",
+    ] {
+        assert!(text.contains(line), "{line} is not in\n{text}");
+    }
+    let said = stage.run(&new("x", &["--fill", "sand", "--skew", "12 m", "--fill-density", "heavy"])).stderr;
+    for flag in
+        ["--fill: there is no fill called \"sand\"", "--skew: \"12 m\" is a length", "--fill-density: \"heavy\""]
+    {
+        assert!(said.contains(flag), "{flag} is not in\n{said}");
+    }
+    for (folder, skew) in [("square", &["--skew", "0"][..]), ("skew", &["--skew", "12"]), ("open", &[])] {
+        with(folder, skew);
+        let (judged, _) =
+            stage.object(&["assess", &format!("{folder}/bridge.toml"), "--out", &format!("out-{folder}")]);
+        let words = judged["verdict"].to_string();
+        match folder {
+            "skew" => assert_eq!(judged["status"], "undetermined", "{words}"),
+            _ => assert_eq!(judged["status"], "adequate", "{words}"),
+        }
+        assert_eq!(words.contains("no skew"), folder == "open", "{words}");
+    }
+}
+
 /// All slips at once, by the flags that they stand at.
 #[test]
 fn slips_are_named_by_their_flags() {
