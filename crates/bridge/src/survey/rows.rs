@@ -352,7 +352,7 @@ mod tests {
         assert!(errors.is_empty(), "{errors:?}\n{text}");
         for line in [
             "profile = \"parabolic\"",
-            "thickness = \"0.23 m\"",
+            "thickness = \"230 mm\"",
             "voussoirs = 40",
             "skew = \"10 deg\"",
             "layer = \"surfacing\"",
