@@ -114,8 +114,8 @@ export function shown(written: string, system: System, digits = 4): { text: stri
 
 /** Units in which engineers write what a survey asks for in a metric unit, the usual one first. The reader of files knows all of them. */
 const CHOICES: Record<System, Record<string, string[]>> = {
-  metric: { m: ["m", "mm"], "kg/m^3": ["kg/m^3", "kN/m^3"], MPa: ["MPa", "N/mm^2"], kN: ["kN", "t"] },
-  imperial: { m: ["ft", "in"], "kg/m^3": ["lb/ft^3", "lbf/ft^3"], MPa: ["psi", "ksi"], kN: ["kip", "tonf"] },
+  metric: { m: ["m", "mm"], mm: ["mm", "cm"], "kg/m^3": ["kg/m^3", "kN/m^3"], MPa: ["MPa", "N/mm^2"], kPa: ["kPa", "MPa"], kN: ["kN", "t"] },
+  imperial: { m: ["ft", "in"], mm: ["in"], "kg/m^3": ["lb/ft^3", "lbf/ft^3"], MPa: ["psi", "ksi"], kPa: ["psi", "psf"], kN: ["kip", "tonf"] },
 };
 export function choices(unit: string, system: System): string[] {
   return CHOICES[system][unit] ?? (unit === "" ? [] : [unit]);
@@ -176,6 +176,17 @@ export function inSystem(words: string, system: System): string {
     const said = (number: string): string => Number((Number(number) * conversion.times).toPrecision(3)).toString();
     return `${said(low!)}${high === undefined ? "" : ` to ${said(high)}`} ${conversion.to}`;
   });
+}
+
+/** What "1/40 to 1/10 of the span" is of a span as written, in a unit of lengths; "" where it is no share of the span. */
+export function rangeOf(usual: string, span: string, unit: string): string {
+  const share = /^1\/(\d+) to 1\/(\d+) of the span$/.exec(usual);
+  const match = QUANTITY.exec(span);
+  const METRES: Record<string, number> = { m: 1, mm: 1e-3, cm: 1e-2, ft: 0.3048, in: 0.0254, yd: 0.9144 };
+  const [from, to] = [METRES[(match?.[2] ?? "").trim()], METRES[unit]];
+  if (!share || !match?.[1] || from === undefined || to === undefined) return "";
+  const of = (parts: string): string => Number(((Number(match[1]!.replace(/[_ \u2009]/g, "")) * from) / to / Number(parts)).toPrecision(3)).toString();
+  return `Here ${of(share[1]!)} to ${of(share[2]!)} ${unit}.`;
 }
 
 /** What a person typed, as a quantity of the file: a bare number takes the unit that was shown. */

@@ -6,11 +6,13 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::Watch;
 use bridge::case::Case;
+use findings::visible::cell;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{CaseFacts, CasesFacts};
 use outcome::published;
 use outcome::warning::{Passed, Warning};
 use serde_json::{Value, json};
+use std::fmt::Write;
 
 /// A case with its answer.
 #[derive(Debug, Clone)]
@@ -96,6 +98,25 @@ impl Cases {
     /// The factors of the cases that have one, by their names.
     pub fn factors(&self) -> Vec<(String, f64)> {
         self.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect()
+    }
+
+    /// The table: a row for each case, loads in kN/m.
+    pub(crate) fn table(&self) -> String {
+        let mut table = "case,acts,status,load_factor,load_kn_per_m,reference_load_kn_per_m\n".to_owned();
+        let shown = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+        for one in &self.answers {
+            let _ = writeln!(
+                table,
+                "{},{},{},{},{},{}",
+                cell(&one.name),
+                cell(&one.told),
+                one.collapse.status,
+                shown(one.factor()),
+                shown(one.collapse.carried().map(|load| load / 1e3)),
+                one.collapse.reference_load / 1e3
+            );
+        }
+        table
     }
 
     /// Drawings (SVG) of every case, those of each in a folder of its own: `case-1/mechanism`.

@@ -7,9 +7,11 @@ use crate::refusal::Refusal;
 use crate::watch::Watch;
 use bridge::inputs::{Input, inputs};
 use bridge::quantity;
+use findings::visible::cell;
 use outcome::collapse::{Collapse, Status};
 use outcome::{note, published};
 use serde_json::{Value, json};
+use std::fmt::Write;
 
 /// A value that stands in one file alone, or differs.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
@@ -73,6 +75,11 @@ impl Compared {
         fields
     }
 
+    /// The tables: what differs, and both answers number by number.
+    pub(crate) fn tables(&self) -> [String; 2] {
+        [differences_table(self), answers_table(self)]
+    }
+
     /// Drawings (SVG) of both, those of each in a folder of its own: `before/mechanism`.
     pub fn drawings(&self) -> impl Iterator<Item = (String, String)> {
         ["before", "after"].into_iter().zip(&self.answers).flat_map(|(which, one)| {
@@ -103,6 +110,25 @@ impl Compared {
             _ => "no load is known to be carried by either".to_owned(),
         }
     }
+}
+
+fn differences_table(found: &Compared) -> String {
+    let mut table = "path,before,after\n".to_owned();
+    for one in &found.differences {
+        let said = |value: &Option<String>| cell(value.as_deref().unwrap_or_default());
+        let _ = writeln!(table, "{},{},{}", cell(&one.path), said(&one.before), said(&one.after));
+    }
+    table
+}
+
+fn answers_table(found: &Compared) -> String {
+    let mut table = "name,before,after,change_percent\n".to_owned();
+    let shown = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    for one in &found.numbers {
+        let change = one.change().map(|change| 100.0 * change);
+        let _ = writeln!(table, "{},{},{},{}", one.name, shown(one.before), shown(one.after), shown(change));
+    }
+    table
 }
 
 /// Makes the analysis that each file plans, with the same choice in place of either plan, and puts input and answers side by side.

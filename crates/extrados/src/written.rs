@@ -2,6 +2,8 @@
 //! memory; who calls decides where it goes.
 
 use crate::assess::Assessed;
+use crate::cases::Cases;
+use crate::compare::Compared;
 use crate::project::Project;
 use bridge::{Diagnostic, Severity};
 use figures::File;
@@ -105,6 +107,19 @@ pub fn study(found: &Study) -> Written {
 pub fn assessed(found: &Assessed) -> Written {
     let page = File { name: "report.html".to_owned(), bytes: found.html().into_bytes() };
     Written { drawings: Vec::new(), files: [page].into_iter().chain(tables([("checks", found.table())])).collect() }
+}
+
+/// Of the named cases of a bridge of this name.
+pub fn cases(name: &str, found: &Cases) -> Written {
+    let bars = figures::case_factors(name, &found.factors()).map(|svg| ("cases".to_owned(), svg));
+    Written { drawings: bars.into_iter().chain(found.drawings()).collect(), files: vec![file("cases", found.table())] }
+}
+
+/// Of two bridges side by side.
+pub fn compared(found: &Compared) -> Written {
+    let [differences, answers] = found.tables();
+    let files = tables([("differences", differences), ("answers", answers)]).collect();
+    Written { drawings: found.drawings().collect(), files }
 }
 
 /// Tables (name without extension, text) as files; those without a row are left out.

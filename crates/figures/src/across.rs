@@ -199,6 +199,7 @@ mod tests {
             assert_eq!(drawn.matches(class).count(), count, "{class}");
         }
         let tracks = &drawn[drawn.find("class=\"tracks\"").unwrap()..];
-        assert_eq!(tracks[..tracks.find("</g>").unwrap()].matches("<rect").count(), 2);
+        let tracks = &tracks[..tracks.find("</g>").unwrap()];
+        assert_eq!([tracks.matches("<polygon").count(), tracks.matches("<polyline").count()], [2, 4], "{tracks}");
     }
 }

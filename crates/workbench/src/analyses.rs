@@ -75,6 +75,21 @@ pub fn cases(document: &Document, choice_of: &str, watch: &mut dyn Watch) -> Res
     Ok(Outcome::cases(project, &extrados::cases(project, choice(choice_of)?, watch)?))
 }
 
+/// Another bridge, and this one beside it.
+///
+/// # Errors
+/// Those of [`extrados::compare`].
+pub fn compare(
+    document: &Document,
+    before: &Document,
+    choice_of: &str,
+    watch: &mut dyn Watch,
+) -> Result<Outcome, Refusal> {
+    let (before, after) = (before.project()?, document.project()?);
+    let found = extrados::compare(before, after, choice(choice_of)?, watch)?;
+    Ok(Outcome::compared(before, after, &found))
+}
+
 /// The passage of the file's train.
 ///
 /// # Errors

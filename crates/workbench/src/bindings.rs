@@ -26,6 +26,8 @@ analysed! {
     sweep(choice: &str, step: f64);
     /// Every named case.
     cases(choice: &str);
+    /// Another bridge, and this one beside it.
+    compare(before: &Document, choice: &str);
     /// The passage of a train.
     respond();
     /// Parameters from records.

@@ -108,7 +108,7 @@ pub fn codes() -> String {
     Value::from_iter(explain::cards().map(card)).to_string()
 }
 
-/// The ten numbers of a survey, and what several spans are asked beside them.
+/// The ten numbers of a survey, what several spans are asked beside them, and what else a survey may know.
 #[wasm_bindgen]
 pub fn survey_questions() -> String {
     let one = |one: &survey::Question| {
@@ -117,7 +117,8 @@ pub fn survey_questions() -> String {
         })
     };
     let all = |list: &[survey::Question]| -> Value { list.iter().map(one).collect() };
-    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) }).to_string()
+    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER), "more": all(&survey::MORE), "words": survey::WORDS })
+        .to_string()
 }
 
 /// A bridge file from answers, an object of texts or numbers.
@@ -134,16 +135,30 @@ pub fn from_survey(answers: &str) -> Result<String, Thrown> {
     })?)
 }
 
-/// Everything that is wrong with answers or doubtful, each at its key.
+/// The file to begin a survey with, in which everything is assumed.
+#[wasm_bindgen]
+pub fn survey_start() -> String {
+    survey::start("A bridge")
+}
+
+/// What the file of a survey says, with changed answers in it: its text, null where one is refused; its answers, null where it cannot be read;
+/// and what is wrong with answers or doubtful, each at its key. Null for a file that is no survey's.
 ///
 /// # Errors
-/// Answers that are no object (F108).
+/// Changes that are no object (F108).
 #[wasm_bindgen]
-pub fn survey_findings(answers: &str) -> Result<String, Thrown> {
-    let given = given(answers)?;
-    let found = survey::findings(&name(&given), &|key| said(&given, key));
+pub fn survey_changed(text: &str, changes: &str) -> Result<String, Thrown> {
+    if !survey::is_survey(text) {
+        return Ok(Value::Null.to_string());
+    }
+    let given = given(changes)?;
+    let keys = given.as_object().into_iter().flat_map(|given| given.keys());
+    let changes = keys.filter_map(|key| Some((key.clone(), said(&given, key)?))).collect();
+    let survey::Changed { text: now, findings } = survey::changed(text, &changes);
+    let answers = survey::answers(now.as_deref().unwrap_or(text));
     let one = |one: survey::Unusable| json!({ "key": one.key, "severity": one.severity.word(), "message": one.message, "help": one.help });
-    Ok(Value::from_iter(found.into_iter().map(one)).to_string())
+    let findings: Vec<Value> = findings.into_iter().map(one).collect();
+    Ok(json!({ "text": now, "answers": answers, "findings": findings }).to_string())
 }
 
 /// Answers of a survey as the page gives them.

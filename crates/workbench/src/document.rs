@@ -133,6 +133,10 @@ impl Document {
         };
         let mut document = edit::Document::parse(&self.text).ok_or_else(unfit)?;
         let settled = settle(&find(&document, path)?, &Spread::List(vec![reading::literal(literal)]))?;
+        // What somebody set is no assumption any more.
+        if document.said(&settled.path).is_some_and(|(_, remark)| remark.starts_with("assumed")) {
+            document.remark(&settled.path, "set by hand").map_err(|_| unfit())?;
+        }
         for value in &settled.values {
             document.set(&settled.path, &value.literal).map_err(|_| unfit())?;
         }

@@ -111,7 +111,9 @@ impl Answer {
     #[wasm_bindgen(getter)]
     pub fn json(&self) -> String {
         let placed = &self.placed;
+        let case = placed.case.as_ref();
         json!({
+            "stands": case.and_then(|case| case.axles), "critical": case.and_then(|case| case.critical_axle),
             "position": placed.position, "status": placed.status, "factor": placed.factor, "dilatant_factor": placed.dilatant,
             "lower_bound": placed.bounds[0], "upper_bound": placed.bounds[1],
             "load": placed.factor.map(|factor| factor * placed.reference), "reference_load": placed.reference, "friction": placed.flow,

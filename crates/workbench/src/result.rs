@@ -10,7 +10,7 @@ use extrados::results::study::Study;
 use extrados::results::update::Update;
 use extrados::results::warning::Warning;
 use extrados::written::{self, Written};
-use extrados::{Assessed, Blocks, Cases, Project, Refusal, Swept};
+use extrados::{Assessed, Blocks, Cases, Compared, Project, Refusal, Swept};
 use serde_json::{Value, json};
 use std::io::{Cursor, Write};
 use wasm_bindgen::prelude::*;
@@ -135,11 +135,24 @@ impl Outcome {
 
     /// Of named cases.
     pub fn cases(project: &Project, found: &Cases) -> Outcome {
-        let written = Written { drawings: found.drawings().collect(), ..Written::default() };
+        let name = project.bridge().map_or("", |bridge| bridge.name.as_str());
+        let written = written::cases(name, found);
         let picture = found.least().map_or(Value::Null, |one| json!(one.collapse.picture));
         let known = found.answers.iter().all(extrados::CaseAnswer::is_known);
         let head = ("extrados.cases/1", if known { "completed" } else { "undetermined" });
         Outcome { picture, ..Outcome::new(project, head, found.object(), &found.warnings(), written) }
+    }
+
+    /// Of two bridges side by side, under the name of the second.
+    pub fn compared(before: &Project, after: &Project, found: &Compared) -> Outcome {
+        let mut fields = Object::new();
+        fields.insert("before_file".to_owned(), json!(before.name()));
+        fields.insert("after_file".to_owned(), json!(after.name()));
+        fields.extend(found.object());
+        let status = written::worst(found.answers.iter().map(|answer| answer.status));
+        let picture = json!(found.answers[1].picture);
+        let head = ("extrados.compare/1", status.word());
+        Outcome { picture, ..Outcome::new(after, head, fields, &[], written::compared(found)) }
     }
 
     /// Every file but result.json: drawings as SVG, and the rest as the command writes it.

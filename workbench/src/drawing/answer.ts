@@ -163,10 +163,42 @@ export function dispersed({ pen, view, ink }: Sheet, loads: Float64Array): void 
   pen.stroke();
 }
 
+/** How an axle of a vehicle stands at this place. */
+export type Wheel = { x: number; force: number; counts: boolean; critical: boolean };
+
+/** The wheels of a vehicle on the road, joined to one another; one that would help the bridge here does not count and is hollow, and the one that bears a further factor
+ * is in the colour of the answer. Returns how high they reach [px]. */
+export function wheels({ pen, view, ink }: Sheet, picture: Picture, list: Wheel[]): number {
+  if (list.length === 0) return 0;
+  const radius = Math.max(4, Math.min(9, 0.45 * view.scale));
+  const placed = [...list].sort((a, b) => a.x - b.x).map((one) => ({ ...one, px: view.x(one.x), py: view.y(roadAt(picture, one.x)) - 5 - radius }));
+  pen.strokeStyle = ink.ink;
+  pen.lineWidth = 2;
+  pen.beginPath();
+  placed.forEach(({ px, py }, k) => (k === 0 ? pen.moveTo(px, py) : pen.lineTo(px, py)));
+  pen.stroke();
+  for (const { px, py, counts, critical } of placed) {
+    pen.beginPath();
+    pen.arc(px, py, radius, 0, 2 * Math.PI);
+    pen.fillStyle = critical ? ink.answer : counts ? ink.ink : ink.sheet;
+    pen.fill();
+    pen.strokeStyle = critical ? ink.answer : ink.ink;
+    pen.lineWidth = 1.6;
+    pen.stroke();
+    if (!counts) continue;
+    pen.beginPath();
+    pen.arc(px, py, 0.35 * radius, 0, 2 * Math.PI);
+    pen.fillStyle = ink.sheet;
+    pen.fill();
+  }
+  return 2 * radius;
+}
+
 /** Axles or patches on the road: an arrow each with the length that they press on, and what they weigh where that is given and not sought: axles as a whole, the rest of a
  * train or lane per metre of width and length. */
-export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, system: System, given: { x: number; force: number }[] | null): void {
+export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, system: System, given: Wheel[] | null): void {
   const { pen, view, ink } = sheet;
+  const high = given ? wheels(sheet, picture, given) : 0;
   pen.font = `600 13px ${ink.font}`;
   pen.textAlign = "center";
   pen.textBaseline = "bottom";
@@ -183,20 +215,23 @@ export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, syste
     pen.fillRect(px - half, py - 5, 2 * half, 5);
     pen.strokeStyle = ink.ink;
     pen.lineWidth = 2;
-    line(pen, px, py - 40, px, py - 12);
+    // Above its wheel, where it has one.
+    const tip = py - 6 - high;
+    line(pen, px, tip - 34 + Math.min(high, 12), px, tip - 6);
     pen.beginPath();
-    pen.moveTo(px, py - 6);
-    pen.lineTo(px - 5, py - 16);
-    pen.lineTo(px + 5, py - 16);
+    pen.moveTo(px, tip);
+    pen.lineTo(px - 5, tip - 10);
+    pen.lineTo(px + 5, tip - 10);
     pen.closePath();
     pen.fill();
     // A narrow drawing has no room for them.
     if (given && sheet.width > 560) {
       const axle = given.find((one) => Math.abs(one.x - x) < 1e-6);
-      const text = words(axle ? force(axle.force, system) : pressure(size / length, system));
+      const said = words(axle ? force(axle.force, system) : pressure(size / length, system));
+      const text = axle?.critical ? `${said}, critical` : said;
       const width = pen.measureText(text).width;
       if (px - width / 2 > Math.max(0, lastRight + 6) && px + width / 2 < sheet.width) {
-        label(pen, text, px, py - 42, ink.sheet);
+        label(pen, text, px, tip - 36 + Math.min(high, 12), ink.sheet);
         lastRight = px + width / 2;
       }
     }

@@ -77,11 +77,19 @@ export type Quantity = {
 };
 /** What is wrong with an answer of a survey, or doubtful. */
 export type SurveyFinding = { key: string; severity: "error" | "warning"; message: string; help: string };
-export type SurveyOut = { text: string | null; findings: SurveyFinding[] };
+/** What a survey's file says: its text, null where an answer is refused; its answers, null where it cannot be read. */
+export type SurveyOut = { text: string | null; answers: Record<string, string> | null; findings: SurveyFinding[] };
 /** `usual` follows the word "usually"; empty where nothing is known. */
 export type Question = { key: string; doc: string; unit: string; example: string; assumed: string; usual: string };
 /** The ten numbers, the first three of which are those of a span; how many spans; and what is asked of a pier between them. */
-export type Questions = { ten: Question[]; spans: Question; pier: Question[] };
+export type Questions = {
+  ten: Question[];
+  spans: Question;
+  pier: Question[];
+  /** What a survey may know besides; and what is answered in words, each with what is asked. */
+  more: Question[];
+  words: [string, string][];
+};
 
 export type Shape = { outline: Point[]; role: string; held: boolean };
 export type Hinge = { point: Point; edge: string; between: [number, number]; rotation: number };
@@ -138,6 +146,9 @@ export type AnswerWords = {
   open?: boolean;
   hinges: Hinge[];
   sliding: Point[];
+  /** Of a vehicle: first and last of the axles that count at this place, and the one that bears a further factor. */
+  stands: [number, number] | null;
+  critical: number | null;
 };
 /** The answer at one place, as typed arrays that the worker hands over. */
 export type LiveAnswer = {
@@ -177,7 +188,14 @@ export type Material = { code: string; title: string; tables: string[]; values: 
 /** Where the text says what a path names; `written` is false where only its table is there. */
 export type PlaceInText = { start: number; end: number; path: string; written: boolean };
 
-export type ReadingOut = { reading: Reading; picture: Picture | null; quantities: Quantity[]; text: string };
+export type ReadingOut = {
+  reading: Reading;
+  picture: Picture | null;
+  quantities: Quantity[];
+  text: string;
+  /** Null where the file is no survey's. */
+  survey: SurveyOut | null;
+};
 export type ResultOut = {
   status: string;
   json: string;

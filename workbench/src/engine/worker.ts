@@ -1,4 +1,5 @@
 /** A worker with one instance of the engine. It answers one call after the other and keeps what calls refer to by name. */
+import { isOpen, standIn } from "../model/drawn";
 import init, * as engine from "./pkg/extrados_workbench.js";
 import type { LiveAnswer, PlacingAbout, ReadingOut, ResultOut, SurveyOut } from "./types";
 
@@ -23,12 +24,23 @@ function refusal(message: string): Error {
   return error;
 }
 
+/** A drawing whose materials nobody has named yet is drawn all the same: by values that stand in for them and give no number. */
+function drawn(document: engine.Document): ReadingOut["picture"] {
+  const text = document.text();
+  if (!isOpen(text)) return null;
+  const stand = new engine.Document("drawing.toml", standIn(text));
+  const picture = JSON.parse(stand.picture());
+  stand.free();
+  return picture;
+}
+
 function reading(document: engine.Document): ReadingOut {
   return {
     reading: JSON.parse(document.reading()),
-    picture: JSON.parse(document.picture()),
+    picture: JSON.parse(document.picture()) ?? drawn(document),
     quantities: JSON.parse(document.quantities()),
     text: document.text(),
+    survey: JSON.parse(engine.survey_changed(document.text(), "{}")),
   };
 }
 
@@ -87,6 +99,7 @@ function moved<T extends object>(value: T): Moved<T> {
 /** What calls pass; each reads its own. */
 type Args = {
   sheet: string;
+  before: string;
   path: string;
   text: string;
   files: [string, Uint8Array][];
@@ -130,12 +143,9 @@ const handlers: Record<string, Handler> = {
   withMaterial: ({ text, table, material, keys }) => engine.with_material(text, table, material, keys),
   placeOf: ({ text, path }) => JSON.parse(engine.place(text, path)),
   questions: () => JSON.parse(engine.survey_questions()),
-  /** The file of the answers, none where one is refused, and what is wrong with them or doubtful. */
-  fromSurvey: ({ answers }): SurveyOut => {
-    const given = JSON.stringify(answers);
-    const findings = JSON.parse(engine.survey_findings(given)) as SurveyOut["findings"];
-    return { text: findings.some((one) => one.severity === "error") ? null : engine.from_survey(given), findings };
-  },
+  surveyStart: () => engine.survey_start(),
+  /** The file of a survey with answers in it. */
+  survey: ({ text, answers }): SurveyOut | null => JSON.parse(engine.survey_changed(text, JSON.stringify(answers))),
   fromDxf: ({ name, bytes }) => engine.from_dxf(name, bytes),
   records: ({ name, bytes }) => JSON.parse(engine.records(name, bytes)),
 
@@ -202,6 +212,7 @@ const handlers: Record<string, Handler> = {
   collapse: ({ sheet, run, choice }, tell) => published(engine.collapse(documentOf(sheet), choice, tell), run),
   sweep: ({ sheet, run, choice, step }, tell) => published(engine.sweep(documentOf(sheet), choice, step, tell), run),
   cases: ({ sheet, run, choice }, tell) => published(engine.cases(documentOf(sheet), choice, tell), run),
+  compare: ({ sheet, before, run, choice }, tell) => published(engine.compare(documentOf(sheet), documentOf(before), choice, tell), run),
   respond: ({ sheet, run }, tell) => published(engine.respond(documentOf(sheet), tell), run),
   update: ({ sheet, run }, tell) => published(engine.update(documentOf(sheet), tell), run),
   judge: ({ sheet, run }, tell) => published(engine.judge(documentOf(sheet), tell), run),

@@ -25,6 +25,9 @@ export const library = asked<Library>("library");
 export const questions = asked<Questions>("questions");
 export const materials = asked<Material[]>("materials");
 
+/** The version of the engine. */
+export const version = asked<string>("build");
+
 /** What to say while the engine is on its way, or where it did not come; "" once it is there. */
 export function engineOnItsWay(): string {
   if (examples.lost()) return "The engine could not be loaded. Reload the page once the network is back.";

@@ -67,6 +67,7 @@ function take(sheet: Sheet, out: ReadingOut): void {
     // A drawing stays while a file has errors, so that a slip of typing does not empty the sheet.
     if (out.picture) sheet.picture[1](out.picture);
     sheet.quantities[1](out.quantities);
+    sheet.says(out.survey, out.text);
   });
 }
 

@@ -19,6 +19,13 @@ const NAMES: Record<string, string[]> = {
   density: ["density", "masonry density", "density masonry", "unit weight", "masonry unit weight", "unit weight masonry", "weight masonry"],
   strength: ["strength", "masonry strength", "strength masonry", "compressive strength", "masonry compressive strength", "compressive strength masonry"],
   axle: ["axle", "axle load", "axle force", "axle weight", "load axle", "force axle"],
+  reference: ["reference", "number", "bridge number", "bridge no", "bridge no.", "structure number", "structure no", "structure no.", "bridge reference", "number bridge", "number structure"],
+  rings: ["rings", "number rings", "no rings", "no. rings"],
+  bond: ["bond", "bond rings", "bond between rings", "cohesion between rings"],
+  fill_density: ["fill density", "density fill", "fill unit weight", "unit weight fill", "weight fill"],
+  skew: ["skew", "skew angle", "angle skew"],
+  lost_mortar: ["joints without mortar", "mortar loss", "lost mortar", "depth mortar loss"],
+  condition: ["condition", "barrel condition", "condition barrel"],
   pier_width: ["pier width", "width pier", "pier thickness", "thickness pier"],
   pier_height: ["pier height", "height pier"],
 };
@@ -71,7 +78,7 @@ export function rowsOf(text: string, unitOf: (key: string) => string): Rows {
     const key = keyOf(name);
     if (key === "") return leave("no question of the survey has this name");
     if (answers[key] !== undefined) return leave("the same was answered above");
-    if (key === "name") return void (answers[key] = value);
+    if (["name", "reference", "condition"].includes(key)) return void (answers[key] = value);
     if (!/\d/.test(value)) return leave("no number");
     if (/^[+-]?[1-9]\d{0,2}(?:,\d{3})+(?!\d)/.test(value) || /^\d/.test(more)) return leave("a comma that may stand for thousands or for a decimal point");
     const head = /[([]\s*([^)\]\d][^)\]]*)[)\]]/.exec(name)?.[1]?.trim() ?? "";

@@ -4,6 +4,7 @@ import { Engine, Lost, Refused, sentences } from "../engine/client";
 import type { Picture } from "../engine/types";
 import { analyse } from "./background";
 import type { Sheet } from "./sheet";
+import { loadAt } from "./variants";
 
 export const stage = new Engine("stage");
 
@@ -44,7 +45,11 @@ export class Run {
   readonly limit = createSignal<number | null>(null);
   centroids: Float64Array = new Float64Array(0);
   frames: Frame[] = [];
+  /** Where the load stands [m], where that is not the file's place. */
+  readonly at = createSignal<number | null>(null);
+  /** The text that is loaded, and that of the sheet when the run began. */
   text = "";
+  of = "";
   choice = "{}";
   #states: { frame: Frame; bytes: Uint8Array }[] = [];
   #bytes = 0;
@@ -57,7 +62,12 @@ export class Run {
     const mine = ++this.#token;
     this.reset();
     this.choice = choice;
-    this.text = this.sheet.text();
+    const x = this.sheet.x[0]();
+    // A load that somebody moved is loaded where it stands.
+    const moved = this.sheet.vehicle[0]() === "" && x !== null && x !== this.sheet.stood ? loadAt(this.sheet.text(), x) : null;
+    this.at[1](moved === null ? null : x);
+    this.of = this.sheet.text();
+    this.text = moved ?? this.of;
     this.mode[1]("setting-up");
     try {
       await stage.call("open", { sheet: this.sheet.id, path: this.sheet.path, text: this.text, files: [...this.sheet.files] }, { patience: 20_000 });

@@ -1,7 +1,7 @@
 /** One bridge on the board: its text, which is the truth, and what the engine has said of it so far. */
 import { batch, createSignal } from "solid-js";
 import type { Envelope } from "../drawing/answer";
-import type { LiveAnswer, Picture, PlacingAbout, Quantity, Reading, Refusal } from "../engine/types";
+import type { LiveAnswer, Picture, PlacingAbout, Quantity, Reading, Refusal, SurveyOut } from "../engine/types";
 
 type Past = { text: string; mark: string; at: number };
 
@@ -18,12 +18,12 @@ export type Kept = {
   rule: string;
   leftward: boolean;
   x: number | null;
-  survey?: Record<string, string> | null;
-  /** Whether the text is the one that the answers of the survey made. */
-  surveyed?: boolean;
-  /** Whether an answer of the survey stood refused. */
-  refused?: boolean;
+  /** Answers of a survey that are refused, and stand in their fields alone. */
+  drafts?: Record<string, string>;
 };
+
+/** What is wrong with an answer of a survey or doubtful; no key where it is none of them. */
+export type Wrong = { key: string; text: string; doubtful?: boolean };
 
 export class Sheet {
   readonly id: string;
@@ -62,27 +62,47 @@ export class Sheet {
   moves = 0;
   readonly placeTrouble = createSignal<Refusal | null>(null);
 
-  /** Answers of a survey sheet, where the bridge began with one, and the text that they made. */
-  readonly survey = createSignal<Record<string, string> | null>(null);
-  readonly surveyed = createSignal("");
+  /** What the file says to the questions of a survey; null where it is no survey's. */
+  readonly survey = createSignal<SurveyOut | null>(null);
+  /** Answers that the file has not, for they are refused; the text that was written from answers last, and how often another one came. */
+  readonly drafts = createSignal<Record<string, string>>({});
+  surveyed = "";
+  /** The text as it was opened. */
+  readonly opened: string;
+  readonly elsewhere = createSignal(0);
+  /** What is wrong with answers that are refused; null where none is. */
+  readonly refusedAnswers = createSignal<Wrong[] | null>(null);
 
   constructor(kept: Partial<Kept> & { path: string; text: string }) {
     this.id = kept.id ?? crypto.randomUUID();
     this.path = kept.path;
     this.#text[1](kept.text);
+    this.opened = kept.text;
     if (kept.vehicle) this.vehicle[1](kept.vehicle);
     if (kept.rule) this.rule[1](kept.rule);
     if (kept.leftward) this.leftward[1](true);
-    if (kept.survey && typeof kept.survey === "object") {
-      this.survey[1](Object.fromEntries(Object.entries(kept.survey).filter(([, value]) => typeof value === "string")));
-      this.surveyed[1](kept.surveyed === false ? "another text" : kept.text);
-      this.refuse("survey", kept.refused === true);
+    if (kept.drafts && typeof kept.drafts === "object") {
+      this.drafts[1](Object.fromEntries(Object.entries(kept.drafts).filter(([, value]) => typeof value === "string")));
+      this.surveyed = kept.text;
+      this.refuse("survey", Object.keys(this.drafts[0]()).length > 0);
     }
     if (typeof kept.x === "number" && Number.isFinite(kept.x)) this.x[1](kept.x);
   }
 
   text(): string {
     return this.#text[0]();
+  }
+  /** What the file says to the questions of a survey now. Where something else than the survey wrote it, it stands in the fields as well. */
+  says(survey: SurveyOut | null, text: string): void {
+    batch(() => {
+      this.survey[1](survey);
+      if (text === this.surveyed) return;
+      this.surveyed = text;
+      this.drafts[1]({});
+      this.refusedAnswers[1](null);
+      this.refuse("survey", false);
+      this.elsewhere[1]((count) => count + 1);
+    });
   }
   /** What was typed at a place is refused, or no longer. */
   refuse(where: string, is: boolean): void {
@@ -163,9 +183,7 @@ export class Sheet {
       rule: this.rule[0](),
       leftward: this.leftward[0](),
       x: this.x[0](),
-      survey: this.survey[0](),
-      surveyed: this.surveyed[0]() === this.text(),
-      refused: this.refused[0]().includes("survey"),
+      drafts: this.drafts[0](),
     };
   }
 }

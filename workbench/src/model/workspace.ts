@@ -3,7 +3,7 @@ import { batch, createSignal } from "solid-js";
 import { Sheet, type Kept } from "./sheet";
 import { filesOf, forgetFiles, keepFiles } from "./storage";
 
-export type Part = "bridge" | "load" | "collapse" | "train" | "verdict";
+export type Part = "bridge" | "load" | "collapse" | "train" | "verdict" | "cases" | "compare";
 
 const KEY = "extrados.workspace.1";
 /** Texts beyond this are not opened: no bridge needs them. */
@@ -79,6 +79,6 @@ export async function restore(): Promise<boolean> {
     if (sheet) for (const [name, bytes] of await filesOf(kept.id)) sheet.put(name, bytes);
   }
   if (sheets().some((sheet) => sheet.id === id)) setActiveId(id!);
-  if (where && ["bridge", "load", "collapse", "train", "verdict"].includes(where)) setPart(where);
+  if (where && ["bridge", "load", "collapse", "train", "verdict", "cases", "compare"].includes(where)) setPart(where);
   return sheets().length > 0;
 }

@@ -4,15 +4,17 @@ import { sentences } from "../engine/client";
 import type { Card, Finding, Section } from "../engine/types";
 import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
+import { isSurvey } from "../model/survey";
 import { setPart } from "../model/workspace";
 import { plainly } from "../wording";
 import { TomlEditor } from "./editor";
+import { Drawn } from "./Drawn";
 import { Form } from "./Form";
 import { Survey } from "./Survey";
 
 let sections: Section[] = [];
 
-type Tab = "survey" | "form" | "text" | "findings";
+type Tab = "survey" | "drawn" | "form" | "text" | "findings";
 export const [tab, setTab] = createSignal<Tab>("form");
 const [goal, setGoal] = createSignal<{ start: number; end: number } | null>(null);
 const MOST_FINDINGS = 200;
@@ -93,7 +95,8 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
   const findings = () => props.sheet.reading[0]()?.findings ?? [];
   const serious = () => findings().filter((one) => one.severity !== "note").length;
   const tabs = (): [Tab, () => string][] => [
-    ...(props.sheet.survey[0]() ? [["survey", () => "Survey"] as [Tab, () => string]] : []),
+    ...(isSurvey(props.sheet.text()) ? [["survey", () => "Survey"] as [Tab, () => string]] : []),
+    ...(props.sheet.reading[0]()?.kind === "blocks" ? [["drawn", () => "Drawing"] as [Tab, () => string]] : []),
     ["form", () => "Form"],
     ["text", () => "Text"],
     ["findings", () => `Findings${serious() > 0 ? ` (${serious()})` : ""}`],
@@ -109,7 +112,8 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
     document.getElementById(`tab-${next}`)?.focus();
   };
   createEffect(() => {
-    if (tab() === "survey" && !props.sheet.survey[0]()) setTab("form");
+    if (tab() === "survey" && !isSurvey(props.sheet.text())) setTab("form");
+    if (tab() === "drawn" && props.sheet.reading[0]() && props.sheet.reading[0]()!.kind !== "blocks") setTab("form");
   });
   return (
     <>
@@ -130,8 +134,11 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
             </p>
           )}
         </Show>
-        <Show when={tab() === "survey" && props.sheet.survey[0]()}>
-          <Survey sheet={props.sheet} />
+        <Show when={tab() === "survey" && isSurvey(props.sheet.text()) ? props.sheet : null} keyed>
+          {(sheet) => <Survey sheet={sheet} />}
+        </Show>
+        <Show when={tab() === "drawn"}>
+          <Drawn sheet={props.sheet} />
         </Show>
         <Show when={tab() === "form"}>
           <Form sheet={props.sheet} />

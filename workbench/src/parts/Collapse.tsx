@@ -11,7 +11,7 @@ import type { Sheet } from "../model/sheet";
 import { Chart } from "../shell/Chart";
 import { Scene } from "../shell/Scene";
 import { isSmall, system, theme } from "../shell/settings";
-import { figures, grouped, lineLoad, small, stress, words } from "../units";
+import { figures, grouped, lineLoad, place, small, stress, words } from "../units";
 import { AssumeStiffness } from "./Stiffness";
 
 const ENDED: Record<string, string> = {
@@ -97,7 +97,7 @@ export function CollapseScene(props: { sheet: Sheet }): JSX.Element {
             when={run().mode[0]() === "setting-up"}
             fallback={
               <div>
-                <p>The load of the file grows step by step; the blocks move as they would, until they come to rest or fall.</p>
+                <p>The load grows where it stands, step by step; the blocks move as they would, until they come to rest or fall.</p>
                 <button type="button" class="btn main" onClick={() => void run().start("{}")} disabled={!props.sheet.reading[0]()?.usable}>Load until it falls</button>
                 <Show when={run().trouble[0]()}>
                   <p class="complaint" role="alert">{run().trouble[0]()}</p>
@@ -163,12 +163,13 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
             </div>
           )}
         </Show>
+        <Show when={run().at[0]() !== null}><div class="under" data-testid="run-place">The load at {words(place(run().at[0]()!, system()))}, where it was put</div></Show>
         <div class="under" role="status">{ended() ? `Ended: ${ENDED[ended()] ?? ended()}.` : run().mode[0]() === "running" ? "Running." : run().mode[0]() === "paused" ? "Paused." : ""}</div>
       </div>
       <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">
         <span class="cap">Warnings and assumptions</span>
         <ul>
-          <Show when={run().text !== "" && run().text !== props.sheet.text()}>
+          <Show when={run().of !== "" && run().of !== props.sheet.text()}>
             <li class="warn">The bridge has changed since this run began.</li>
           </Show>
           <Show when={run().trouble[0]()}><li class="err">{run().trouble[0]()}</li></Show>

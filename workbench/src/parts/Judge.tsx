@@ -4,7 +4,6 @@ import type { LibraryModel } from "../engine/types";
 import { allOf, codesOf, judgedBy, modelsOf, pickedBy, withJudged, type Judged } from "../model/judged";
 import { library } from "../model/library";
 import type { Sheet } from "../model/sheet";
-import { isElsewhere, write } from "../model/survey";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
 import { inSystem } from "../units";
@@ -127,17 +126,8 @@ export function JudgeFile(props: { sheet: Sheet }): JSX.Element {
     const known = library();
     return known && props.sheet.reading[0]()?.kind === "bridge" && judgedBy(props.sheet.text(), known) === "";
   };
-  const put = async (answer: Judged): Promise<void> => {
-    const answers = props.sheet.survey[0]();
-    if (answers && !isElsewhere(props.sheet)) {
-      // The survey stays what the file is made from.
-      props.sheet.survey[1]({ ...answers, ...answer });
-      const found = await write(props.sheet, { ...answers, ...answer }, "survey judged");
-      const wrong = found?.find((one) => !one.doubtful);
-      if (wrong) return say(wrong.text, true);
-    } else {
-      props.sheet.change(withJudged(props.sheet.text(), answer), "judged");
-    }
+  const put = (answer: Judged): void => {
+    props.sheet.change(withJudged(props.sheet.text(), answer), "judged");
     say("The rule and the vehicles are in the file. “Assessment with report” judges by them.");
   };
   return (
@@ -145,7 +135,7 @@ export function JudgeFile(props: { sheet: Sheet }): JSX.Element {
       <section class="assume" aria-label="What it is judged by">
         <p>The file names no rule that judges the bridge: an assessment ends undetermined, or finds only what fails without safety.</p>
         <Judge id="judge" start={{ rule: "", vehicles: "" }} change={setJudged} />
-        <button type="button" class="btn small" disabled={judged() === null} onClick={() => void put(judged()!)}>Write it into the file</button>
+        <button type="button" class="btn small" disabled={judged() === null} onClick={() => put(judged()!)}>Write it into the file</button>
       </section>
     </Show>
   );

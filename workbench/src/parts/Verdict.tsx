@@ -4,10 +4,11 @@ import { Lost, Refused, sentences } from "../engine/client";
 import type { PlaceInText, Reading, ResultOut } from "../engine/types";
 import { download } from "../drawing/film";
 import { assumedIn } from "../model/assumed";
+import type { Entry, ResultFolder } from "../model/archive";
 import { analyse, background } from "../model/background";
 import { overItsWidth } from "../model/carried";
 import { judgedBy } from "../model/judged";
-import { library } from "../model/library";
+import { library, version } from "../model/library";
 import type { Sheet } from "../model/sheet";
 import { trade, type Assessed } from "../model/verdict";
 import { liveEngine } from "../model/live";
@@ -36,13 +37,15 @@ type Verdict = {
   result: (ResultOut & { report: string | null; object: Record<string, unknown> }) | null;
   text: string;
   trouble: string;
+  /** The files of a folder of results that was opened, and what it is called; none of an analysis made here. */
+  opened: { name: string; files: Entry[] } | null;
 };
 
 const verdicts = new WeakMap<Sheet, ReturnType<typeof createSignal<Verdict>>>();
 function verdictOf(sheet: Sheet) {
   let found = verdicts.get(sheet);
   if (!found) {
-    found = createSignal<Verdict>({ mode: "idle", kind: null, words: "", fraction: NaN, result: null, text: "", trouble: "" });
+    found = createSignal<Verdict>({ mode: "idle", kind: null, words: "", fraction: NaN, result: null, text: "", trouble: "", opened: null });
     verdicts.set(sheet, found);
   }
   return found;
@@ -54,7 +57,7 @@ async function run(sheet: Sheet, kind: Kind): Promise<void> {
   const [, set] = verdictOf(sheet);
   const text = sheet.text();
   scrolled.delete(sheet);
-  set({ mode: "runs", kind, words: "", fraction: NaN, result: null, text, trouble: "" });
+  set({ mode: "runs", kind, words: "", fraction: NaN, result: null, text, trouble: "", opened: null });
   try {
     const out = await analyse(sheet, kind.call, { run: runName(sheet), ...kind.args }, (stage, fraction) => set((old) => ({ ...old, words: stage, fraction })));
     let report: string | null = null;
@@ -66,6 +69,22 @@ async function run(sheet: Sheet, kind: Kind): Promise<void> {
     const trouble = error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "" : error instanceof Lost && error.why === "slow" ? "The engine did not answer, was stopped and started again." : `The engine broke down and was started again. ${(error as Error).message}`;
     set((old) => ({ ...old, mode: trouble ? "failed" : "idle", trouble }));
   }
+}
+
+/** Shows a folder of results as if it had been made here: its numbers, report, figures and files. */
+export function showFolder(sheet: Sheet, name: string, folder: ResultFolder): void {
+  const words = new TextDecoder();
+  const of = (suffix: RegExp): Entry[] => folder.files.filter((file) => suffix.test(file.name));
+  const schema = String(folder.object["schema"]).replace(/^extrados\.|\/\d+$/g, "");
+  const call = /sweep/.test(schema) ? "sweep" : schema;
+  const kind = KINDS.find((one) => one.call === call) ?? { call, title: schema.replace(/-/g, " ").replace(/^./, (c) => c.toUpperCase()), about: "", offered: () => false, args: {} };
+  const report = folder.files.find((file) => file.name === "report.html");
+  const figures = of(/\.svg$/).map((file) => ({ name: file.name.replace(/\.svg$/, ""), svg: words.decode(file.bytes) }));
+  scrolled.delete(sheet);
+  verdictOf(sheet)[1]({
+    mode: "done", kind, words: "", fraction: NaN, trouble: "", text: sheet.text(), opened: { name, files: folder.files },
+    result: { status: String(folder.object["status"] ?? ""), json: folder.json, picture: "null", figures, files: folder.files.map((file) => file.name), report: report ? words.decode(report.bytes) : null, object: folder.object },
+  });
 }
 
 /** Opens the text of the file where it says what a number of the report rests on. */
@@ -154,6 +173,30 @@ export function Svg(props: { svg: string; name: string }): JSX.Element {
   return <img src={url()} alt={props.name.replace(/-/g, " ")} />;
 }
 
+/** A figure as a file: as it is drawn, or as a picture twice as fine as on the screen. */
+export function SaveFigure(props: { svg: string; name: string }): JSX.Element {
+  const name = () => props.name.split("/").pop()!;
+  const png = (): void => {
+    const url = URL.createObjectURL(new Blob([props.svg], { type: "image/svg+xml" }));
+    const image = new Image();
+    image.onload = () => {
+      const canvas = document.createElement("canvas");
+      canvas.width = 2 * (image.naturalWidth || 1200);
+      canvas.height = 2 * (image.naturalHeight || 800);
+      canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+      canvas.toBlob((blob) => blob && download(blob, `${name()}.png`));
+      URL.revokeObjectURL(url);
+    };
+    image.src = url;
+  };
+  return (
+    <span class="saves">
+      <button type="button" class="link" aria-label={`Save ${name()} as SVG`} onClick={() => download(new TextEncoder().encode(props.svg), `${name()}.svg`, "image/svg+xml")}>SVG</button>
+      <button type="button" class="link" aria-label={`Save ${name()} as PNG`} onClick={png}>PNG</button>
+    </span>
+  );
+}
+
 let frame: HTMLIFrameElement | null = null;
 
 export function VerdictScene(props: { sheet: Sheet }): JSX.Element {
@@ -186,7 +229,12 @@ export function VerdictScene(props: { sheet: Sheet }): JSX.Element {
         {(result) => (
           <Show when={result().report} fallback={
             <div class="figures">
-              <For each={result().figures}>{(figure) => <figure><Svg svg={figure.svg} name={figure.name} /><figcaption>{figure.name.replace(/-/g, " ")}</figcaption></figure>}</For>
+              <For each={result().figures}>{(figure) => (
+                <figure>
+                  <Svg svg={figure.svg} name={figure.name} />
+                  <figcaption>{figure.name.replace(/[-/]/g, " ")} <SaveFigure svg={figure.svg} name={figure.name} /></figcaption>
+                </figure>
+              )}</For>
             </div>
           }>
             {(html) => <Report sheet={props.sheet} html={html()} hold={(made) => (frame = made)} />}
@@ -299,11 +347,13 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
         <Show when={told() === null && status()}><div class="under">Status: {status()}</div></Show>
         <Show when={verdict().kind?.call === "assess" && rule()}><div class="under">{rule()}</div></Show>
         <Show when={governing() !== null}><div class="under">Factor on the load {figures(governing()!, 3)}</div></Show>
+        <Show when={verdict().opened}>{(opened) => <div class="under" data-testid="opened">Opened from {opened().name}</div>}</Show>
+        <Show when={verdict().result}><div class="under soft" data-testid="version">Extrados {String(object()?.["version"] ?? version() ?? "")}{verdict().opened && version() && object()?.["version"] !== version() ? `; this page is ${version()}` : ""}</div></Show>
       </div>
       <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">
         <span class="cap">Warnings and assumptions</span>
         <ul>
-          <Show when={verdict().result && verdict().text !== props.sheet.text()}><li class="warn">The bridge has changed since this was computed.</li></Show>
+          <Show when={verdict().result && verdict().text !== props.sheet.text()}><li class="warn">The bridge has changed since this was {verdict().opened ? "opened" : "computed"}.</li></Show>
           <For each={notes()} fallback={<li>None so far.</li>}>{(one) => (
             <li class={one.kind}>
               <Show when={one.line} fallback={one.text}>{(line) => <button type="button" class="link" onClick={() => goToText(lineOf(props.sheet.text(), line()))}>{one.text}</button>}</Show>
@@ -325,8 +375,10 @@ export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
   const [busy, setBusy] = createSignal("");
   const get = async (name: string): Promise<void> => {
     setBusy(name);
+    const opened = verdict().opened?.files.find((file) => file.name === name);
     try {
-      if (name === "") download(await background.call<Uint8Array>("zip", { run: runName(props.sheet) }), `${stem()}.zip`, "application/zip");
+      if (opened) download(opened.bytes, name.split("/").pop()!);
+      else if (name === "") download(await background.call<Uint8Array>("zip", { run: runName(props.sheet) }), `${stem()}.zip`, "application/zip");
       else download(await background.call<Uint8Array>("file", { run: runName(props.sheet), name }), name.split("/").pop()!);
     } catch (error) {
       say(`${name || "The archive"} could not be made: ${(error as Error).message}`, true);
@@ -359,7 +411,7 @@ export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
       <h2 class="spaced">Files</h2>
       <div class="row">
         <button type="button" class="btn small" onClick={() => saveBridge(props.sheet)}>The bridge file, {props.sheet.path}</button>
-        <Show when={verdict().result}>
+        <Show when={verdict().result && !verdict().opened}>
           <button type="button" class="btn small" disabled={busy() !== ""} onClick={() => void get("")}>Everything, as a zip</button>
         </Show>
       </div>

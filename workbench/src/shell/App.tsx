@@ -5,14 +5,15 @@ import { lookAt } from "../model/live";
 import { active, activeId, close, keep, notice, open, part, restore, say, setActiveId, setNotice, setPart, sheets, type Part } from "../model/workspace";
 import { fromFragment, toFragment } from "../model/address";
 import type { Sheet } from "../model/sheet";
-import { isElsewhere } from "../model/survey";
+import { isSurvey } from "../model/survey";
+import { BesideBlock, BesideScene, CasesPanel, ComparePanel } from "../parts/Beside";
 import { BridgePanel, setTab } from "../parts/BridgePanel";
 import { CollapseBlock, CollapsePanel, CollapseScene } from "../parts/Collapse";
 import { saveBridge, VerdictBlock, VerdictPanel, VerdictScene } from "../parts/Verdict";
 import { TrainBlock, TrainPanel, TrainScene } from "../parts/Train";
 import { LoadPanel } from "../parts/LoadPanel";
 import { Board } from "./Board";
-import { openFiles } from "./files";
+import { filesOf, openFiles } from "./files";
 import * as icons from "./Icons";
 import { OpenDialog } from "./OpenDialog";
 import { applySettings, system, theme, toggleSystem, toggleTheme } from "./settings";
@@ -25,6 +26,8 @@ const PARTS: { id: Part; title: string }[] = [
   { id: "collapse", title: "Collapse" },
   { id: "train", title: "Train" },
   { id: "verdict", title: "Verdict" },
+  { id: "cases", title: "Cases" },
+  { id: "compare", title: "Compare" },
 ];
 
 export function App(): JSX.Element {
@@ -37,8 +40,7 @@ export function App(): JSX.Element {
     void (async () => {
       await restore();
       // Who left the page at a survey comes back to it.
-      const sheet = active();
-      if (sheet?.survey[0]() && !isElsewhere(sheet)) setTab("survey");
+      if (isSurvey(active()?.text() ?? "")) setTab("survey");
       await fromAddress();
       if (sheets().length === 0 && !tour()) setDialog("open");
     })();
@@ -155,7 +157,7 @@ export function App(): JSX.Element {
     event.preventDefault();
     setOver(false);
     setDialog("");
-    void openFiles([...(event.dataTransfer?.files ?? [])]);
+    void filesOf(event.dataTransfer).then(openFiles);
   };
 
   return (
@@ -253,6 +255,14 @@ export function App(): JSX.Element {
                   <VerdictScene sheet={sheet} />
                   <VerdictBlock sheet={sheet} />
                 </Show>
+                <Show when={part() === "cases" || part() === "compare" ? (part() as "cases" | "compare") : null} keyed>
+                  {(kind) => (
+                    <>
+                      <BesideScene sheet={sheet} kind={kind} />
+                      <BesideBlock sheet={sheet} kind={kind} />
+                    </>
+                  )}
+                </Show>
               </main>
               <aside class="panel" id="panel" aria-label="Form">
                 <Show when={part() === "bridge"}>
@@ -269,6 +279,12 @@ export function App(): JSX.Element {
                 </Show>
                 <Show when={part() === "verdict"}>
                   <VerdictPanel sheet={sheet} />
+                </Show>
+                <Show when={part() === "cases"}>
+                  <CasesPanel sheet={sheet} />
+                </Show>
+                <Show when={part() === "compare"}>
+                  <ComparePanel sheet={sheet} />
                 </Show>
               </aside>
             </>
@@ -290,7 +306,7 @@ export function App(): JSX.Element {
         )}
       </Show>
       <Show when={over()}>
-        <div class="drop">Drop a bridge file, a drawing or records</div>
+        <div class="drop">Drop a bridge file, a drawing, records or results</div>
       </Show>
     </div>
   );

@@ -6,10 +6,12 @@ import * as elevation from "../drawing/elevation";
 import { handlesOf, literalOf, metresOf, type Handle } from "../drawing/handles";
 import { inkOf, type Ink } from "../drawing/ink";
 import { fromPointer } from "../drawing/measure";
-import { boundsOf, roadAt, View, type Margins } from "../drawing/view";
+import { boundsOf, roadAt, View, type Box, type Margins } from "../drawing/view";
 import type { Picture } from "../engine/types";
-import { poke, setQuantity } from "../model/live";
+import { download } from "../drawing/film";
+import { liveEngine, poke, setQuantity } from "../model/live";
 import type { Sheet } from "../model/sheet";
+import { say } from "../model/workspace";
 import { dimension, place, words } from "../units";
 import { isSmall, system, theme } from "./settings";
 
@@ -48,9 +50,14 @@ export function Board(props: BoardProps): JSX.Element {
     if (!seen || width === 0) return null;
     // While a handle is held the scale stays, so that the bridge does not run away from the hand.
     if (dragged() && before) return before;
-    return View.fit(boundsOf(seen), width, height, margins());
+    return View.fit(reached(boundsOf(seen)), width, height, margins());
   });
   const view = createMemo(() => user() ?? fitted());
+  /** The bridge with every place of its load, so that the curve over these places and the least of them are on the sheet. */
+  function reached(box: Box): Box {
+    const about = props.load ? props.sheet.about[0]() : null;
+    return about ? { ...box, left: Math.min(box.left, about.from), right: Math.max(box.right, about.to) } : box;
+  }
 
   const placed = createMemo(() => {
     const seen = picture();
@@ -96,10 +103,13 @@ export function Board(props: BoardProps): JSX.Element {
     elevation.scaleBar(sheet, 0);
   }
 
-  /** Axles of the vehicle where its first one stands at x. */
-  function standing(x: number): { x: number; force: number }[] {
+  /** Axles of the vehicle where its first one stands at x, and which of them count there. */
+  function standing(x: number): answers.Wheel[] {
     const back = props.sheet.leftward[0]() ? 1 : -1;
-    return (props.sheet.about[0]()?.axles ?? []).map((axle) => ({ x: x + back * axle.offset, force: axle.force }));
+    const { stands, critical } = props.sheet.answer[0]()?.words ?? { stands: null, critical: null };
+    return (props.sheet.about[0]()?.axles ?? []).map((axle, k) => ({
+      x: x + back * axle.offset, force: axle.force, counts: stands !== null && k >= stands[0] && k <= stands[1], critical: critical === k,
+    }));
   }
 
   function drawOver(): void {
@@ -114,7 +124,7 @@ export function Board(props: BoardProps): JSX.Element {
     if (props.load && answer && curve) {
       const top = isSmall() ? 60 : 44;
       // Room for the arrows, and for their forces where a vehicle has any.
-      const room = props.sheet.vehicle[0]() === "" || isSmall() ? 70 : 84;
+      const room = props.sheet.vehicle[0]() === "" ? 70 : isSmall() ? 78 : 92;
       const bottom = Math.max(top + 30, Math.min(sheet.view.y(boundsOf(seen).top) - room, sheet.height * 0.45));
       answers.envelope(sheet, curve, 1, props.sayLoad, top, bottom, x === null ? null : { x, factor: answer.words.factor });
     }
@@ -359,6 +369,26 @@ export function Board(props: BoardProps): JSX.Element {
     return { x: now.x(x), y: now.y(roadAt(seen, x)) };
   });
 
+  const stem = () => props.sheet.path.replace(/\.\w+$/, "");
+  /** What is drawn, on the colour of the sheet. */
+  function savePicture(): void {
+    const canvas = document.createElement("canvas");
+    canvas.width = under.width;
+    canvas.height = under.height;
+    const pen = canvas.getContext("2d");
+    if (!pen) return;
+    pen.fillStyle = (ink ??= inkOf(box)).sheet;
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    for (const one of [under, over]) pen.drawImage(one, 0, 0);
+    canvas.toBlob((blob) => blob && download(blob, `${stem()}${props.load ? "-load" : ""}.png`));
+  }
+  /** The engine's own drawing of the bridge. */
+  async function saveDrawing(): Promise<void> {
+    const svg = await liveEngine.call<string>("drawing", { sheet: props.sheet.id }).catch(() => "");
+    if (svg === "") return say("The bridge cannot be drawn as long as its file has errors.", true);
+    download(new TextEncoder().encode(svg), `${stem()}.svg`, "image/svg+xml");
+  }
+
   const told = () => {
     const seen = picture();
     if (!seen) return "Drawing of the bridge";
@@ -427,6 +457,8 @@ export function Board(props: BoardProps): JSX.Element {
         )}
       </Show>
       <div class="corner">
+        <button type="button" aria-label="Save the drawing as PNG" title="Save what is drawn here, as PNG" onClick={savePicture}>PNG</button>
+        <button type="button" aria-label="Save the bridge as SVG" title="Save the bridge as built, as SVG" onClick={() => void saveDrawing()}>SVG</button>
         <button type="button" aria-label="Enlarge the drawing" onClick={() => setUser((view() ?? null)?.zoomed(1.25, size().width / 2, size().height / 2) ?? null)}>+</button>
         <button type="button" aria-label="Reduce the drawing" onClick={() => setUser((view() ?? null)?.zoomed(0.8, size().width / 2, size().height / 2) ?? null)}>−</button>
         <Show when={user()}>

@@ -2,6 +2,7 @@
 import { createEffect, on, onCleanup, onMount, type JSX } from "solid-js";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { download } from "../drawing/film";
 import { inkOf } from "../drawing/ink";
 import { theme } from "./settings";
 
@@ -77,9 +78,34 @@ export function Chart(props: {
   createEffect(on(() => props.data, (data) => plot?.setData(data), { defer: true }));
   createEffect(on(() => props.time, () => plot?.redraw(false), { defer: true }));
   onCleanup(() => plot?.destroy());
+  const name = () => props.y.replace(/,.*$/, "").replace(/[^\w]+/g, "-").toLowerCase() || "curve";
+  const png = (): void => {
+    const drawn = host.querySelector("canvas");
+    if (!drawn) return;
+    const canvas = document.createElement("canvas");
+    canvas.width = drawn.width;
+    canvas.height = drawn.height;
+    const pen = canvas.getContext("2d")!;
+    pen.fillStyle = inkOf(host).sheet;
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    pen.drawImage(drawn, 0, 0);
+    canvas.toBlob((blob) => blob && download(blob, `${name()}.png`));
+  };
+  const csv = (): void => {
+    const cell = (words: string): string => (/[",]/.test(words) ? `"${words.replace(/"/g, '""')}"` : words);
+    const heads = [props.x, ...props.curves.map((curve) => (props.curves.length === 1 ? props.y : `${curve.label} (${props.y})`))];
+    const rows = Array.from(props.data[0], (x, k) => [x, ...props.curves.map((_, n) => props.data[n + 1]?.[k] ?? "")].join(","));
+    download(new TextEncoder().encode([heads.map(cell).join(","), ...rows].join("\n") + "\n"), `${name()}.csv`, "text/csv");
+  };
   return (
-    <figure class="chart" role="img" aria-label={props.label}>
-      <div ref={host} />
-    </figure>
+    <div class="charted">
+      <figure class="chart" role="img" aria-label={props.label}>
+        <div ref={host} />
+      </figure>
+      <div class="saves">
+        <button type="button" class="link" aria-label={`Save ${props.y} as PNG`} onClick={png}>PNG</button>
+        <button type="button" class="link" aria-label={`Save ${props.y} as CSV`} onClick={csv}>CSV</button>
+      </div>
+    </div>
   );
 }

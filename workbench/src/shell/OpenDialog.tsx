@@ -1,14 +1,11 @@
 /** Ways to a bridge: ten survey numbers, an example, a file from this machine. */
 import { For, onMount, Show, type JSX } from "solid-js";
-import { sentences } from "../engine/client";
-import type { Example, Questions, SurveyOut } from "../engine/types";
+import type { Example } from "../engine/types";
 import { engineOnItsWay, examples } from "../model/library";
 import { liveEngine } from "../model/live";
 import { open, say, setPart } from "../model/workspace";
 import { setTab } from "../parts/BridgePanel";
-import { restated } from "../units";
 import { openFiles } from "./files";
-import { system } from "./settings";
 
 export async function openExample(example: Example, main = example.main): Promise<void> {
   try {
@@ -29,15 +26,10 @@ export async function openExample(example: Example, main = example.main): Promis
 
 const sayName = (name: string): string => name.replace(/-/g, " ").replace(/^./, (c) => c.toUpperCase());
 
-/** A bridge of the numbers that must be known, each with its example, and the questions beside it; what may be assumed stays open, so that the file says so. */
+/** A bridge in which every number is assumed, and the questions beside it. */
 export async function openSurvey(): Promise<void> {
   try {
-    const { ten } = await liveEngine.call<Questions>("questions");
-    const answers = Object.fromEntries(ten.filter((question) => question.assumed === "").map((question) => [question.key, restated(question.example, question.unit, system(), 3)]));
-    const { text, findings } = await liveEngine.call<SurveyOut>("fromSurvey", { answers });
-    if (text === null) throw new Error(findings.map(sentences).join(" "));
-    const sheet = open({ path: "bridge.toml", text, survey: answers });
-    sheet?.surveyed[1](text);
+    open({ path: "bridge.toml", text: await liveEngine.call<string>("surveyStart") });
     setPart("bridge");
     setTab("survey");
   } catch (error) {
@@ -69,7 +61,7 @@ export function OpenDialog(props: { close: () => void; done: () => void; tour: (
               dialog.close();
             }}>Ten survey numbers</button>
             <button type="button" class="btn" onClick={() => input.click()}>A file from this machine</button>
-            <input ref={input} type="file" multiple class="unseen" tabindex="-1" aria-label="Bridge files and their companions" accept=".toml,.dxf,.csv,.txt" onChange={(event) => {
+            <input ref={input} type="file" multiple class="unseen" tabindex="-1" aria-label="Bridge files and their companions" accept=".toml,.dxf,.csv,.txt,.zip" onChange={(event) => {
               void openFiles([...(event.currentTarget.files ?? [])]).then(() => props.done());
               dialog.close();
             }} />
@@ -77,7 +69,7 @@ export function OpenDialog(props: { close: () => void; done: () => void; tour: (
               props.tour();
               dialog.close();
             }}>Tour of two minutes</button>
-            <span class="soft">A bridge file (.toml) or a drawing (.dxf); it stays on this machine.</span>
+            <span class="soft">A bridge file (.toml), a drawing (.dxf), results (.zip, or the folder dropped here); it stays on this machine.</span>
           </div>
           <h3 class="spaced">Examples</h3>
           <Show when={engineOnItsWay()}>{(words) => <p role="status">{words()}</p>}</Show>

@@ -236,18 +236,19 @@ test("the name stands over the drawing, units are those of engineers, and what i
     await page.getByText("11.5 t weighs 112.8 kN at g = 9.81 m/s².").waitFor();
     assert.equal(await page.locator(".panel-body .complaint").count(), 0);
     await field("Thickness of the ring").focus();
-    await page.getByText("Thickness of the ring. Usually 1/40 to 1/10 of the span.").waitFor();
+    await page.getByText("Usually 1/40 to 1/10 of the span.").waitFor();
     await field("Strength of the masonry").focus();
-    await page.getByText(/Usually 0\.5 MPa to 400 MPa\. Of the library: .*brick.* 3 to 10 MPa/).waitFor();
+    await page.getByText("Usually 0.5 MPa to 400 MPa.").waitFor();
+    await page.getByText(/Of the library: .*brick.* 3 to 10 MPa/).waitFor();
     await shot(page, `survey-units-${width}-${theme}`);
     // Feet and pounds all through, and back with nothing lost.
     await page.getByRole("button", { name: "Units: metric. Change" }).click();
-    assert.equal(await field("Span").inputValue(), "19.69");
+    assert.equal(await field("Span").getAttribute("placeholder"), "19.69");
     assert.equal(await field("Unit: Span").inputValue(), "ft");
     await field("Thickness of the ring").fill("18");
     await field("Unit: Thickness of the ring").selectOption("in");
     await until("inches", async () => /thickness = "18 in"\n/.test(await textOf(page)));
-    await until("the others with it", async () => /span = "19.685 ft"\n/.test(await textOf(page)));
+    await until("the others with it", async () => /span = "19.685 ft"  # assumed/.test(await textOf(page)));
     assert.match(await textOf(page), /contact_length = "0.984 ft"/);
     await until("what is assumed as well", async () => /over its 7\.546 ft[\s\S]*layer density 119 lb\/ft³/.test(await page.locator(".block").innerText()));
     assert.equal(await page.locator(".panel-body .complaint").count(), 0);
@@ -271,7 +272,7 @@ test("rows of a spreadsheet are pasted into the survey, and what was not underst
   for (const [width, theme] of [[1280, "light"], [390, "light"]]) {
     const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
     const field = await survey(page);
-    const table = "Item\tValue\nBridge name\tMill Lane\nClear span\t7.20 m\nRise (mm)\t1650\nRing thickness\t0.55\nFill depth\t400 mm\nSkew\t12 deg\nUnit weight of masonry\t22 kN/m3\n";
+    const table = "Item\tValue\nBridge name\tMill Lane\nClear span\t7.20 m\nRise (mm)\t1650\nRing thickness\t0.55\nFill depth\t400 mm\nSkew\t12 deg\nParapet\t1.1 m\nUnit weight of masonry\t22 kN/m3\n";
     await page.evaluate((text) => navigator.clipboard.writeText(text), table);
     await field("Span").focus();
     await page.keyboard.press("Control+v");
@@ -280,8 +281,8 @@ test("rows of a spreadsheet are pasted into the survey, and what was not underst
     assert.equal(await field("Rise").inputValue(), "1650");
     assert.equal(await field("Unit: Rise").inputValue(), "mm");
     const told = page.locator(".told");
-    assert.match(await told.innerText(), /^6 rows taken: Name of the bridge Mill Lane; Span 7\.20 m;/);
-    assert.match(await told.innerText(), /Not understood:\s*row 7, “Skew: 12 deg”: no question of the survey has this name/);
+    assert.match(await told.innerText(), /^7 rows taken: Name of the bridge Mill Lane; Span 7\.20 m;/);
+    assert.match(await told.innerText(), /Not understood:\s*row 8, “Parapet: 1.1 m”: no question of the survey has this name/);
     await told.scrollIntoViewIfNeeded();
     await shot(page, `survey-rows-${width}-${theme}`);
     // One value goes into its field as ever, and a table may be typed as well.

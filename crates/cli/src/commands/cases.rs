@@ -5,11 +5,10 @@ use crate::args::Cases as Arguments;
 use crate::desk::Desk;
 use crate::folder;
 use crate::report::Report;
-use crate::results::{self, Written};
+use crate::results;
 use crate::status::Status;
 use crate::watcher::watched;
 use extrados::{Cases, Refusal};
-use findings::visible::cell;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -23,29 +22,8 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
     let mut report = source.report(Status::worst_of(found.answers.iter().map(|one| one.collapse.status)));
     report.fields = found.object();
     report.warn_of(&mut desk.screen, &found.warnings());
-    let bars = figures::case_factors(&bridge.name, &found.factors()).map(|svg| ("cases".to_owned(), svg));
-    let drawings = bars.into_iter().chain(found.drawings()).collect();
     report.summary = summary(&bridge.name, &found, folder.path());
-    let files = results::tables([("cases", table(&found))]).collect();
-    results::publish(desk, report, &folder, Written { drawings, files })
-}
-
-fn table(found: &Cases) -> String {
-    let mut table = "case,acts,status,load_factor,load_kn_per_m,reference_load_kn_per_m\n".to_owned();
-    let shown = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
-    for one in &found.answers {
-        let _ = writeln!(
-            table,
-            "{},{},{},{},{},{}",
-            cell(&one.name),
-            cell(&one.told),
-            one.collapse.status,
-            shown(one.factor()),
-            shown(one.collapse.carried().map(|load| load / 1e3)),
-            one.collapse.reference_load / 1e3
-        );
-    }
-    table
+    results::publish(desk, report, &folder, extrados::written::cases(&bridge.name, &found))
 }
 
 fn summary(bridge: &str, found: &Cases, folder: &Path) -> String {

@@ -5,11 +5,10 @@ use crate::args::Compare as Arguments;
 use crate::desk::Desk;
 use crate::folder::{self, Folder, Purpose};
 use crate::report::Report;
-use crate::results::{self, Written};
+use crate::results;
 use crate::status::Status;
 use crate::watcher::watched;
 use extrados::{Compared, Refusal};
-use findings::visible::cell;
 use findings::words::counted;
 use serde_json::json;
 use std::fmt::Write;
@@ -63,29 +62,8 @@ fn write(
     report.fields.insert("before_file".into(), json!(named[0]));
     report.fields.insert("after_file".into(), json!(named[1]));
     report.fields.extend(found.object());
-    let drawings = found.drawings().collect();
-    let files = results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
     report.summary = summary(found, &named, folder.path());
-    results::publish(desk, report, folder, Written { drawings, files })
-}
-
-fn differences(found: &Compared) -> String {
-    let mut table = "path,before,after\n".to_owned();
-    for one in &found.differences {
-        let said = |value: &Option<String>| cell(value.as_deref().unwrap_or_default());
-        let _ = writeln!(table, "{},{},{}", cell(&one.path), said(&one.before), said(&one.after));
-    }
-    table
-}
-
-fn answers(found: &Compared) -> String {
-    let mut table = "name,before,after,change_percent\n".to_owned();
-    let shown = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
-    for one in &found.numbers {
-        let change = one.change().map(|change| 100.0 * change);
-        let _ = writeln!(table, "{},{},{},{}", one.name, shown(one.before), shown(one.after), shown(change));
-    }
-    table
+    results::publish(desk, report, folder, extrados::written::compared(found))
 }
 
 fn summary(found: &Compared, named: &[String; 2], folder: &Path) -> String {

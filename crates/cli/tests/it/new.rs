@@ -35,7 +35,7 @@ fn rings_fill_skew_and_condition_are_flags() {
     let stage = Stage::new("new-more");
     let more =
         ["--rings", "3", "--bond", "100", "--fill", "old-fill", "--lost-mortar", "20mm", "--reference", "ABC1/0123"];
-    let strong = ["--ring", "0.9", "--rule", "cs-454", "--vehicle", "cs454-single"];
+    let strong = ["--ring", "0.9", "--rule", "cs-454"];
     let with = |folder: &'static str, own: &[&'static str]| {
         let sheet = ["new", folder, "--span", "6", "--rise", "1.5", "--width", "6", "--cover", "0.5"];
         assert_eq!(stage.object(&[&sheet[..], &strong, own].concat()).1.code, Some(0));
@@ -60,8 +60,19 @@ fn rings_fill_skew_and_condition_are_flags() {
     {
         assert!(said.contains(flag), "{flag} is not in\n{said}");
     }
-    // A square bridge is one that says so; without an answer the file has no skew.
-    assert!(with("square", &["--skew", "0"]).contains("skew = \"0 deg\"") && !with("open", &[]).contains("skew"));
+    // A square bridge is one that says so; without an answer the file has no skew, and the verdict says what it takes.
+    for (folder, skew, status) in [
+        ("square", &["--skew", "0"][..], "adequate"),
+        ("skew", &["--skew", "12"], "undetermined"),
+        ("open", &[], "adequate"),
+    ] {
+        assert_eq!(with(folder, skew).contains("skew"), folder != "open");
+        let (judged, _) =
+            stage.object(&["assess", &format!("{folder}/bridge.toml"), "--out", &format!("out-{folder}")]);
+        let words = judged["verdict"].to_string();
+        assert_eq!(judged["status"], status, "{folder}: {words}");
+        assert_eq!(words.contains("gives no skew"), folder == "open", "{folder}: {words}");
+    }
 }
 
 /// All slips at once, by the flags that they stand at.

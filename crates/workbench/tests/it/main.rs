@@ -207,6 +207,13 @@ fn a_survey_becomes_a_bridge_that_answers() {
     assert_eq!(["ten", "pier"].map(|list| questions[list].as_array().map(Vec::len)), [Some(10), Some(2)]);
     assert_eq!(questions["ten"][2]["usual"], "1/40 to 1/10 of the span");
     assert!(cards::from_survey("{}").unwrap_err().0.message.contains("span"));
+    // The file answers, and takes an answer; another file is no survey's.
+    let begun = cards::survey_start();
+    let changed = value(&cards::survey_changed(&begun, r#"{ "span": "7 m" }"#).unwrap());
+    assert_eq!(changed["answers"], serde_json::json!({ "span": "7 m" }));
+    let refused = value(&cards::survey_changed(changed["text"].as_str().unwrap(), r#"{ "rise": "high" }"#).unwrap());
+    assert!(refused["text"].is_null() && refused["findings"][0]["key"] == "rise", "{refused}");
+    assert_eq!(cards::survey_changed("[bridge]\n", "{}").unwrap(), "null");
 }
 
 #[test]

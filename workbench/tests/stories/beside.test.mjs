@@ -1,0 +1,190 @@
+// Cases and two bridges side by side, drawings that are dropped, folders of results, a load that falls where it stands, vehicles on wheels, figures as files.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, test } from "node:test";
+import { dropped, end, headline, openExample, part, shot, textOf, until, visit } from "../browser.mjs";
+
+after(end);
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+async function serious(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join(" | ")}`);
+  });
+}
+const fits = (page) => page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
+const saved = async (page, click) => {
+  const download = page.waitForEvent("download");
+  await click();
+  return readFileSync(await (await download).path());
+};
+
+test("cases stand side by side, and a bridge beside what it was", async () => {
+  for (const [width, theme] of [[1280, "light"], [390, "dark"]]) {
+    const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    await openExample(page, "tiny");
+    const before = await headline(page);
+    await part(page, "Cases");
+    await page.getByText("The file has none").waitFor();
+    await page.getByLabel("Name of the case").fill("as it is");
+    await page.getByRole("button", { name: "Write it into the file" }).click();
+    await page.getByRole("button", { name: "Write it into the file" }).click();
+    await until("two cases", async () => (await textOf(page)).match(/\[\[case\]\]/g)?.length === 2);
+    await page.getByRole("button", { name: "Compute every case" }).click();
+    await page.getByTestId("cases").waitFor({ timeout: 240_000 });
+    const rows = await page.getByTestId("cases").locator("tbody tr").allInnerTexts();
+    assert.equal(rows.length, 2);
+    assert.match(rows[1], /governs/);
+    await page.locator(".beside .figures img").first().waitFor();
+    await shot(page, `cases-${width}-${theme}`);
+    assert.deepEqual(await serious(page), []);
+    assert.ok(await fits(page));
+    // A change beside what was opened.
+    await part(page, "Bridge");
+    await page.getByRole("tab", { name: "Form" }).click();
+    const thickness = page.locator('input[data-path="span[1].thickness"]');
+    await thickness.fill("0.5");
+    await thickness.press("Enter");
+    await until("it answers", async () => (await headline(page)) !== before);
+    await part(page, "Compare");
+    await page.getByRole("button", { name: "Compare", exact: true }).last().click();
+    await page.getByTestId("numbers").waitFor({ timeout: 240_000 });
+    assert.match(await page.getByTestId("differences").innerText(), /span\[1\]\.thickness|span\.thickness/);
+    assert.match(await page.getByTestId("compared").innerText(), /^The second carries .* more/);
+    await shot(page, `compare-${width}-${theme}`);
+    assert.deepEqual(await serious(page), []);
+    assert.ok(await fits(page));
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
+});
+
+test("a dropped drawing is drawn at once, then asked for what it lacks, and collapses", async () => {
+  const source = await visit();
+  await openExample(source.page, "tiny");
+  await headline(source.page);
+  await part(source.page, "Verdict");
+  await source.page.getByRole("button", { name: /^Collapse load/ }).click();
+  const file = source.page.locator(".files button").filter({ hasText: /bridge\.dxf$/ }).first();
+  await file.waitFor({ timeout: 240_000 });
+  const dxf = (await saved(source.page, () => file.click())).toString("latin1");
+  await source.context.close();
+  for (const [width, theme] of [[1280, "light"], [390, "dark"]]) {
+    const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    await page.getByRole("dialog").getByRole("button", { name: "Close" }).click();
+    await dropped(page, "arch.dxf", dxf);
+    await page.locator("canvas[role=img]").waitFor();
+    const lacks = page.getByTestId("lacks");
+    await lacks.getByText(/density of VOUSSOIR.*friction in the joints.*what holds the blocks.*a load/).waitFor();
+    await shot(page, `drawn-${width}-${theme}`);
+    assert.deepEqual(await serious(page), []);
+    assert.ok(await fits(page));
+    const names = await page.locator('select[id^="d-library"]').count();
+    for (let k = 0; k < names; k += 1) await page.locator(`#d-library-${k}`).selectOption({ label: "Squared sandstone in lime mortar" });
+    await page.getByLabel("Friction angle of the joints").fill("31");
+    await page.getByLabel("Friction angle of the joints").press("Tab");
+    await page.getByRole("checkbox", { name: /^ABUTMENT/ }).check();
+    await page.getByRole("button", { name: "Put it on the blocks" }).click();
+    await lacks.getByText("Nothing is missing.").waitFor();
+    assert.match(await textOf(page), /role = "support"/);
+    await shot(page, `drawn-asked-${width}-${theme}`);
+    await page.getByRole("button", { name: "To the verdict" }).click();
+    await page.getByRole("button", { name: /^Collapse load/ }).click();
+    await page.locator(".figures img").first().waitFor({ timeout: 240_000 });
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
+});
+
+test("results of the command open beside their bridge, and name the version that made them", async () => {
+  const { page, complaints, context } = await visit();
+  await openExample(page, "tiny");
+  await headline(page);
+  await part(page, "Verdict");
+  await page.getByRole("button", { name: /^Collapse load/ }).click();
+  await page.locator(".figures img").first().waitFor({ timeout: 240_000 });
+  const load = await page.getByTestId("verdict").innerText();
+  const zip = await saved(page, () => page.getByRole("button", { name: "Everything, as a zip" }).click());
+  const json = await saved(page, () => page.locator(".files button").filter({ hasText: "result.json" }).click());
+  await context.close();
+
+  const next = await visit();
+  await next.page.getByRole("dialog").getByRole("button", { name: "Close" }).click();
+  const drop = async (files) => {
+    const data = await next.page.evaluateHandle((files) => {
+      const data = new DataTransfer();
+      for (const [name, bytes] of files) data.items.add(new File([new Uint8Array(bytes)], name));
+      return data;
+    }, files);
+    await next.page.dispatchEvent(".desk", "drop", { dataTransfer: data });
+  };
+  await drop([["tiny.zip", [...zip]]]);
+  await next.page.locator(".figures img").first().waitFor();
+  assert.equal(await next.page.getByTestId("verdict").innerText(), load);
+  assert.match(await next.page.getByTestId("opened").innerText(), /tiny\.zip/);
+  assert.match(await next.page.getByTestId("version").innerText(), /^Extrados \d+\.\d+\.\d+/);
+  await shot(next.page, "opened-1280-light");
+  await part(next.page, "Bridge");
+  await headline(next.page);
+  // Of another version, and without its bridge: beside the one that is open.
+  const other = JSON.stringify({ ...JSON.parse(json.toString()), version: "0.0.9" });
+  await drop([["result.json", [...Buffer.from(other)]]]);
+  await until("its version", async () => /^Extrados 0\.0\.9; this page is /.test(await next.page.getByTestId("version").innerText()));
+  await drop([["broken.zip", [1, 2, 3]]]);
+  await next.page.getByText("broken.zip cannot be opened. It is no zip archive").waitFor();
+  assert.deepEqual([...complaints, ...next.complaints], []);
+  await next.context.close();
+});
+
+test("a vehicle stands on wheels, its critical axle is marked, the curve is on the sheet, and what is drawn is saved", async () => {
+  for (const [width, theme] of [[1280, "light"], [390, "dark"]]) {
+    const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
+    await openExample(page, "tiny");
+    await headline(page);
+    await part(page, "Load");
+    await page.getByLabel("Load", { exact: true }).selectOption("cs454-bogie");
+    await page.getByLabel("Factors and spread by").selectOption("cs-454");
+    await headline(page);
+    await page.getByTestId("least").waitFor({ timeout: 240_000 });
+    const grip = page.locator(".grip.load");
+    await grip.focus();
+    const box = await page.locator("#scene .scene").boundingBox();
+    for (const key of ["Home", "End"]) {
+      await page.keyboard.press(key);
+      const at = await grip.boundingBox();
+      assert.ok(at.x + 22 >= box.x && at.x + 22 <= box.x + box.width, `${key}: every place of the load is on the sheet`);
+    }
+    const [from, to] = await Promise.all(["aria-valuemin", "aria-valuemax"].map(async (name) => Number(await grip.getAttribute(name))));
+    await page.getByLabel("Place of the load along the bridge").fill(String((from + to) / 2));
+    await page.waitForTimeout(600);
+    await shot(page, `wheels-${width}-${theme}`);
+    const png = await saved(page, () => page.getByRole("button", { name: "Save the drawing as PNG" }).click());
+    assert.deepEqual([...png.subarray(1, 4)], [...Buffer.from("PNG")]);
+    const svg = await saved(page, () => page.getByRole("button", { name: "Save the bridge as SVG" }).click());
+    assert.match(svg.toString(), /<svg/);
+    assert.deepEqual(await serious(page), []);
+    assert.deepEqual(complaints, []);
+    await context.close();
+  }
+});
+
+test("a collapse loads the bridge where its load was put", async () => {
+  const { page, complaints, context } = await visit({ calm: true });
+  await openExample(page, "tiny");
+  await headline(page);
+  await part(page, "Load");
+  await page.locator(".grip.load").focus();
+  for (let k = 0; k < 4; k += 1) await page.keyboard.press("ArrowRight");
+  const place = (await page.getByTestId("place").innerText()).trim();
+  await part(page, "Collapse");
+  await page.getByRole("button", { name: "Load until it falls" }).click();
+  await page.getByTestId("run-place").waitFor({ timeout: 120_000 });
+  assert.ok((await page.getByTestId("run-place").innerText()).includes(place), place);
+  await until("blocks bear load", async () => (await headline(page, "run-headline")) > 0, 120);
+  await shot(page, "collapse-where-1280-light");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
