@@ -66,7 +66,7 @@ pub fn reading(document: &Document) -> Value {
             extrados::not_known(bridge).into_iter().map(|(method, why)| (method.word().to_owned(), why.into())).collect();
         json!({
             "not_known": not_known,
-            "loads": bridge.loads.len(), "sweep": bridge.sweep.is_some(), "passage": bridge.passage.is_some(),
+            "loads": bridge.loads.len(), "load_names": bridge.loads.iter().map(|load| &load.name).collect::<Vec<_>>(), "sweep": bridge.sweep.is_some(), "passage": bridge.passage.is_some(),
             "update": meaning.update.is_some(), "assess": meaning.assess.is_some(), "vary": !meaning.vary.is_empty(),
             "cases": meaning.cases.len(), "particles": bridge.cover.layers.iter().any(|layer| layer.particles),
             "continuum": bridge.continuum.is_some(), "method": bridge.plan.method.word(), "analysis": bridge.plan.analysis,

@@ -41,6 +41,8 @@ export type Reading = {
   width_m: number | null;
   sections: {
     loads: number;
+    /** What they are called in the file, "load 1" where they have no name. */
+    load_names: string[];
     sweep: boolean;
     passage: boolean;
     update: boolean;

@@ -45,7 +45,7 @@ export class Run {
   readonly limit = createSignal<number | null>(null);
   centroids: Float64Array = new Float64Array(0);
   frames: Frame[] = [];
-  /** Where the load stands [m], where that is not the file's place. */
+  /** Where the load stands [m], where that is not the file's place; NaN where it was moved and the run has it in the file's place. */
   readonly at = createSignal<number | null>(null);
   /** The text that is loaded, and that of the sheet when the run began. */
   text = "";
@@ -64,8 +64,9 @@ export class Run {
     this.choice = choice;
     const x = this.sheet.x[0]();
     // A load that somebody moved is loaded where it stands.
-    const moved = this.sheet.vehicle[0]() === "" && x !== null && x !== this.sheet.stood ? loadAt(this.sheet.text(), x) : null;
-    this.at[1](moved === null ? null : x);
+    const wanted = this.sheet.vehicle[0]() === "" && x !== null && x !== this.sheet.stood;
+    const moved = wanted ? loadAt(this.sheet.text(), x) : null;
+    this.at[1](moved !== null ? x : wanted ? NaN : null);
     this.of = this.sheet.text();
     this.text = moved ?? this.of;
     this.mode[1]("setting-up");

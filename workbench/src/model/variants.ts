@@ -3,12 +3,15 @@ import { countOf, stretchOf, tablesOf } from "./structure";
 
 /** The load of a file with one load, at a place [m]; null where the file has several, or places it in a way that is not understood. */
 export function loadAt(text: string, x: number): string | null {
+  const place = `"${x.toFixed(4)} m"`;
+  const inline = /^([ \t]*load[ \t]*=[ \t]*\[[ \t]*\{[^{}\n]*?)\b(?:at|position)[ \t]*=[ \t]*"[^"\n]*"([^{}\n]*\}[ \t]*\])/m;
+  if (inline.test(text)) return text.replace(inline, (_all, before: string, after: string) => `${before}position = ${place}${after}`);
   if (countOf(text, "load") !== 1) return null;
   const stretch = stretchOf(text, "load", 1)!;
   const table = text.slice(stretch.start, stretch.end);
   const line = /^([ \t]*)(at|position)[ \t]*=[ \t]*"[^"]*"/m;
   if (!line.test(table)) return null;
-  return text.slice(0, stretch.start) + table.replace(line, `$1position = "${x.toFixed(4)} m"`) + text.slice(stretch.end);
+  return text.slice(0, stretch.start) + table.replace(line, `$1position = ${place}`) + text.slice(stretch.end);
 }
 
 function hasTable(text: string, name: string): boolean {

@@ -7,7 +7,7 @@ import type { Sheet } from "../model/sheet";
 import { countOf, inserted } from "../model/structure";
 import { say, sheets } from "../model/workspace";
 import { system } from "../shell/settings";
-import { figures, lineLoad, words } from "../units";
+import { figures, force, inSystem, lineLoad, place, small, stress, words, type Said } from "../units";
 import { plainly, typeset } from "../wording";
 import { setTab } from "./BridgePanel";
 import { SaveFigure, Svg } from "./Verdict";
@@ -29,12 +29,25 @@ type Compared = {
 };
 
 const number = (value: number | null | undefined, digits = 4): string => (typeof value === "number" ? figures(value, digits) : "–");
-/** "last_stable_load_kn_per_m" is "last stable load, kN/m". */
-function sayNumber(name: string): string {
+/** What a number of a result is called, and how it is shown: "last_stable_load_kn_per_m" is "Last stable load". */
+function worded(name: string): { title: string; show: (value: number | null) => string } {
   const [, base, unit] = /^(.*?)_(kn_per_m|kn|mpa|mm|m)$/.exec(name) ?? [null, name, ""];
-  const units: Record<string, string> = { kn_per_m: "kN/m", kn: "kN", mpa: "MPa", mm: "mm", m: "m" };
-  const plain = base!.replace(/_/g, " ");
-  return `${plain.charAt(0).toUpperCase()}${plain.slice(1)}${unit ? `, ${units[unit]}` : ""}`;
+  const plain = base!.replace(/_/g, " ").replace("headline", "carried load");
+  const said: Record<string, (value: number) => Said> = {
+    kn_per_m: (value) => lineLoad(1e3 * value, system()),
+    kn: (value) => force(1e3 * value, system()),
+    mpa: (value) => stress(1e6 * value, system()),
+    mm: (value) => small(1e-3 * value, system()),
+    m: (value) => place(value, system()),
+  };
+  const bare = (value: number): string => (Number.isInteger(value) && Math.abs(value) < 1e6 ? String(value) : figures(value, 4));
+  return { title: plain.charAt(0).toUpperCase() + plain.slice(1), show: (value) => (value === null ? "–" : said[unit!] ? words(said[unit!]!(value)) : bare(value)) };
+}
+
+/** Rows that say each number once: the load that leads a result is one of those below it. */
+function rows(numbers: Compared["numbers"]): Compared["numbers"] {
+  const unit = (name: string): string => /_(kn_per_m|kn)$/.exec(name)?.[1] ?? name;
+  return numbers.filter((one, k) => !one.name.startsWith("headline") || !numbers.some((other, j) => j !== k && unit(other.name) === unit(one.name) && other.before === one.before && other.after === one.after));
 }
 
 /** The table, and the drawings of every answer below it. */
@@ -42,6 +55,7 @@ export function BesideScene(props: { sheet: Sheet; kind: Kind }): JSX.Element {
   const task = () => taskOf(props.sheet, props.kind)[0]();
   const cases = () => (task().result?.object["cases"] as OneCase[] | undefined) ?? [];
   const compared = () => task().result?.object as unknown as Compared;
+  const names = (): string[] => (compared().before_file === compared().after_file ? ["as opened", "now"] : [compared().before_file, compared().after_file]);
   return (
     <div class="scene sheet-of-paper" classList={{ blank: !task().result }} tabindex="0" role="region" aria-label={TITLE[props.kind]}>
       <Show
@@ -86,17 +100,17 @@ export function BesideScene(props: { sheet: Sheet; kind: Kind }): JSX.Element {
             <Show when={props.kind === "compare"}>
               <table class="plain" data-testid="numbers">
                 <caption class="unseen">Numbers of both</caption>
-                <thead><tr><th scope="col">Number</th><th scope="col" class="right">{compared().before_file}</th><th scope="col" class="right">{compared().after_file}</th><th scope="col" class="right">Change</th></tr></thead>
+                <thead><tr><th scope="col">Number</th><th scope="col" class="right">{names()[0]}</th><th scope="col" class="right">{names()[1]}</th><th scope="col" class="right">Change</th></tr></thead>
                 <tbody>
-                  <For each={compared().numbers}>
-                    {(one) => <tr><th scope="row">{sayNumber(one.name)}</th><td class="right num">{number(one.before)}</td><td class="right num">{number(one.after)}</td><td class="right num">{one.change_percent === null ? "" : `${one.change_percent > 0 ? "+" : ""}${number(one.change_percent, 3)} %`}</td></tr>}
+                  <For each={rows(compared().numbers)}>
+                    {(one) => <tr><th scope="row">{worded(one.name).title}</th><td class="right num">{worded(one.name).show(one.before)}</td><td class="right num">{worded(one.name).show(one.after)}</td><td class="right num">{one.change_percent === null ? "" : `${one.change_percent > 0 ? "+" : ""}${number(one.change_percent, 3)} %`}</td></tr>}
                   </For>
                 </tbody>
               </table>
               <h2>What the files say differently</h2>
               <table class="plain" data-testid="differences">
                 <caption class="unseen">Differences of the files</caption>
-                <thead><tr><th scope="col">Value</th><th scope="col">{compared().before_file}</th><th scope="col">{compared().after_file}</th></tr></thead>
+                <thead><tr><th scope="col">Value</th><th scope="col">{names()[0]}</th><th scope="col">{names()[1]}</th></tr></thead>
                 <tbody>
                   <For each={compared().differences.slice(0, 200)}>{(one) => <tr><th scope="row">{one.path}</th><td>{typeset(one.before ?? "not there")}</td><td>{typeset(one.after ?? "not there")}</td></tr>}</For>
                 </tbody>
@@ -137,7 +151,7 @@ export function BesideBlock(props: { sheet: Sheet; kind: Kind }): JSX.Element {
     <section class="block" aria-label="Answer" id="answer" tabindex="-1">
       <div>
         <span class="cap">{TITLE[props.kind]}</span>
-        <Show when={props.kind === "cases"} fallback={<span class="headline words" data-testid="compared">{object() ? String(object()!["verdict"]).replace(/^./, (c) => c.toUpperCase()) : "–"}</span>}>
+        <Show when={props.kind === "cases"} fallback={<span class="headline words long" data-testid="compared">{object() ? inSystem(String(object()!["verdict"]), system()).replace(/^./, (c) => c.toUpperCase()) : "–"}</span>}>
           <span class="headline num" data-testid="least-case">{number((object()?.["load_factor_at_most"] as number | null | undefined) ?? null)}<span class="unit">{object() ? "least load factor" : ""}</span></span>
           <Show when={object()?.["governing_case"]}>{(name) => <span class="under">Case “{String(name())}” governs</span>}</Show>
         </Show>
@@ -157,14 +171,13 @@ export function BesideBlock(props: { sheet: Sheet; kind: Kind }): JSX.Element {
 
 export function CasesPanel(props: { sheet: Sheet }): JSX.Element {
   const count = () => countOf(props.sheet.text(), "case");
-  const loads = () => props.sheet.reading[0]()?.sections?.loads ?? 0;
-  const names = (): string[] => (props.sheet.quantities[0]().length > 0 ? [...props.sheet.text().matchAll(/^\[\[load\]\][^[]*?^\s*name\s*=\s*"([^"]*)"/gms)].map((found) => found[1]!) : []);
+  const names = (): string[] => props.sheet.reading[0]()?.sections?.load_names ?? [];
   const [name, setName] = createSignal("");
   const add = (): void => {
     const load = names()[0];
     if (load === undefined) return;
     const title = (name().trim() || `case ${count() + 1}`).replace(/["\\]/g, "");
-    props.sheet.change(inserted(props.sheet.text(), "case", `name = "${title}"\n\n[[case.load]]\nload = "${load}"\nfactor = ${count() === 0 ? "1.0" : "1.35"}`), "case");
+    props.sheet.change(inserted(props.sheet.text(), "case", `name = "${title}"\n\n[[case.load]]\nname = ${JSON.stringify(load)}\nfactor = ${count() === 0 ? "1.0" : "1.35"}`), "case");
     setName("");
     say(`The case “${title}” stands in the text, with a factor on the load “${load}”. Change both there.`);
   };
@@ -175,7 +188,7 @@ export function CasesPanel(props: { sheet: Sheet }): JSX.Element {
       <button type="button" class="btn main" disabled={count() === 0 || !props.sheet.reading[0]()?.usable || taskOf(props.sheet, "cases")[0]().mode === "runs"} onClick={() => void perform([[props.sheet, props.sheet.text()]], "cases", { choice: "{}" })}>Compute every case</button>
       <Stop sheet={props.sheet} kind="cases" />
       <h3 class="spaced">Add a case</h3>
-      <Show when={loads() > 0 && names().length > 0} fallback={<p class="soft">The file has no load with a name yet.</p>}>
+      <Show when={names().length > 0} fallback={<p class="soft">The file has no load yet.</p>}>
         <div class="field wide">
           <label for="case-name">Name of the case</label>
           <div class="entry"><input id="case-name" class="text" maxlength="80" placeholder={`case ${count() + 1}`} value={name()} onInput={(event) => setName(event.currentTarget.value)} /></div>

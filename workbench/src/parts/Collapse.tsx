@@ -163,7 +163,7 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
             </div>
           )}
         </Show>
-        <Show when={run().at[0]() !== null}><div class="under" data-testid="run-place">The load at {words(place(run().at[0]()!, system()))}, where it was put</div></Show>
+        <Show when={run().at[0]() !== null}><div class="under" data-testid="run-place">{Number.isNaN(run().at[0]()) ? "The loads stand where the file has them." : `The load at ${words(place(run().at[0]()!, system()))}, where it was put`}</div></Show>
         <div class="under" role="status">{ended() ? `Ended: ${ENDED[ended()] ?? ended()}.` : run().mode[0]() === "running" ? "Running." : run().mode[0]() === "paused" ? "Paused." : ""}</div>
       </div>
       <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">

@@ -54,7 +54,7 @@ test("results of the command open beside their bridge, and name the version that
 
 test("a collapse loads the bridge where its load was put", async () => {
   const { page, complaints, context } = await visit({ calm: true });
-  await openExample(page, "tiny");
+  await openExample(page, "bridgemill");
   await headline(page);
   await part(page, "Load");
   await page.locator(".grip.load").focus();

@@ -22,6 +22,9 @@ describe("the same file otherwise", () => {
     const moved = loadAt(FILE, 3.21)!;
     expect(moved).toContain('position = "3.2100 m"     # where');
     expect(moved.replace('position = "3.2100 m"', 'at = "1/4 of span 1"')).toBe(FILE);
+    const inline = 'load = [{ kind = "axle", axle_force = "100 kN", at = "1/4 of span 1" }]\n';
+    expect(loadAt(inline, 3.21)).toBe('load = [{ kind = "axle", axle_force = "100 kN", position = "3.2100 m" }]\n');
+    expect(loadAt(inline.replace("}]", '}, { at = "1 m" }]'), 1)).toBeNull();
     expect(loadAt(`${FILE}\n[[load]]\nat = "1/2 of span 1"\n`, 1)).toBeNull();
   });
   it("has fill that presses or yields, but only where the file's fill is weight alone", () => {
