@@ -45,6 +45,11 @@ fn table(table: &dyn TableLike, section: &str, found: &mut Vec<Input>) {
     let inside = |key: &str| if section.is_empty() { key.to_owned() } else { format!("{section}.{key}") };
     for (key, item) in table.iter() {
         match item {
+            // Written in one line, a table is a table.
+            Item::Value(Value::InlineTable(inner)) => self::table(inner, &inside(key), found),
+            Item::Value(Value::Array(list)) if !list.is_empty() && list.iter().all(Value::is_inline_table) => {
+                tables(list.iter().filter_map(|one| one.as_inline_table()), list.len(), &inside(key), found);
+            }
             Item::Value(value) => {
                 let input = |key: &str, value, remark| Input {
                     section: section.to_owned(),
@@ -61,13 +66,23 @@ fn table(table: &dyn TableLike, section: &str, found: &mut Vec<Input>) {
             }
             Item::Table(inner) => self::table(inner, &inside(key), found),
             Item::ArrayOfTables(list) => {
-                for (k, inner) in list.iter().enumerate() {
-                    let number = if list.len() > 1 { format!("[{}]", k + 1) } else { String::new() };
-                    self::table(inner, &format!("{}{number}", inside(key)), found);
-                }
+                tables(list.iter(), list.len(), &inside(key), found);
             }
             Item::None => {}
         }
+    }
+}
+
+/// Tables of one list, with their numbers where there are several.
+fn tables<'a, T: TableLike + 'a>(
+    list: impl Iterator<Item = &'a T>,
+    count: usize,
+    section: &str,
+    found: &mut Vec<Input>,
+) {
+    for (k, inner) in list.enumerate() {
+        let number = if count > 1 { format!("[{}]", k + 1) } else { String::new() };
+        table(inner, &format!("{section}{number}"), found);
     }
 }
 
@@ -103,6 +118,9 @@ mod tests {
         let shown: Vec<String> =
             found.iter().map(|one| format!("{}.{}={}|{}", one.section, one.key, one.value, one.remark)).collect();
         assert_eq!(shown, ["bridge.width=4 m|[paper] Table 1", "cover[1].as=true|", "cover[2].list=[1, 2]|two"]);
+        let inline = "bridge = { width = \"4 m\" }\ncover = [{ as = true }, { list = [1, 2] }]\n";
+        let paths = |text: &str| inputs(text).into_iter().map(|one| (one.path(), one.value)).collect::<Vec<_>>();
+        assert_eq!(paths(inline), paths(text), "written in one line, a table is a table");
         assert!(inputs("no [toml").is_empty());
         let named = inputs("[masonry]\nmaterial = \"Sandstone\" # by eye\ndensity = \"2300 kg/m^3\" # cored\n");
         let shown: Vec<_> = named.iter().map(|one| format!("{} = {}", one.path(), one.value)).collect();
