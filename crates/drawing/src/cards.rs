@@ -12,7 +12,8 @@ findings::cards! {
          curve. The drawing is refused, because a block would be missing. Draw the entity again.";
     "D104", "entities left out",
         "Texts, dimensions, hatches, points, solids and similar entities are not outlines. They are counted by layer \
-         and kind and left out. If one of them is meant to be a block, draw its outline as a closed polyline. Layers \
+         and kind and left out, and so are single open lines, as of levels and loads, on a layer that has no outline beside layers \
+         that have some. If one of them is meant to be a block, draw its outline as a closed polyline. Layers \
          with role = \"ignore\" are not read.";
     "D105", "an entity outside the plane",
         "The model is plane: everything is drawn at z = 0 and seen from above (a mirror image, extrusion direction (0, 0, -1), is \

@@ -49,10 +49,11 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         );
         findings.warning("D104", place, message, "draw what is meant to be a block as a closed polyline");
     }
-    let layers = layers(&drawn);
+    let mut layers = layers(&drawn);
     let closed = chain::close(drawn.strands, options, findings);
+    layers.retain(|layer| !closed.lines.contains(layer) || drawn.circles.iter().any(|circle| circle.layer == *layer));
     let outlines: Vec<Outline> =
-        closed.into_iter().flat_map(|strand| outline::check(strand, options, findings)).collect();
+        closed.outlines.into_iter().flat_map(|strand| outline::check(strand, options, findings)).collect();
     overlap::check(&outlines, findings);
     if layers.is_empty() && !findings.list.iter().any(|f| f.severity == Severity::Error) {
         let help = "export the outlines of the blocks; see also what was left out";

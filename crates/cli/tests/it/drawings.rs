@@ -285,3 +285,15 @@ fn a_heap_from_another_program_is_loaded_and_drawn_moved() {
         "{answer}"
     );
 }
+
+/// The drawing that a collapse writes goes back in: its levels and arrows are no blocks, and are told.
+#[test]
+fn the_drawing_of_a_result_is_a_drawing_of_blocks() {
+    let stage = Stage::with_example("drawing-back", "tiny");
+    assert_eq!(stage.run(&["collapse", "bridge/bridge.toml", "--out", "out"]).code, Some(0));
+    let (answer, ending) = stage.object(&["convert", "out/model.dxf", "back.toml"]);
+    assert_eq!((ending.code, answer["blocks"].as_u64()), (Some(0), Some(23)), "{}", ending.stderr);
+    let text = stage.read("back.toml");
+    assert!(!text.contains("LOADS") && !text.contains("SURFACE"), "{text}");
+    assert!(ending.stderr.contains("layer LOADS") && ending.stderr.contains("layer SURFACE"), "{}", ending.stderr);
+}

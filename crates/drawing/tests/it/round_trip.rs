@@ -85,6 +85,44 @@ fn every_handle_is_given_once_and_every_owner_is_there() {
     assert_eq!(u32::from_str_radix(pairs[seed + 1].1, 16).unwrap(), handles.len() as u32 + 1);
 }
 
+/// Lines of loads and levels beside blocks are no outlines; lines that were meant to meet are an error.
+#[test]
+fn single_lines_on_a_layer_of_their_own_are_left_out_and_told() {
+    let line =
+        |layer: &str, points: &[Point]| Item::Line { layer: layer.into(), points: points.to_vec(), closed: false };
+    let block = Item::Line {
+        layer: "BLOCKS".into(),
+        points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+        closed: true,
+    };
+    let read = |items: Vec<Item>| drawing::read(&Sheet { layers: vec![], items }.dxf(), &Options::default());
+    let beside = vec![
+        block.clone(),
+        line("SURFACE", &[[-1.0, 1.4], [0.5, 1.5], [2.0, 1.4]]),
+        // An arrow with its barbs in one line.
+        line("LOADS", &[[0.2, 1.5], [0.2, 1.1], [0.23, 1.16], [0.2, 1.1], [0.17, 1.16]]),
+        line("LOADS", &[[0.6, 1.5], [0.6, 1.1]]),
+    ];
+    let found = read(beside.clone());
+    assert!(found.is_usable(), "{:?}", found.findings);
+    assert_eq!((found.drawing.layers.len(), found.drawing.outlines.len()), (1, 1));
+    let told: Vec<&str> = found.findings.iter().filter(|one| one.code == "D104").map(|one| &one.message[..]).collect();
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert!(told.iter().any(|words| words.starts_with("2 open lines of this layer")), "{told:?}");
+    let refused =
+        |more: Vec<Item>| read([vec![block.clone()], more].concat()).findings.iter().any(|one| one.code == "D301");
+    // Sides of a block that miss one another by 2 mm, a block without its fourth side, an open line among blocks, and lines alone.
+    let (a, b, c) = ([3.0, 0.0], [4.0, 0.0], [4.002, 0.0]);
+    assert!(refused(vec![
+        line("RING", &[a, b]),
+        line("RING", &[c, [4.0, 1.0]]),
+        line("RING", &[[4.0, 1.002], [3.0, 1.0]])
+    ]));
+    assert!(refused(vec![line("RING", &[a, b, [4.0, 1.0], [3.0, 1.0]])]));
+    assert!(refused(vec![line("BLOCKS", &[a, b])]));
+    assert!(!read(beside[1..].to_vec()).is_usable());
+}
+
 #[test]
 fn names_of_layers_are_made_legal() {
     assert_eq!(layer_name(" 0.5/1.0 MPa, <high>\n"), "0.5-1.0 MPa- -high-");
