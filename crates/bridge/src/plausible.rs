@@ -81,8 +81,10 @@ fn other_unit(raw: Raw<'_>, least: f64, most: f64) -> Option<String> {
     let found = quantity::parse(raw.get_ref().as_str()?).ok()?;
     let same_system = found.unit.dimension.units().filter(|unit| unit.imperial() == found.unit.imperial());
     let mut sensible = same_system.filter(|unit| (least..=most).contains(&(found.number * unit.size)));
+    // Weights as forces are rarely meant where they are not written.
+    let rare = |unit: &quantity::Unit| ["kgf", "t/m"].iter().any(|word| unit.symbol.contains(word));
     let leap = |unit: &quantity::Unit| (unit.size / found.unit.size).ln().abs();
-    let unit = sensible.by_ref().min_by(|a, b| leap(a).total_cmp(&leap(b)))?;
+    let unit = sensible.by_ref().min_by(|a, b| (rare(a).cmp(&rare(b))).then(leap(a).total_cmp(&leap(b))))?;
     Some(format!("did you mean \"{} {}\"?", found.number, unit.symbol))
 }
 

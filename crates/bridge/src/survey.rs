@@ -10,6 +10,7 @@ mod questions;
 mod rows;
 
 use crate::Severity;
+use crate::quantity;
 use answers::{Answer, Answers};
 use page::{Barrel, Others, Sheet};
 use questions::{FILL_COHESION, OTHERS};
@@ -111,6 +112,13 @@ fn others(answers: &mut Answers<'_>) -> Others {
 /// What is said of an answer that is not possible.
 fn out_of_range(answer: &Answer, help: String) -> Unusable {
     let message = format!("{}: \"{}\" is out of its possible range", answer.key, answer.text);
+    // A number of millimetres that was taken for metres.
+    let millimetres =
+        quantity::parse(&answer.text).ok().filter(|found| found.unit.symbol == "m" && found.number >= 50.0);
+    let help = match millimetres {
+        Some(found) => format!("{help}; did you mean \"{} mm\"?", found.number),
+        None => help,
+    };
     Unusable { key: answer.key.clone(), severity: Severity::Error, message, help }
 }
 

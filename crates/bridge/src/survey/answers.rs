@@ -228,7 +228,13 @@ impl<'a> Answers<'a> {
                 let (is, want) = (found.unit.dimension.name(), wanted.name());
                 self.refuse(key, format!("{key}: \"{text}\" is {is} and not {want}"), help)
             }
-            Err(_) => self.refuse(key, format!("{key}: \"{text}\" is no number with a unit"), help),
+            Err(_) => {
+                let point = said.replacen(',', ".", 1);
+                let comma =
+                    point != said && point.split_whitespace().next().is_some_and(|one| one.parse::<f64>().is_ok());
+                let help = if comma { format!("decimals have a point: write {key} as {point}") } else { help };
+                self.refuse(key, format!("{key}: \"{text}\" is no number with a unit"), help)
+            }
         }
     }
 }

@@ -70,6 +70,9 @@ fn a_weight_is_a_density_and_a_mass_a_force() {
     // 22 t/m^3 of a file whose writer meant a weight.
     let shown = show_all(&TINY.replace("density = \"2200 kg/m^3\"", "density = \"22 t/m^3\""));
     assert!(shown.contains("did you mean \"22 kN/m^3\"?"), "{shown}");
+    // A strength a thousand times too high is one in kPa, not a weight over an area.
+    let shown = show_all(&TINY.replace("10 MPa", "5000 MPa"));
+    assert!(shown.contains("did you mean \"5000 kPa\"?"), "{shown}");
 }
 
 #[test]

@@ -97,7 +97,7 @@ const BROKEN: u8 = 101;
 
 fn obey(desk: &mut Desk, command: &Command) -> Result<Report, Refusal> {
     match command {
-        Command::New(arguments) => new::run(arguments),
+        Command::New(arguments) => new::run(desk, arguments),
         Command::Check(arguments) => check::run(desk, arguments),
         Command::Collapse(arguments) => collapse::run(desk, arguments),
         Command::Cases(arguments) => cases::run(desk, arguments),

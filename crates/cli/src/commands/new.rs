@@ -1,14 +1,17 @@
 //! `extrados new`: the file of a bridge from what a survey measured, or a working example to edit.
 
+use super::source::Source;
 use crate::args::{New, Survey};
+use crate::desk::Desk;
 use crate::failure;
 use crate::folder;
+use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::status::Status;
 use assess::vehicles;
 use bridge::survey::{self, Unusable};
-use extrados::Refusal;
 use extrados::examples;
+use extrados::{Disk, Refusal};
 use findings::words::counted;
 use std::fmt::Write;
 use std::fs;
@@ -21,9 +24,9 @@ const FIRST: &str = "bridgemill";
 const BRIDGE: &str = "bridge.toml";
 
 /// Writes the files into a new or empty folder.
-pub(super) fn run(arguments: &New) -> Result<Report, Refusal> {
+pub(super) fn run(desk: &mut Desk, arguments: &New) -> Result<Report, Refusal> {
     match arguments.survey.span {
-        Some(_) => surveyed(&arguments.dir, &arguments.survey),
+        Some(_) => surveyed(desk, &arguments.dir, &arguments.survey),
         None => example(&arguments.dir, arguments.from.as_deref().unwrap_or(FIRST)),
     }
 }
@@ -55,8 +58,8 @@ fn example(dir: &Path, from: &str) -> Result<Report, Refusal> {
         .saying(summary))
 }
 
-/// The bridge file of these answers.
-fn surveyed(dir: &Path, said: &Survey) -> Result<Report, Refusal> {
+/// The bridge file of these answers, with what is doubtful of it.
+fn surveyed(desk: &mut Desk, dir: &Path, said: &Survey) -> Result<Report, Refusal> {
     let name = said.name.clone().or_else(|| dir.file_name().map(|name| name.to_string_lossy().into_owned()));
     let text = survey::file(name.as_deref().unwrap_or("Bridge"), &|key| said.answer(key)).map_err(slips)?;
     known(&text)?;
@@ -71,7 +74,11 @@ fn surveyed(dir: &Path, said: &Survey) -> Result<Report, Refusal> {
     assumed.iter().for_each(|line| summary.push_str(&format!("  {line}\n")));
     let next = if said.rule.is_some() { "assess" } else { "collapse" };
     let _ = writeln!(summary, "next: extrados {next} {}", first.display());
-    Ok(Report::new(Status::Completed)
+    let source = Source::read(&first, &Disk)?;
+    let project = &source.project;
+    desk.screen.remark(&render::findings(project.name(), project.text(), project.findings(), &Paint::for_stderr()));
+    Ok(source
+        .report(Status::Completed)
         .with("folder", dir.display().to_string())
         .with("files", vec![BRIDGE])
         .with("assumed", assumed)

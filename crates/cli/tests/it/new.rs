@@ -84,6 +84,15 @@ fn slips_are_named_by_their_flags() {
     for flag in ["--span: \"six\" is no number", "--ring: \"3 kN\" is a force", "write --ring with its unit"] {
         assert!(said.contains(flag), "{flag} is not in\n{said}");
     }
+    let typed = |ring: &str, density: &str| {
+        let sheet = ["new", "y", "--span", "6", "--rise", "1.5", "--ring", ring, "--width", "5", "--cover", "0.5"];
+        stage.run(&[&sheet[..], &["--density", density]].concat()).stderr
+    };
+    assert!(typed("0,45", "2200").contains("write --ring as 0.45"), "{}", typed("0,45", "2200"));
+    assert!(typed("450", "2200").contains("did you mean \"450 mm\"?"), "{}", typed("450", "2200"));
+    // What is possible and unusual makes a file, and is told at once.
+    let light = typed("0.45", "22");
+    assert!(light.contains("warning[P001]") && light.contains("did you mean \"22 kN/m^3\"?"), "{light}");
     let out_of_range = [&wrong[..3], &["6"], &wrong[4..7], &["0.45"], &wrong[8..]].concat();
     assert!(stage.run(&out_of_range).stderr.contains("--rise: \"-1 m\" is out of its possible range"));
     let unknown = stage.run(&new("x", &["--rule", "cs-45", "--vehicle", "cs454-singel"])).stderr;
