@@ -135,9 +135,9 @@ pub(crate) struct Check {
 /// `extrados convert`.
 #[derive(Debug, Args)]
 pub(crate) struct Convert {
-    /// A bridge file or a block model file (.toml), a drawing (.dxf), a surveyed section of an intrados (.csv), a table of a bridge's numbers (.txt, .csv), or a road profile (LandXML, .xml)
+    /// A bridge file or a block model file (.toml), a drawing (.dxf), a surveyed section of an intrados (.csv), a point cloud (.e57, .las, .laz), a table of a bridge's numbers (.txt, .csv), or a road profile (LandXML, .xml)
     pub from: PathBuf,
-    /// What to write: .toml, .dxf, .vtu, .py (OpenSees) or .csv; of a section .toml, .svg, .png or .csv; of a table or a road profile .toml
+    /// What to write: .toml, .dxf, .vtu, .py (OpenSees) or .csv; of a section or a cloud .toml, .svg, .png or .csv; of a table or a road profile .toml
     pub to: PathBuf,
     /// Unit of a drawing or a section, in place of what its header says
     #[arg(long, value_name = "UNIT", value_parser = ["m", "cm", "mm", "ft", "in"])]
@@ -160,6 +160,15 @@ pub(crate) struct Convert {
     /// Of a road profile: which one, where the file has several
     #[arg(long, value_name = "NAME")]
     pub profile: Option<String>,
+    /// Of a point cloud (.e57, .las, .laz): where it is cut, in plan from the left end of the section to the right one, such as "12.0, 4.0, 21.5, 4.2"
+    #[arg(long, value_name = "X,Y,X,Y", allow_hyphen_values = true)]
+    pub line: Option<String>,
+    /// Of a point cloud: thickness of what is taken along that line [default: 0.1 m]
+    #[arg(long, value_name = "LENGTH", requires = "line")]
+    pub slab: Option<String>,
+    /// Of a point cloud: levels between which points are taken, such as "98.2, 101.5": above water and growth, below the road
+    #[arg(long, value_name = "LOW,HIGH", allow_hyphen_values = true, requires = "line")]
+    pub levels: Option<String>,
     /// Replace TO where it exists; never the input
     #[arg(long)]
     pub overwrite: bool,

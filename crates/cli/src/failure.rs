@@ -133,6 +133,11 @@ findings::cards! {
         "A LandXML file has its profiles as <ProfAlign> (intersections of grades with vertical curves) or <ProfSurf> (points), with stations and levels in the \
         unit of its <Units>. --station says where the left springing of the first span stands on it. The message names the line of the file, or the \
         profiles that it has.\n\nExample: `extrados convert alignment.xml road.toml --station \"1234.5 m\" --springing-level \"99.80 m\"`.";
+    "F138", "a point cloud cannot be used",
+        "Clouds of laser scanners are read as E57, LAS and LAZ. --line says where the cloud is cut: x and y of the left end of the section and of the \
+        right one, in plan and in the coordinates of the cloud, a little outside the springings. Points within half of --slab (0.1 m) of it are taken, and of \
+        these what lies between --levels. The message names what the library says of the file, or how far the cloud reaches.\n\nExample: `extrados convert \
+        scan.e57 bridge.toml --line \"12.0, 4.0, 21.5, 4.2\" --levels \"98.2, 101.5\"`.";
     "F140", "the program has no workbench",
         "The page of the workbench is a part of the program only where it was built with the feature `workbench`, after the page itself. \
         `.ci/workbench build` does both; docs/tutorials/workbench.md has every step. The page works from any web server as well.";

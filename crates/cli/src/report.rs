@@ -61,6 +61,12 @@ impl Report {
         self
     }
 
+    /// Adds to what is said.
+    pub(crate) fn adding(mut self, words: &str) -> Report {
+        self.summary += words;
+        self
+    }
+
     /// Sets the words of a page: whole, or as a first screen with the warnings that matter most.
     pub(crate) fn show(&mut self, screen: &Screen, page: &Page) {
         self.summary = if screen.details { page.whole() } else { page.first(&self.warnings) };

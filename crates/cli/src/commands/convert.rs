@@ -1,6 +1,7 @@
 //! `extrados convert`: bridge files, block model files, drawings and ParaView files, by extension.
 
 mod checker;
+mod cloud;
 mod road;
 mod section;
 mod table;
@@ -39,6 +40,16 @@ pub(super) fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Refusa
     }
     if arguments.station.is_some() || arguments.springing_level.is_some() || arguments.profile.is_some() {
         let message = "--station, --springing-level and --profile are for road profiles (LandXML, .xml)";
+        return Err(Refusal::new("F107", message, "leave them out"));
+    }
+    if let Some(format) = scan::Format::of_ending(&from) {
+        return match to.as_str() {
+            "toml" | "svg" | "png" | "csv" => cloud::run(desk, arguments, format, &to),
+            _ => Err(no_pair(&from, &to)),
+        };
+    }
+    if cloud::is_asked(arguments) {
+        let message = "--line, --slab and --levels are for point clouds (.e57, .las, .laz)";
         return Err(Refusal::new("F107", message, "leave them out"));
     }
     if matches!((from.as_str(), to.as_str()), ("csv" | "txt" | "tsv" | "xy", "toml" | "svg" | "png" | "csv")) {
@@ -101,7 +112,7 @@ fn no_pair(from: &str, to: &str) -> Refusal {
     Refusal::new(
         "F118",
         message,
-        "convert .toml to .dxf, .vtu, .toml, .py (OpenSees) or .csv, .dxf to .toml, .vtu or .dxf, a section's .csv to .toml, .svg, .png or .csv, or a table of \
+        "convert .toml to .dxf, .vtu, .toml, .py (OpenSees) or .csv, .dxf to .toml, .vtu or .dxf, a section's .csv or a point cloud (.e57, .las, .laz) to .toml, .svg, .png or .csv, or a table of \
          numbers (.txt, .csv) or a road profile (LandXML, .xml) to .toml",
     )
 }

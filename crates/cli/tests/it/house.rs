@@ -99,6 +99,7 @@ fn no_crate_depends_on_one_above_it() {
         "findings",
         "bridge",
         "drawing",
+        "scan",
         "records",
         "mechanics",
         "calibrate",
@@ -117,6 +118,7 @@ fn no_crate_depends_on_one_above_it() {
         ("findings", ""),
         ("bridge", "findings"),
         ("drawing", "findings"),
+        ("scan", ""),
         ("records", "findings"),
         ("mechanics", ""),
         ("calibrate", ""),
@@ -136,7 +138,7 @@ fn no_crate_depends_on_one_above_it() {
         ("workbench", "extrados"),
         (
             "cli",
-            "findings bridge drawing records mechanics calibrate rules outcome structure assess verification figures report extrados",
+            "findings bridge drawing scan records mechanics calibrate rules outcome structure assess verification figures report extrados",
         ),
     ];
     for (name, may) in allowed {
@@ -236,7 +238,7 @@ fn the_door_has_one_place_for_files_and_none_for_clocks() {
 
 #[test]
 fn reading_computes_nothing_and_touches_no_file() {
-    for path in ["findings", "bridge", "drawing", "records", "rules"]
+    for path in ["findings", "bridge", "drawing", "scan", "records", "rules"]
         .iter()
         .flat_map(|name| sources(&format!("crates/{name}/src")))
     {

@@ -126,3 +126,86 @@ fn abutments_repeated_points_and_another_unit_are_told() {
         ending.stderr
     );
 }
+
+/// A LAS file (version 1.2, points of kind 0) as its specification has it, coordinates in millimetres.
+fn las(points: &[[f64; 3]]) -> Vec<u8> {
+    let mut file = b"LASF".to_vec();
+    file.extend([0; 20]);
+    file.extend([1, 2]);
+    file.extend([0; 68]);
+    file.extend(227_u16.to_le_bytes());
+    file.extend(227_u32.to_le_bytes());
+    file.extend(0_u32.to_le_bytes());
+    file.push(0);
+    file.extend(20_u16.to_le_bytes());
+    file.extend(u32::try_from(points.len()).expect("few points").to_le_bytes());
+    file.extend([0; 20]);
+    file.extend([1e-3_f64; 3].into_iter().chain([0.0; 9]).flat_map(f64::to_le_bytes));
+    for point in points {
+        file.extend(point.iter().flat_map(|value| ((1e3 * value).round() as i32).to_le_bytes()));
+        file.extend([0; 8]);
+    }
+    file
+}
+
+/// A barrel of 8 m by 1.6 m and 3 m wide, whose left springing line crosses (40, 70, 12) at its middle; it runs at 60 degrees to the axis of x. With it
+/// water below and a road above.
+fn barrel() -> Vec<[f64; 3]> {
+    let radius: f64 = (16.0 + 1.6 * 1.6) / 3.2;
+    let angle = (4.0 / radius).asin();
+    let (sin, cos) = 60_f64.to_radians().sin_cos();
+    let placed = |x: f64, across: f64, z: f64| [40.0 + x * cos - across * sin, 70.0 + x * sin + across * cos, z];
+    let mut points = Vec::new();
+    for k in 0..=800 {
+        let at = angle * (f64::from(k) / 400.0 - 1.0);
+        let scatter = 0.003 * (f64::from(k * k) * 0.7).sin();
+        for w in -30..=30 {
+            let across = 0.05 * f64::from(w);
+            let r = radius + scatter;
+            points.push(placed(4.0 + r * at.sin(), across, 12.0 + 1.6 - radius + r * at.cos()));
+            points.push(placed(0.01 * f64::from(k), across, 11.5));
+            points.push(placed(0.01 * f64::from(k), across, 14.6));
+        }
+    }
+    points
+}
+
+#[test]
+fn a_cloud_is_cut_along_a_line_and_fitted() {
+    let stage = Stage::new("sections-cloud");
+    stage.write("scan.las", las(&barrel()));
+    let line = |from: f64, to: f64| {
+        let [x0, x1] = [from, to].map(|x| 40.0 + x * 0.5);
+        let [y0, y1] = [from, to].map(|x| 70.0 + x * 60_f64.to_radians().sin());
+        format!("{x0:.3},{y0:.3},{x1:.3},{y1:.3}")
+    };
+    let along = line(-0.2, 8.2);
+    let (answer, ending) = stage.object(&["convert", "scan.las", "b.toml", "--line", &along, "--levels", "11.8,14"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert!(
+        (number(&answer, "span_m") - 8.0).abs() < 0.01 && (number(&answer, "rise_m") - 1.6).abs() < 0.01,
+        "{answer}"
+    );
+    // Of 61 lines along the barrel the three within 50 mm of its middle.
+    assert_eq!(answer["cloud_points_taken"], 3 * 801, "{answer}");
+    assert!(stage.read("b.toml").contains("profile = \"measured\""));
+    // In the other direction it is the same arch.
+    let back = line(8.2, -0.2);
+    let (mirrored, _) = stage.object(&["convert", "scan.las", "c.toml", "--line", &back, "--levels", "11.8,14"]);
+    assert!((number(&mirrored, "rise_m") - number(&answer, "rise_m")).abs() < 1e-3);
+
+    let refused = |more: &[&str]| {
+        let (answer, ending) = stage.object(&[&["convert", "scan.las", "d.toml"], more].concat());
+        assert_eq!(ending.code, Some(2), "{answer}");
+        answer["errors"][0].to_string()
+    };
+    assert!(refused(&[]).contains("z from 11.50 to 14.60"), "{}", refused(&[]));
+    let away = refused(&["--line", "0,0,8,0"]);
+    assert!(away.contains("no point lies within 50 mm") && away.contains("z from 11.50"), "{away}");
+    assert!(refused(&["--line", "0,0,8"]).contains("is not 4 numbers"));
+    // Water, arch and road together are no arch, and what helps is said.
+    assert!(refused(&["--line", &along]).contains("--levels"), "{}", refused(&["--line", &along]));
+    stage.write("torn.e57", "no cloud");
+    let (torn, _) = stage.object(&["convert", "torn.e57", "d.toml", "--line", &along]);
+    assert_eq!(torn["errors"][0]["code"], "F138", "{torn}");
+}

@@ -43,6 +43,11 @@ pub(super) fn traced(desk: &mut Desk, arguments: &Convert, points: &[[f64; 2]], 
     fitted(desk, arguments, (points, None), to)
 }
 
+/// The points of a section that was cut out of a cloud.
+pub(super) fn cut(desk: &mut Desk, arguments: &Convert, points: &[[f64; 2]], to: &str) -> Result<Report, Refusal> {
+    fitted(desk, arguments, (points, None), to)
+}
+
 fn refused(from: &str, error: &section::SectionError, help: &str) -> Refusal {
     Refusal::new("F133", format!("{from}: {error}"), help)
 }
@@ -55,11 +60,14 @@ fn fitted(
     to: &str,
 ) -> Result<Report, Refusal> {
     let from = arguments.from.display().to_string();
-    let help = match super::ending(&arguments.from) == "dxf" {
-        true => {
+    let help = match super::ending(&arguments.from).as_str() {
+        "dxf" => {
             "draw the intrados as one open line or as points, twelve or more, alone in its drawing; blocks are drawn as closed polylines"
         }
-        false => "extrados explain F133 tells what a section is",
+        "e57" | "las" | "laz" => {
+            "keep to the intrados: --levels \"LOW,HIGH\" leaves out ground and road, and --line ends a little outside the springings"
+        }
+        _ => "extrados explain F133 tells what a section is",
     };
     let found = section::fit(points).map_err(|error| refused(&from, &error, help))?;
     let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();
