@@ -11,6 +11,9 @@ In a notebook, `found.figure("mechanism")` draws how the bridge fails. Numbers a
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import Any
+
 from . import errors, records, results, runs
 from ._extrados import State, examples_known, threads, version
 from ._progress import Progress
@@ -43,6 +46,13 @@ from .results import (
 from .runs import CollapseRun, PassageRun
 
 __version__ = version()
+
+
+def __getattr__(name: str) -> Any:
+    """Modules that need more than NumPy are brought in where they are asked for."""
+    if name in ("cluster", "umbridge"):
+        return import_module(f"extrados.{name}")
+    raise AttributeError(f"module 'extrados' has no attribute {name!r}")
 
 
 def examples() -> list[str]:

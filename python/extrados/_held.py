@@ -67,6 +67,12 @@ class Held:
     def tables(self) -> dict[str, str]:
         return {name: _unpacked(packed) for name, packed in self._told["tables"].items()}
 
+    def files(self) -> dict[str, bytes]:
+        texts = {f"{name}.svg": svg for name, svg in self.figures().items()}
+        texts |= {f"{name.replace('_', '-')}.csv": text for name, text in self.tables().items() if text.count("\n") > 1}
+        report = self.report()
+        return {name: text.encode() for name, text in (texts | ({"report.html": report} if report else {})).items()}
+
     def report(self) -> str | None:
         packed = self._told["report"]
         return packed and _unpacked(packed)

@@ -138,6 +138,8 @@ class Bridge:
     __slots__ = ("_known", "_project")
 
     def __init__(self, project: Project) -> None:
+        if isinstance(project, (str, os.PathLike)):
+            raise argument(f"Bridge({_short(project)}) cannot be used", "Bridge.read takes the path of a file, Bridge.parse its text")
         self._project = project
         self._known: dict[str, str] | None = None
 
@@ -467,6 +469,11 @@ class Blocks:
     def read(cls, path: str | os.PathLike[str]) -> Blocks:
         """Reads a block model file and the drawing that it names."""
         return cls(BlockModel.read(os.fspath(path)))
+
+    @classmethod
+    def parse(cls, text: str, *, name: str = "blocks.toml", files: Mapping[str, bytes] | None = None) -> Blocks:
+        """A block model from the text of its file. `name` is the path to which its drawing is relative, `files` what takes the place of the disk."""
+        return cls(BlockModel.read(name, {**(files or {}), name: text.encode()}))
 
     def collapse(self, *, progress: Wanted = None, resume: State | None = None, **options: Any) -> Collapse:
         """The load that makes a mechanism of the blocks; options are those of :meth:`Bridge.collapse`."""

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape, unescape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 from . import _extrados, _keys
 from ._held import Answered, Told, columns, same_columns
@@ -119,6 +120,25 @@ def _found(value: Any) -> Any:
     return [_found(one) for one in value] if isinstance(value, list) else value
 
 
+_What = TypeVar("_What")
+
+
+class _Named(dict[str, _What]):
+    """Things by their names; one that is not there is answered with what is."""
+
+    def __init__(self, things: Mapping[str, _What], what: str) -> None:
+        super().__init__(things)
+        self._what = what
+
+    def __missing__(self, name: str) -> _What:
+        meant = near(str(name), self)
+        told = f"did you mean {' or '.join(map(repr, meant))}?" if meant else f"it has {', '.join(self) or 'none'}"
+        raise KeyError(f"this result has no {self._what} {name!r}; {told}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return dict, (dict(self),)
+
+
 class _Part:
     """A part of a result. It does not change: copies look into the same result."""
 
@@ -220,6 +240,20 @@ class Result:
         """The object of the command's `result.json`, without the places of its files."""
         return dict(self._whole())
 
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes what the command writes into a folder, which is made where it is not there, and gives its path: `result.json`, drawings as SVG,
+        tables, drawings for CAD and files for ParaView, the report of an assessment. Files of the same names are replaced. A result that was
+        pickled has its drawings, tables and report alone."""
+        folder = Path(folder)
+        if folder.is_file():
+            raise argument(f"folder = {str(folder)!r} cannot be used: it is a file", 'name a folder; `figure("mechanism").save("m.png")` writes one drawing')
+        texts = {"result.json": (json.dumps(self._whole(), indent=2, ensure_ascii=False) + "\n").encode()}
+        for name, content in {**self._answer.files(), **texts}.items():
+            place = folder / name
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(content)
+        return folder
+
     # ---- figures
 
     def figure(self, name: str) -> Figure:
@@ -232,7 +266,7 @@ class Result:
     @property
     def figures(self) -> Mapping[str, Figure]:
         """All drawings, by their names."""
-        return {name: Figure(svg) for name, svg in self._answer.figures().items()}
+        return _Named({name: Figure(svg) for name, svg in self._answer.figures().items()}, "figure")
 
     def _repr_html_(self) -> str:
         rows = []
@@ -261,7 +295,7 @@ class Result:
     @property
     def tables(self) -> Mapping[str, Table]:
         """The command's tables as CSV, by their names; those without a row are left out."""
-        return {name: Table(text) for name, text in self._answer.tables().items() if text.count("\n") > 1}
+        return _Named({name: Table(text) for name, text in self._answer.tables().items() if text.count("\n") > 1}, "table")
 
     def _columns(self, table: str | None) -> dict[str, list[Any]]:
         tables = self.tables

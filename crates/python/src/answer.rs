@@ -12,9 +12,10 @@ use extrados::results::sweep::Sweep;
 use extrados::results::update::Update;
 use extrados::results::vehicles::VehicleSweep;
 use extrados::results::warning::Warning;
-use extrados::{Assessed, Cases, Compared, Project, bridge, written};
+use extrados::written::{self, Written};
+use extrados::{Assessed, Cases, Compared, Project, bridge};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -145,6 +146,22 @@ impl Answer {
         }
     }
 
+    fn written(&self) -> Written {
+        match &self.found {
+            Found::Collapse(found) => written::collapse(found, None),
+            Found::Sweep(name, _, found) => written::loads_moved(name, found),
+            Found::Vehicles(found) => written::vehicles_moved(found),
+            Found::Passage(found) => written::passage(found),
+            Found::Update(found, _) => written::update(found),
+            Found::Study(study, ..) => written::study(study),
+            Found::Assessed(done) => written::assessed(done),
+            Found::Cases(found) => {
+                written::cases(found.answers.first().map_or("", |one| one.collapse.bridge.as_str()), found)
+            }
+            Found::Compared(found) => written::compared(found),
+        }
+    }
+
     fn table_texts(&self) -> Vec<(&'static str, String)> {
         match &self.found {
             Found::Collapse(found) => vec![
@@ -239,6 +256,19 @@ impl Answer {
             }
             self.drawings().into_iter().find(|(known, _)| known == name).map(|(_, svg)| svg)
         })
+    }
+
+    /// What the command writes beside its object, by the names of the files: drawings as SVG, tables, files for CAD and ParaView, the report.
+    fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let written = run::guarded(py, || self.written())?;
+        for (name, svg) in written.drawings {
+            all.set_item(format!("{name}.svg"), PyBytes::new(py, svg.as_bytes()))?;
+        }
+        for file in written.files {
+            all.set_item(file.name, PyBytes::new(py, &file.bytes))?;
+        }
+        Ok(all)
     }
 
     /// Tables as CSV, by their names.
