@@ -45,7 +45,7 @@ def test_representations_are_short_and_say_units(dem, small_passage):
 def test_results_that_lack_a_field_can_be_shown():
     tiny = extrados.Bridge.example("tiny")
     ring = extrados.Bridge.example("semicircle").collapse()
-    falls = tiny.with_(span_1_thickness="0.05 m").collapse(method="limit")
+    falls = tiny.with_(span_1_thickness="0.05 m", span_1_rise="2 m").collapse(method="limit")
     assert falls.status == "unstable-under-self-weight"
     assert (ring.collapse_load_kn_per_m, falls.collapse_load_kn_per_m) == (None, None)
     for found in (ring, falls):

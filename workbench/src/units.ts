@@ -84,7 +84,7 @@ const IMPERIAL: Record<string, Conversion> = {
   "kg/m^3": { to: "lb/ft^3", times: 1 / 16.018463 },
   "t/m^3": { to: "lb/ft^3", times: 1000 / 16.018463 },
   MPa: { to: "psi", times: 145.03774 },
-  kPa: { to: "psf", times: 20.885434 },
+  kPa: { to: "psi", times: 0.14503774 },
   GPa: { to: "ksi", times: 145.03774 },
   "kN/m^2": { to: "psf", times: 20.885434 },
   "N/mm^2": { to: "psi", times: 145.03774 },
@@ -191,7 +191,8 @@ export function rangeOf(usual: string, span: string, unit: string): string {
 
 /** What a person typed, as a quantity of the file: a bare number takes the unit that was shown. */
 export function meant(typed: string, unit: string): string {
-  const trimmed = typed.trim().replace(/,/g, ".");
+  // A comma before three digits may part thousands: the engine says what to write in its place.
+  const trimmed = /\d,\d{3}(?!\d)/.test(typed) ? typed.trim() : typed.trim().replace(/,/g, ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(trimmed) && unit !== "" ? `${trimmed} ${unit}` : trimmed;
 }
 

@@ -19,4 +19,6 @@ pub struct Evidence {
     pub statics: Option<Statics>,
     /// Doubtful values of the file, of its vehicles and of its rule.
     pub doubts: Vec<Doubt>,
+    /// Paths of values whose remark in the file says that they are assumed.
+    pub assumed: Vec<String>,
 }

@@ -67,7 +67,11 @@ fn restrict(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &
         list.push(step(Action::Restrict, what, used(found), SHORTFALL));
     }
     if grades.is_empty() {
-        let what = "keep the loads that are not carried off the bridge until the shortfall is removed or disproved";
+        let ladder = evidence.bridge.sweep.as_ref().is_some_and(|plan| plan.rule == "cs-454");
+        let limit = if ladder { "; vehicles = [\"gb-restrictions\"] in [sweep] finds the weight limit" } else { "" };
+        let what = format!(
+            "keep the loads that are not carried off the bridge until the shortfall is removed or disproved{limit}"
+        );
         list.push(step(Action::Restrict, what, used(found), SHORTFALL));
     }
 }
@@ -235,7 +239,7 @@ mod tests {
 
     fn evidence() -> Evidence {
         let (asked, facts) = (Assess::default(), Facts::default());
-        Evidence { bridge: samples::bridgemill(), asked, facts, statics: None, doubts: Vec::new() }
+        Evidence { bridge: samples::bridgemill(), asked, facts, statics: None, doubts: Vec::new(), assumed: Vec::new() }
     }
 
     fn verdict(status: Judgement) -> Verdict {

@@ -393,6 +393,10 @@ pub(crate) fn measure(field: &Field, raw: Raw<'_>, wanted: &[Dimension], finding
 
 /// The quantity that a bare number of the trade stands for: a coefficient of friction is the tangent of an angle.
 fn with_unit(field: &Field, number: f64, unit: &str) -> Option<String> {
+    // A number of millimetres is no number of metres.
+    if unit == "m" && number >= 50.0 && field.limits.most < number {
+        return Some(format!("write \"{number} mm\", if millimetres are meant"));
+    }
     let coefficient = field.key.contains("friction_angle") && unit == "deg" && number > 0.0 && number < 2.0;
     coefficient.then(|| {
         format!(

@@ -40,6 +40,10 @@ impl Collapse {
             return both.headline.map(|whole| Headline { load: whole / self.width, whole, from });
         }
         let (own, rigid) = match self.by {
+            // Without dilation a state in equilibrium is no bound: others may carry less.
+            By::Limit(found) if found.friction != FlowRule::Associated => {
+                ("limit analysis, friction without dilation", None)
+            }
             By::Limit(_) => ("limit analysis, lower bound", None),
             By::Dem(_) => ("discrete elements, last stable step", self.limit_load),
             By::Path(_) => ("equilibrium path, largest load in balance", self.limit_load),

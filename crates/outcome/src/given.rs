@@ -34,6 +34,8 @@ published! {
         pub load_cases_left_out: Vec<String>,
         /// Doubtful values of the file, of its vehicles and of its rule: their codes.
         pub doubtful: Vec<Doubt> = given.doubtful.iter().map(|one| one.code.clone()).collect::<Vec<_>>(),
+        /// Values of the file that nobody measured: paths of those whose remark begins with "assumed".
+        pub assumed: Vec<String> as assumed_values,
         /// Factors that differ from those of the library's rule.
         pub changed_factors: Vec<ChangedFactor>,
         /// What the file does not give and was taken, and what it takes otherwise than usual, in words.
@@ -113,9 +115,10 @@ impl Given {
             let names: Vec<&str> = self.changed_factors.iter().map(|one| one.factor.as_str()).collect();
             parts.push(format!("not the library's: {}", names.join(", ")));
         }
-        match self.doubts().len() {
-            0 => {}
-            n => parts.push(counted(n, "doubtful value")),
+        for (count, what) in [(self.assumed.len(), "assumed value"), (self.doubts().len(), "doubtful value")] {
+            if count > 0 {
+                parts.push(counted(count, what));
+            }
         }
         parts.extend(self.taken.iter().map(|one| one.what.clone()));
         if parts.is_empty() { String::new() } else { format!(" ({})", parts.join("; ")) }
@@ -159,6 +162,7 @@ impl Verdict {
         let changed: Vec<String> = given.changed_factors.iter().map(changed).collect();
         list("factors that differ from the library's".to_owned(), &changed);
         let doubts: Vec<String> = given.doubts().iter().map(|one| format!("{} ({})", one.message, one.code)).collect();
+        list("assumed in the file".to_owned(), &given.assumed);
         list("doubtful values".to_owned(), &doubts);
         lines.extend(given.taken.iter().map(Taken::to_string));
         if let Some(model) = &given.model_factor {

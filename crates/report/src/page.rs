@@ -240,7 +240,7 @@ fn page(material: &Assessed) -> Page<'_> {
         open,
         columns: rows::columns(&a.checked),
         augment: augment(a),
-        limits_source: a.limits_source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
+        limits_source: a.limits_source.clone().unwrap_or_else(|| "those of the rule; for others that the file sets it names no source.".to_owned()),
         condition: rows::condition(&a.condition, update, &material.inputs),
         update_words: update.map(rows::updated).unwrap_or_default(),
         fit: update.map(|update| rows::fit(update, &material.inputs)).unwrap_or_default(),

@@ -10,7 +10,7 @@ export function overItsWidth(sheet: Sheet, load: number, system: System): string
   const own = (key: string) => sheet.quantities[0]().filter((one) => new RegExp(`^load\\[\\d+\\]\\.${key}$`).test(one.path));
   const narrow = own("effective_width");
   const across = sheet.reading[0]()?.width_m ?? null;
-  if (narrow.length === 0) return across ? `${words(force(load * across, system))} over the whole width` : "per metre of width";
+  if (narrow.length === 0) return across ? `${words(force(load * across, system))} over the whole width` : system === "metric" ? "per metre of width" : "per foot of width";
   const loads = sheet.reading[0]()?.sections?.loads ?? 0;
   const width = loads === 1 && own("axle_force").length === 1 ? metresOf(narrow[0]!) : null;
   // Several axles or loads share a width each: their sum is the force on no width there is.

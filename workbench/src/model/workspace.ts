@@ -51,8 +51,13 @@ export function close(id: string): void {
   void forgetFiles(id);
 }
 
+let leaving: ReturnType<typeof setTimeout> | undefined;
+
+/** Words over the page; what is no trouble leaves once it could be read. */
 export function say(text: string, bad = false): void {
+  clearTimeout(leaving);
   setNotice({ text, bad });
+  if (!bad) leaving = setTimeout(() => setNotice((now) => (now?.text === text ? null : now)), 12_000);
 }
 
 export function keep(): void {

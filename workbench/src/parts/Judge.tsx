@@ -67,7 +67,7 @@ export function Judge(props: { id: string; start: Judged; change: (judged: Judge
             <For each={rules()}>
               {(one) => (
                 <option value={one.code} selected={rule() === one.code} disabled={!one.judges}>
-                  {one.title}{one.judges ? "" : " (no factor on loads, no verdict)"}
+                  {one.title}{one.judges ? "" : " (no factor on loads: it shows what falls short, and no bridge as adequate)"}
                 </option>
               )}
             </For>

@@ -6,7 +6,7 @@ import { library } from "../model/library";
 import { poke } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { ASSUMED, loadAt, withContinuum, withPressure } from "../model/variants";
-import { lineLoad, place, words } from "../units";
+import { inSystem, lineLoad, place, words } from "../units";
 import { isVehicle } from "../shell/TitleBlock";
 import { system } from "../shell/settings";
 import { Sliders } from "./Sliders";
@@ -108,7 +108,7 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
               }}
             />
             <p class="soft">
-              Drag the load on the drawing, or focus it and use the arrow keys: 0.1 m a step, 0.5 m with Shift, 0.01 m with Alt.
+              Drag the load on the drawing, or focus it and use the arrow keys: {inSystem("0.1 m a step, 0.5 m with Shift, 0.01 m with Alt.", system())}
             </p>
             <Governing sheet={props.sheet} />
           </>

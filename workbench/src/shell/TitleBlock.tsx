@@ -127,7 +127,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
         <Show when={old()}>
           <span class="cap was" role="status" data-testid="old">Of the values before: what was typed last is refused</span>
         </Show>
-        <span class="cap">{answer()?.words.open ? "Carried at this place, at most" : "Carried at this place"}{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
+        <span class="cap">{answer()?.words.open ? "Carried at this place, at most" : "Carried at this place"}{isVehicle(props.sheet) ? "" : system() === "metric" ? ", per metre of width" : ", per foot of width"}</span>
         <Show when={headline()} fallback={<span class="headline" data-none>–</span>}>
           {(head) => (
             <>
@@ -143,7 +143,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
               <Show when={part() === "load" && least()}>
                 {(found) => (
                   <div class="under least" data-testid="least">
-                    Least along the road {sayFactor(props.sheet, found().factor, system())} at {words(place(found().x, system()))}
+                    {found().done < found().of ? "Least so far" : "Least along the road"} {sayFactor(props.sheet, found().factor, system())} at {words(place(found().x, system()))}
                     {found().done < found().of ? ` (${found().done} of ${found().of} places)` : ""}
                   </div>
                 )}

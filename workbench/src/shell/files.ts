@@ -59,9 +59,13 @@ function showResults(name: string, folder: ResultFolder): void {
   const there = active();
   const sheet = own !== null && there?.text() !== own ? open({ path: clean(bridge!.name.split("/").pop()!), text: own }) : there;
   if (!sheet) return say(`${name} has no bridge file in it. Open the bridge first; then its results can be dropped on it.`, true);
+  const of = folder.object["bridge"];
+  if (own === null && typeof of === "string" && of !== sheet.reading[0]()?.name) {
+    return say(`${name} has results of “${of}” and no bridge file in it, and “${sheet.name()}” is open. Open the bridge file of “${of}” first; then its results can be dropped on it.`, true);
+  }
   showFolder(sheet, name, folder);
   setPart("verdict");
-  if (own === null) say(`${name} has no bridge file in it: it is shown beside ${sheet.name()}.`);
+  if (own === null) say(`${name} has no bridge file in it: whether it belongs to the file of ${sheet.name()} as it stands here is not known.`);
 }
 
 export async function openFiles(files: File[]): Promise<void> {

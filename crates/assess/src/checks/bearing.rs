@@ -94,6 +94,7 @@ mod tests {
             facts: Facts::default(),
             statics,
             doubts: Vec::new(),
+            assumed: Vec::new(),
         }
     }
 

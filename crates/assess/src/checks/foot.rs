@@ -71,7 +71,7 @@ mod tests {
         let statics = statics(&bridge).ok();
         let limits = Limits { foot_eccentricity: Some(1.0 / 6.0), ..Limits::default() };
         let asked = Assess { limits, ..Assess::default() };
-        Evidence { bridge, asked, facts: Facts::default(), statics, doubts: Vec::new() }
+        Evidence { bridge, asked, facts: Facts::default(), statics, doubts: Vec::new(), assumed: Vec::new() }
     }
 
     fn compared(bridge: Bridge) -> Comparison {

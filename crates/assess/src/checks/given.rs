@@ -26,6 +26,7 @@ pub(super) fn given(a: &Evidence) -> Given {
         skipped: a.facts.left_out(),
         load_cases_left_out: coverage.as_ref().map_or_else(Vec::new, |found| found.left_out.clone()),
         doubtful: doubtful(a),
+        assumed: a.assumed.clone(),
         changed_factors: a.facts.vehicles.made().map_or_else(Vec::new, |facts| facts.safety.changed_factors.clone()),
         taken: taken(a),
         model_factor: by.as_ref().and_then(|_| in_force(a, coverage.as_ref())),

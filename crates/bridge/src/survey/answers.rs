@@ -84,9 +84,11 @@ pub(super) struct Answers<'a> {
 
 impl<'a> Answers<'a> {
     pub(super) fn new(said: &'a dyn Fn(&str) -> Option<String>, begun: bool) -> Self {
-        let imperial =
-            |key: &str| said(key).is_some_and(|text| quantity::parse(&text).is_ok_and(|one| one.unit.imperial()));
-        let in_feet = QUESTIONS[..5].iter().any(|one| imperial(one.key));
+        // One answer in inches among metres makes no file in feet.
+        let given = QUESTIONS[..5].iter().filter_map(|one| said(one.key));
+        let lengths: Vec<bool> =
+            given.map(|text| quantity::parse(&text).is_ok_and(|one| one.unit.imperial())).collect();
+        let in_feet = 2 * lengths.iter().filter(|feet| **feet).count() > lengths.len();
         Answers { said, begun, in_feet, wrong: Vec::new() }
     }
 

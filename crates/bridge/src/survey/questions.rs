@@ -76,7 +76,7 @@ pub const MORE: [Question; 5] = [
     question("rings", "Rings of the arch one above the other, which share its thickness.", "", "1").assumed("1").usual("1 to 8"),
     question(
         "bond",
-        "Cohesion between the rings: 0 where they only rub on one another, more where headers or sound mortar tie them and a test says so.",
+        "Cohesion between the rings, where headers or sound mortar tie them. The load that leads is that of rings that only rub on one another; what the bond would add stands beside it.",
         "kPa",
         "0 kPa",
     )

@@ -71,7 +71,7 @@ pub(crate) struct Survey {
     /// Rings of the arch one above the other, which share its thickness
     #[arg(long, value_name = "COUNT", allow_hyphen_values = true, requires = "span")]
     pub rings: Option<String>,
-    /// Cohesion between the rings, where headers or sound mortar tie them [default: 0 kPa]
+    /// Cohesion between the rings: what it adds stands beside the load that leads, which is of rings that only rub [default: 0 kPa]
     #[arg(long, value_name = "STRESS", allow_hyphen_values = true, requires = "rings")]
     pub bond: Option<String>,
     /// Angle of skew, such as 12deg; 0 for a square bridge

@@ -69,8 +69,8 @@ impl Stages<'_> {
         let movement = self.movement(&bridge)?;
         let sensitivity = Stage::NotAsked("made last".to_owned());
         let facts = Facts { update, service, ultimate, vehicles, cases, movement, sensitivity };
-        let doubts = doubts(self.project);
-        let mut evidence = Evidence { bridge, asked, facts, statics: built.made().cloned(), doubts };
+        let (doubts, assumed) = (doubts(self.project), assumed(self.project));
+        let mut evidence = Evidence { bridge, asked, facts, statics: built.made().cloned(), doubts, assumed };
         let checked = checks::run(&evidence);
         evidence.facts.sensitivity = self.sensitivity(&document, &evidence, &checked)?;
         Ok(evidence.judged(checked))
@@ -272,6 +272,12 @@ impl Stages<'_> {
 }
 
 /// Doubtful values of the file.
+/// Values that the file marks as assumed, as a survey does.
+fn assumed(project: &Project) -> Vec<String> {
+    let inputs = bridge::inputs::inputs(std::str::from_utf8(project.text()).unwrap_or_default());
+    inputs.iter().filter(|one| one.remark.starts_with("assumed")).map(bridge::inputs::Input::path).collect()
+}
+
 fn doubts(project: &Project) -> Vec<Doubt> {
     let doubtful = project.findings().iter().filter(|finding| finding.code.starts_with('P'));
     doubtful.map(|one| Doubt { code: one.code.to_owned(), message: one.message.clone() }).collect()
