@@ -1,4 +1,4 @@
-//! What a bridge file says of a train that crosses: the train, the track under it, the analysis, and what is measured.
+//! What a bridge file says of a train or a road vehicle that crosses: its axles, what they roll on, the analysis, and what is measured.
 
 use crate::cards::*;
 use crate::choice::choice;
@@ -8,17 +8,57 @@ use crate::train::Train;
 use crate::tree::{At, Table};
 use crate::values::of_keys;
 
-/// A train that crosses.
+/// A train or a road vehicle that crosses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Passage {
-    /// The train.
+    /// The train; a road vehicle is one of a single vehicle.
     pub train: Train,
     /// How axles reach the fill.
-    pub track: Track,
+    pub way: Way,
     /// How it crosses, and how that is analysed.
     pub plan: PassagePlan,
     /// What is measured; empty where the file leaves that to the defaults, see [`default_sensors`].
     pub sensors: Vec<Sensor>,
+}
+
+/// What axles roll on.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Way {
+    /// Rails, sleepers and ballast.
+    Rails(Track),
+    /// The surface of a road.
+    Road(Wheels),
+}
+
+impl Way {
+    /// Width of the bridge that carries an axle, where the file says it [m].
+    pub fn effective_width(&self) -> Option<f64> {
+        match self {
+            Way::Rails(track) => track.effective_width,
+            Way::Road(wheels) => wheels.effective_width,
+        }
+    }
+
+    /// Weight on the fill that is there before anything crosses [Pa].
+    pub fn dead_load(&self) -> f64 {
+        match self {
+            Way::Rails(track) => track.dead_load,
+            Way::Road(_) => 0.0,
+        }
+    }
+}
+
+of_keys! {
+    /// Wheels on the surface of a road.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Wheels {
+        pub contact_length: f64 = length("length of the road on which a wheel presses, along the bridge", "0.25 m")
+            .between(0.02, 5.0)
+            .default("0.25 m"),
+        pub effective_width: Option<f64> = length("width of the bridge that carries an axle", "3.1 m")
+            .at_least(0.1)
+            .optional("1.8 m between the wheels, spread 1:2 to either side through the cover over the crown, not wider than the barrel"),
+    }
 }
 
 of_keys! {
@@ -56,13 +96,15 @@ of_keys! {
     /// How a train crosses, and how that is analysed.
     #[derive(Debug, Clone, PartialEq)]
     pub struct PassagePlan {
-        pub speed: f64 = speed("speed of the train", "45 km/h").at_least(0.01),
+        pub speed: f64 = speed("speed of the train or vehicle", "45 km/h").at_least(0.01),
         pub time_step: f64 = time("time from one position to the next", "0.005 s").at_least(1e-5).default("0.005 s"),
         pub from: Option<f64> =
             length("position of the first axle at the start, from the left springing of the first span", "-10 m")
-                .optional("where the mesh begins"),
+                .optional("where the mesh begins, or where it ends for one that drives to the left"),
         pub to: Option<f64> =
             length("position of the first axle at the end", "60 m").optional("where the last axle leaves the mesh"),
+        pub direction: Heading =
+            word::<Heading>("the way in which it drives", "right").default(Heading::Right.word()),
         pub analysis: PassageAnalysis =
             word::<PassageAnalysis>("whether inertia is included", "static").default(PassageAnalysis::Static.word()),
         pub numerical_damping: f64 = number(
@@ -90,6 +132,26 @@ of_keys! {
     } and {
         /// Rayleigh damping, where there is some.
         pub damping: Option<Rayleigh> => damping,
+    }
+}
+
+choice! {
+    /// The way in which a train or a vehicle drives.
+    pub enum Heading {
+        /// from the first span to the last
+        Right = "right",
+        /// from the last span to the first
+        Left = "left",
+    }
+}
+
+impl Heading {
+    /// 1 to the right, -1 to the left.
+    pub fn sign(self) -> f64 {
+        match self {
+            Heading::Right => 1.0,
+            Heading::Left => -1.0,
+        }
     }
 }
 

@@ -346,15 +346,21 @@ fn settings(file: &Table<'_>, findings: &mut Findings) {
     }
 }
 
-/// Axle loads as no rail has seen them.
+/// Axle loads as no rail and no road has seen them.
 fn axles(file: &Table<'_>, findings: &mut Findings) {
+    const RAILS: [(&str, f64, f64, &str); 2] = [
+        ("axle_loads", 1e3, 45e3, "axles usually carry 1 to 45 t"),
+        ("axle_forces", 10e3, 450e3, "axles usually carry 10 to 450 kN"),
+    ];
+    const ROADS: [(&str, f64, f64, &str); 2] = [
+        ("axle_loads", 0.4e3, 25e3, "axles on roads usually carry 0.4 to 25 t"),
+        ("axle_forces", 4e3, 250e3, "axles on roads usually carry 4 to 250 kN"),
+    ];
     let mut unheard = Findings::default();
-    let Some(train) = file.known("train") else { return };
-    for table in train.tables("vehicle", &mut unheard) {
-        for (key, least, most, says) in [
-            ("axle_loads", 1e3, 45e3, "axles usually carry 1 to 45 t"),
-            ("axle_forces", 10e3, 450e3, "axles usually carry 10 to 450 kN"),
-        ] {
+    let train = file.known("train").map_or_else(Vec::new, |train| train.tables("vehicle", &mut unheard));
+    let on_rails = train.into_iter().map(|table| (table, RAILS));
+    for (table, usual) in on_rails.chain(file.known("vehicle").map(|table| (table, ROADS))) {
+        for (key, least, most, says) in usual {
             let Some(Some(loads)) = table.read::<Option<At<Vec<f64>>>>(key, &mut unheard) else { continue };
             if loads.value.iter().any(|load| !(least..=most).contains(load)) {
                 findings.warning(

@@ -79,7 +79,7 @@ pub(crate) fn passage() -> bridge::passage::Passage {
     use bridge::passage::*;
     Passage {
         train: bridge::train::Train { name: String::new(), file: None, vehicles: vec![] },
-        track: Track {
+        way: Way::Rails(Track {
             rail_bending_stiffness: 4.47e6,
             track_modulus: 30e6,
             sleeper_spacing: 0.6,
@@ -89,12 +89,13 @@ pub(crate) fn passage() -> bridge::passage::Passage {
             ballast_slope: 2.0,
             dead_load: 3e3,
             effective_width: None,
-        },
+        }),
         plan: PassagePlan {
             speed: 12.5,
             time_step: 0.005,
             from: None,
             to: None,
+            direction: Heading::Right,
             analysis: PassageAnalysis::Static,
             damping: None,
             numerical_damping: 0.0,

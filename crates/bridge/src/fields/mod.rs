@@ -20,6 +20,7 @@ pub(crate) mod support;
 pub(crate) mod sweep;
 pub(crate) mod train;
 pub(crate) mod vary;
+pub(crate) mod vehicle;
 pub(crate) mod wall;
 
 pub use crate::card::*;
@@ -107,9 +108,15 @@ pub static FILE: Section = Section {
         table("train", &train::TRAIN, "The train that crosses in `extrados respond`.").optional("no train crosses"),
         table("track", &train::TRACK, "How axles reach the fill: rails, sleepers, ballast.")
             .optional("possible only where no train crosses"),
-        table("passage", &passage::PASSAGE, "How the train crosses, and how that is analysed.")
-            .optional("possible only where no train crosses"),
-        tables("sensor", &crate::sensor::SENSOR, "What is measured while the train crosses.").optional(
+        table(
+            "vehicle",
+            &vehicle::VEHICLE,
+            "The road vehicle that crosses in `extrados respond`, in place of [train] and [track].",
+        )
+        .optional("no road vehicle crosses"),
+        table("passage", &passage::PASSAGE, "How the train or the vehicle crosses, and how that is analysed.")
+            .optional("possible only where nothing crosses"),
+        tables("sensor", &crate::sensor::SENSOR, "What is measured while the train or the vehicle crosses.").optional(
             "crown, pier springing and abutment springing of the first span: displacement and strain of each",
         ),
         tables("vary", &vary::VARY, "What `extrados vary` changes, and over which values.")

@@ -1,19 +1,19 @@
-//! A train's passage.
+//! The passage of a train or of a road vehicle.
 
 use super::structure::PlacedSpan;
-use super::train;
+use super::{train, vehicle};
 use crate::card::{Section, joined};
 use crate::cards::*;
 use crate::findings::Findings;
-use crate::passage::{MOST_POSITIONS, Passage, PassagePlan};
+use crate::passage::{Heading, MOST_POSITIONS, Passage, PassagePlan, Way};
 use crate::resolve::Layout;
 use crate::tree::Table;
 
 pub(super) static PASSAGE: Section = Section {
     path: "passage",
-    doc: "How the train crosses, and how that is analysed. Self-weight is applied first and subtracted afterwards.",
-    fields: &joined::<14>(&[
-        PassagePlan::CARDS.split_at(5).0,
+    doc: "How the train or the vehicle crosses, and how that is analysed. Self-weight is applied first and subtracted afterwards.",
+    fields: &joined::<15>(&[
+        PassagePlan::CARDS.split_at(6).0,
         &[
             number("damping_ratio", "share of critical damping at `damping_frequencies`", "0.03")
                 .between(0.0, 0.5)
@@ -26,11 +26,11 @@ pub(super) static PASSAGE: Section = Section {
             .positive()
             .optional("possible only without `damping_ratio`"),
         ],
-        PassagePlan::CARDS.split_at(5).1,
+        PassagePlan::CARDS.split_at(6).1,
     ]),
 };
 
-/// The passage; `None` inside where no train crosses.
+/// The passage; `None` inside where nothing crosses.
 pub(crate) fn passage(
     file: &Table<'_>,
     width: Option<f64>,
@@ -38,18 +38,24 @@ pub(crate) fn passage(
     layout: Option<&Layout>,
     findings: &mut Findings,
 ) -> Option<Option<Passage>> {
-    let keys = ["train", "track", "passage"];
+    let on_road = file.has("vehicle");
+    let keys: &[&str] = if on_road { &["vehicle", "passage"] } else { &["train", "track", "passage"] };
     if !keys.iter().chain(&["sensor"]).any(|key| file.has(key)) {
         return Some(None);
     }
-    for key in keys.into_iter().filter(|key| !file.has(key)) {
+    if let Some(other) = ["train", "track"].into_iter().find(|key| on_road && file.has(key)) {
+        return file.exclude(other, "[vehicle]", findings);
+    }
+    for key in keys.iter().filter(|key| !file.has(key)) {
         file.need::<()>(key, findings);
     }
-    let train = train::train(file, findings);
-    let track = train::track(file, width, findings);
+    let (train, way) = match on_road {
+        true => vehicle::vehicle(file, width, findings),
+        false => (train::train(file, findings), train::track(file, width, findings).map(Way::Rails)),
+    };
     let plan = plan(file, findings);
     let sensors = crate::sensor::sensors(file, spans, layout, findings);
-    Some(Some(Passage { train: train?, track: track?, plan: plan?, sensors: sensors? }))
+    Some(Some(Passage { train: train?, way: way?, plan: plan?, sensors: sensors? }))
 }
 
 fn plan(file: &Table<'_>, findings: &mut Findings) -> Option<PassagePlan> {
@@ -63,16 +69,21 @@ fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> Opti
     let step = plan.speed * plan.time_step;
     let most = MOST_POSITIONS as f64 * step;
     if let (Some(from), Some(to)) = (plan.from, plan.to) {
-        if from >= to {
+        let way = plan.direction.sign() * (to - from);
+        if way <= 0.0 {
+            let (word, larger) = match plan.direction {
+                Heading::Right => ("right", "larger"),
+                Heading::Left => ("left", "smaller"),
+            };
             return findings.refuse(
                 "B655",
                 table.place("to"),
-                "the train does not travel to the right",
-                format!("the first axle starts at {from} m"),
-                "give a larger `to`, or leave both out",
+                format!("the first axle does not travel to the {word}"),
+                format!("it starts at {from} m"),
+                format!("give a {larger} `to`, another `direction`, or leave both out"),
             );
         }
-        if to - from > most {
+        if way > most {
             return findings.refuse(
                 "B655",
                 table.place("to"),

@@ -126,10 +126,23 @@ pub(crate) fn vehicles(table: &Table<'_>, findings: &mut Findings) -> Option<Vec
 fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
     let name: Option<Option<String>> = table.read("name", findings);
     let count = table.read("count", findings);
+    let axles = axles(table, findings);
+    let overhangs = ["front_overhang", "rear_overhang"].map(|key| table.read::<f64>(key, findings));
+    let (loads, spacings) = axles?;
+    Some(Vehicle {
+        name: name?.unwrap_or_else(|| "vehicle".to_owned()),
+        count: count?,
+        loads,
+        spacings,
+        overhangs: [overhangs[0]?, overhangs[1]?],
+    })
+}
+
+/// What axles bring, and the distances between them.
+pub(super) fn axles(table: &Table<'_>, findings: &mut Findings) -> Option<(AxleLoads, Vec<f64>)> {
     let masses: Option<Option<At<Vec<f64>>>> = table.read("axle_loads", findings);
     let forces: Option<Option<At<Vec<f64>>>> = table.read("axle_forces", findings);
     let spacings: Option<Vec<f64>> = table.read("axle_spacings", findings);
-    let overhangs = ["front_overhang", "rear_overhang"].map(|key| table.read::<f64>(key, findings));
     let (loads, given): (fn(Vec<f64>) -> AxleLoads, _) = match (table.has("axle_loads"), table.has("axle_forces")) {
         (true, true) => return table.exclude("axle_forces", "`axle_loads`", findings),
         (false, false) => return table.need("axle_loads", findings),
@@ -151,20 +164,12 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
             );
         }
     };
-    Some(Vehicle {
-        name: name?.unwrap_or_else(|| "vehicle".to_owned()),
-        count: count?,
-        loads: loads(each),
-        spacings,
-        overhangs: [overhangs[0]?, overhangs[1]?],
-    })
+    Some((loads(each), spacings))
 }
 
-/// Rails, sleepers, ballast. `width` of the barrel [m].
-pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Track> {
-    let table = &file.table("track", findings)?;
-    let track = Track::of(table, findings)?;
-    if let (Some(effective), Some(width)) = (track.effective_width, width)
+/// Refuses a width that carries an axle and is more than that of the barrel [m].
+pub(super) fn within(table: &Table<'_>, effective: Option<f64>, width: Option<f64>, findings: &mut Findings) {
+    if let (Some(effective), Some(width)) = (effective, width)
         && effective > width * (1.0 + 1e-12)
     {
         findings.error(
@@ -175,6 +180,13 @@ pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
             format!("write \"{width} m\" or less, or leave it out"),
         );
     }
+}
+
+/// Rails, sleepers, ballast. `width` of the barrel [m].
+pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Track> {
+    let table = &file.table("track", findings)?;
+    let track = Track::of(table, findings)?;
+    within(table, track.effective_width, width, findings);
     if track.sleeper_breadth > track.sleeper_spacing {
         findings.error(
             "B653",

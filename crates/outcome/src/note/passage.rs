@@ -13,6 +13,14 @@ notes! {
         Sleeper { pressed [m]: f64 } => "a sleeper presses evenly on {pressed:.3} m of the top of the fill";
         Rails => "half of an axle bears on each rail, a beam on equal springs under its sleepers that carry tension as well; a sleeper lies in \
                   the middle of the bridge";
+        /// An axle on a road: the width that carries it, its heaviest load.
+        WheelWidth { width [m]: f64, of_file: bool, heaviest [N/m]: f64 } =>
+            "an axle is carried by {width:.3} m of the bridge's width, {}; the heaviest brings {:.2} kN/m",
+            if *of_file { "as the file says" } else { "1.8 m between its wheels spread 1:2 to either side through the cover over the crown" },
+            heaviest / 1e3;
+        /// Wheels on the surface of a road.
+        Wheels { pressed [m]: f64 } =>
+            "a wheel presses evenly on {pressed:.3} m of the road; what is modelled below it spreads that along the bridge";
         TrackWeight { pressure [Pa]: f64 } =>
             "{:.2} kPa of ballast, sleepers and rails press on the fill, a part of the self-weight", pressure / 1e3;
         Sensors => "the file names no sensors: those of the railway paper's Table 1, on the first span";

@@ -7,7 +7,9 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PassageError {
     /// The file has no train.
-    #[error("the file has no train that crosses: describe it with [train], [track] and [passage]")]
+    #[error(
+        "nothing crosses the bridge of this file: describe a train with [train], [track] and [passage], or a road vehicle with [vehicle] and [passage]"
+    )]
     NoTrain,
     /// The vehicles of a file have not been read.
     #[error("the vehicles of {0} have not been read")]

@@ -1,71 +1,123 @@
-//! From the train's position to forces on the fill: sleepers' reactions times their patterns of pressure.
+//! From the place of the first axle to forces on the fill: amplitudes times patterns of pressure.
 //!
-//! Whatever stands on the track, the load is `sum r_s q_s`: `q_s` is the pattern of one sleeper, nodal forces of a unit force,
-//! and `r_s` its reaction [N/m]. The patterns never change, so that a linear part of the bridge answers each once.
+//! Whatever stands on the bridge, the load is `sum r_s q_s`: `q_s` are nodal forces of a unit force and `r_s` its size [N/m]. On a track `q_s` is
+//! the pressure below a sleeper and `r_s` its reaction; on a road `q_s` is a force on one node of the surface, and `r_s` what the wheels bring onto it.
+//! The patterns never change, so that a linear part of the bridge answers each once.
 
 use super::rail::Rail;
-use bridge::passage::Track;
+use bridge::passage::{Heading, Track, Wheels};
 use bridge::train::Axle;
 use outcome::picture::Point;
 
 /// Nodal forces: an index into the nodes of the surface and a share of the force.
 pub type Pattern = Vec<(usize, f64)>;
 
-/// The train on its track above a bridge.
+/// What crosses, above a bridge.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TrackLoads {
-    rail: Rail,
+pub struct MovingLoads {
+    on: On,
     axles: Vec<Axle>,
+    /// 1 where it drives to the right, -1 to the left.
+    sign: f64,
     /// Width that carries an axle [m].
     width: f64,
-    /// Position of the sleeper that sleepers are counted from [m].
-    origin: f64,
-    /// Number of the first sleeper whose pressure reaches the surface.
-    first: i64,
-    /// Middle of each such sleeper [m].
-    pub sleepers: Vec<f64>,
-    /// Vertical nodal forces of a unit force, downwards positive, of each sleeper. What of a sleeper's pressure falls beside
-    /// the surface is carried by the ground.
+    /// From where to where an axle loads the surface [m].
+    pub reach: [f64; 2],
+    /// Vertical nodal forces of a unit force, downwards positive. What of a pressure falls beside the surface is carried by the ground.
     pub patterns: Vec<Pattern>,
-    /// Length on which a sleeper presses at the top of the fill [m].
+    /// Length on which a sleeper or a wheel presses at the top of what is modelled [m].
     pub pressed: f64,
 }
 
-impl TrackLoads {
-    /// The track above `surface`, the nodes of the top of the fill from left to right [m]; `middle` of the bridge [m], where a
+/// What axles roll on.
+#[derive(Debug, Clone, PartialEq)]
+enum On {
+    Track {
+        rail: Rail,
+        /// Position of the sleeper that sleepers are counted from [m].
+        origin: f64,
+        /// Number of the first sleeper whose pressure reaches the surface.
+        first: i64,
+    },
+    /// The nodes of the surface [m].
+    Road(Vec<Point>),
+}
+
+/// The axles of what crosses.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing<'a> {
+    /// From the first one back.
+    pub axles: &'a [Axle],
+    /// The way in which they drive.
+    pub heading: Heading,
+    /// Width that carries an axle [m].
+    pub width: f64,
+}
+
+impl MovingLoads {
+    /// On a track above `surface`, the nodes of the top of the fill from left to right [m]; `middle` of the bridge [m], where a
     /// sleeper lies.
-    pub fn new(track: &Track, axles: &[Axle], width: f64, surface: &[Point], middle: f64) -> TrackLoads {
+    pub fn on_track(track: &Track, crossing: Crossing<'_>, surface: &[Point], middle: f64) -> MovingLoads {
         let pressed = track.sleeper_breadth + 2.0 * track.ballast_depth / track.ballast_slope;
         let (left, right) = (surface.first().map_or(0.0, |p| p[0]), surface.last().map_or(0.0, |p| p[0]));
         let number = |x: f64| (x - middle) / track.sleeper_spacing;
         let first = number(left - 0.5 * pressed).ceil() as i64;
         let last = number(right + 0.5 * pressed).floor() as i64;
-        let sleepers: Vec<f64> = (first..=last).map(|n| middle + track.sleeper_spacing * n as f64).collect();
-        let patterns = sleepers.iter().map(|x| strip(surface, x - 0.5 * pressed, x + 0.5 * pressed)).collect();
-        let (axles, rail) = (axles.to_vec(), Rail::new(track));
-        TrackLoads { rail, axles, width, origin: middle, first, sleepers, patterns, pressed }
+        let sleeper = |n: i64| middle + track.sleeper_spacing * n as f64;
+        let pattern = |n: i64| strip(surface, sleeper(n) - 0.5 * pressed, sleeper(n) + 0.5 * pressed);
+        let patterns: Vec<Pattern> = (first..=last).map(pattern).collect();
+        let on = On::Track { rail: Rail::new(track), origin: middle, first };
+        MovingLoads::of(on, crossing, [sleeper(first), sleeper(last)], patterns, pressed)
     }
 
-    /// Reaction of each sleeper [N per metre of width] while the first axle stands at `front` [m].
-    pub fn reactions(&self, front: f64) -> Vec<f64> {
-        let mut reactions = vec![0.0; self.sleepers.len()];
+    /// On the surface of a road, the nodes of the top of what is modelled from left to right [m].
+    pub fn on_road(wheels: &Wheels, crossing: Crossing<'_>, surface: &[Point]) -> MovingLoads {
+        let pressed = wheels.contact_length;
+        let (left, right) = (surface.first().map_or(0.0, |p| p[0]), surface.last().map_or(0.0, |p| p[0]));
+        let patterns = (0..surface.len()).map(|node| vec![(node, 1.0)]).collect();
+        let reach = [left - 0.5 * pressed, right + 0.5 * pressed];
+        MovingLoads::of(On::Road(surface.to_vec()), crossing, reach, patterns, pressed)
+    }
+
+    fn of(on: On, crossing: Crossing<'_>, reach: [f64; 2], patterns: Vec<Pattern>, pressed: f64) -> MovingLoads {
+        let Crossing { axles, heading, width } = crossing;
+        MovingLoads { on, axles: axles.to_vec(), sign: heading.sign(), width, reach, patterns, pressed }
+    }
+
+    /// Where an axle stands while the first one stands at `front` [m].
+    fn place(&self, axle: &Axle, front: f64) -> f64 {
+        front - self.sign * axle.offset
+    }
+
+    /// Amplitude of each pattern [N per metre of width] while the first axle stands at `front` [m].
+    pub fn amplitudes(&self, front: f64) -> Vec<f64> {
+        let mut amplitudes = vec![0.0; self.patterns.len()];
         for axle in &self.axles {
-            let (first, shares) = self.rail.shares(front - axle.offset - self.origin);
-            let from = (self.first - first).max(0);
-            for (k, share) in shares.iter().enumerate().skip(from as usize) {
-                let Some(reaction) = reactions.get_mut((first + k as i64 - self.first) as usize) else { break };
-                *reaction += share * axle.force / self.width;
+            let (x, force) = (self.place(axle, front), axle.force / self.width);
+            match &self.on {
+                On::Track { rail, origin, first } => {
+                    let (from, shares) = rail.shares(x - origin);
+                    for (k, share) in shares.iter().enumerate().skip((first - from).max(0) as usize) {
+                        let Some(reaction) = amplitudes.get_mut((from + k as i64 - first) as usize) else { break };
+                        *reaction += share * force;
+                    }
+                }
+                On::Road(surface) => {
+                    for (node, share) in strip(surface, x - 0.5 * self.pressed, x + 0.5 * self.pressed) {
+                        amplitudes[node] += share * force;
+                    }
+                }
             }
         }
-        reactions
+        amplitudes
     }
 
     /// Vertical nodal forces on the surface, downwards positive [N per metre of width].
     pub fn forces(&self, front: f64, nodes: usize) -> Vec<f64> {
         let mut forces = vec![0.0; nodes];
-        for (reaction, pattern) in self.reactions(front).iter().zip(&self.patterns) {
+        for (amplitude, pattern) in self.amplitudes(front).iter().zip(&self.patterns) {
             for &(node, share) in pattern {
-                forces[node] += reaction * share;
+                forces[node] += amplitude * share;
             }
         }
         forces
@@ -73,15 +125,15 @@ impl TrackLoads {
 
     /// Places and forces [N] of the axles above `from` to `to` [m].
     pub fn axles_above(&self, front: f64, from: f64, to: f64) -> Vec<(f64, f64)> {
-        let place = |axle: &Axle| (front - axle.offset, axle.force);
+        let place = |axle: &Axle| (self.place(axle, front), axle.force);
         self.axles.iter().map(place).filter(|(x, _)| (from..=to).contains(x)).collect()
     }
 
-    /// The heaviest axle by itself on the same track, and its force [N].
-    pub fn heaviest_alone(&self) -> Option<(TrackLoads, f64)> {
+    /// The heaviest axle by itself on the same way, and its force [N].
+    pub fn heaviest_alone(&self) -> Option<(MovingLoads, f64)> {
         let heaviest = self.axles.iter().max_by(|a, b| a.force.total_cmp(&b.force))?;
         let alone = Axle { offset: 0.0, ..*heaviest };
-        Some((TrackLoads { axles: vec![alone], ..self.clone() }, alone.force))
+        Some((MovingLoads { axles: vec![alone], ..self.clone() }, alone.force))
     }
 
     /// Distance from the first axle to the last [m].
@@ -157,7 +209,8 @@ mod tests {
     fn nodal_forces_balance_the_axles() {
         let axles = [(200e3, 0.0), (180e3, 1.85), (220e3, 5.3)].map(|(force, offset)| Axle { force, offset });
         let chain = surface();
-        let loads = TrackLoads::new(&track(), &axles, 4.87, &chain, 0.37);
+        let crossing = Crossing { axles: &axles, heading: Heading::Right, width: 4.87 };
+        let loads = MovingLoads::on_track(&track(), crossing, &chain, 0.37);
         for front in [-2.0, 0.0, 1.234] {
             let forces = loads.forces(front, chain.len());
             let force: f64 = forces.iter().sum();
@@ -172,10 +225,32 @@ mod tests {
     #[test]
     fn a_train_beside_the_bridge_does_not_load_it() {
         let axles = [Axle { force: 200e3, offset: 0.0 }];
-        let loads = TrackLoads::new(&track(), &axles, 4.87, &surface(), 0.0);
+        let crossing = Crossing { axles: &axles, heading: Heading::Right, width: 4.87 };
+        let loads = MovingLoads::on_track(&track(), crossing, &surface(), 0.0);
         for front in [-300.0, 300.0, -60.0, 60.0] {
-            assert!(loads.reactions(front).iter().all(|r| r.abs() < 1e-6), "{front}");
+            assert!(loads.amplitudes(front).iter().all(|r| r.abs() < 1e-6), "{front}");
         }
         assert_eq!(loads.axles_above(0.5, 0.0, 1.0), [(0.5, 200e3)]);
+    }
+
+    /// Wheels on a road bring their weight where they stand, whichever way they drive; what stands beside the surface brings nothing.
+    #[test]
+    fn wheels_press_where_they_stand() {
+        let axles = [(60e3, 0.0), (95e3, 3.6)].map(|(force, offset)| Axle { force, offset });
+        let chain = surface();
+        let wheels = Wheels { contact_length: 0.25, effective_width: None };
+        for (heading, sign) in [(Heading::Right, 1.0), (Heading::Left, -1.0)] {
+            let loads = MovingLoads::on_road(&wheels, Crossing { axles: &axles, heading, width: 3.1 }, &chain);
+            for front in [-2.0, 0.0, 1.234] {
+                let forces = loads.forces(front, chain.len());
+                let force: f64 = forces.iter().sum();
+                let moment: f64 = forces.iter().zip(&chain).map(|(f, p)| f * p[0]).sum();
+                let arm: f64 = axles.iter().map(|axle| axle.force / 3.1 * (front - sign * axle.offset)).sum();
+                assert!((force - 155e3 / 3.1).abs() < 1e-7 && (moment - arm).abs() < 1e-6, "{force} {moment} {arm}");
+                // A patch of a quarter of a metre loads the nodes about it, and no others.
+                assert!(forces.iter().filter(|f| **f != 0.0).count() <= 10);
+            }
+            assert!(loads.amplitudes(sign * 40.0).iter().all(|r| *r == 0.0));
+        }
     }
 }

@@ -102,4 +102,6 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
 }
 
 #[cfg(test)]
+mod road_tests;
+#[cfg(test)]
 mod tests;

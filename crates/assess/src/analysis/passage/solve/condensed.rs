@@ -13,12 +13,12 @@ use mechanics::watch::{Progress, Watch};
 use outcome::passage::{Influence, Part, PassageStatus, StepLog};
 use std::sync::Arc;
 
-/// All patterns: the weight, then those of the sleepers.
+/// All patterns: the weight, then those of sleepers or wheels.
 pub(super) fn loads(setup: &Setup, weight: &[f64]) -> Vec<LoadPattern> {
     let surface = &setup.meshed.sets.surface;
     let down = |&(node, share): &(usize, f64)| (2 * surface[node].index() + 1, -share);
-    let sleepers = setup.loads.patterns.iter().map(|pattern| pattern.iter().map(down).collect());
-    std::iter::once(load_pattern(weight)).chain(sleepers).collect()
+    let moving = setup.loads.patterns.iter().map(|pattern| pattern.iter().map(down).collect());
+    std::iter::once(load_pattern(weight)).chain(moving).collect()
 }
 
 /// What the path keeps from one position to the next. The weight is the first pattern, brought on in the load steps of the file and
@@ -78,7 +78,7 @@ impl Way {
     ) -> Result<(), AnalysisError> {
         let Way { condensed, run, .. } = self;
         let setup = &*rest.setup;
-        let under = |k: usize| with_weight(setup.loads.reactions(setup.positions[k]));
+        let under = |k: usize| with_weight(setup.loads.amplitudes(setup.positions[k]));
         while run.goes_on() && run.passage.visited.len() <= k {
             condensed.solve_batch(run, &under, watch).map_err(failed)?;
         }
@@ -141,7 +141,7 @@ impl Way {
         condensed.restore(&self.at_rest);
         for k in 0..=last {
             let mut watch = again(watch, "pictures", k, last);
-            if !balanced(condensed, setup.loads.reactions(setup.positions[k]), solution, &mut watch)? {
+            if !balanced(condensed, setup.loads.amplitudes(setup.positions[k]), solution, &mut watch)? {
                 break;
             }
             for (_, name) in wanted.iter().filter(|(at, _)| *at == k) {
@@ -159,12 +159,9 @@ impl Way {
         solution: &mut Solution,
         watch: &mut dyn Watch,
     ) -> Result<(), CondensedError> {
-        let (condensed, sleepers) = (&mut self.condensed, &setup.loads.sleepers);
-        let (Some((loads, force)), Some(first), Some(last)) =
-            (setup.loads.heaviest_alone(), sleepers.first(), sleepers.last())
-        else {
-            return Ok(());
-        };
+        let condensed = &mut self.condensed;
+        let [first, last] = setup.loads.reach;
+        let Some((loads, force)) = setup.loads.heaviest_alone() else { return Ok(()) };
         let count = ((last - first) / INFLUENCE_STEP) as usize;
         let own = solution.self_weight.clone();
         let mut influence = Influence { force, positions: Vec::new(), values: vec![Vec::new(); own.len()] };
@@ -172,7 +169,7 @@ impl Way {
         for k in 0..=count {
             let x = first + INFLUENCE_STEP * k as f64;
             let mut watch = again(watch, "influence lines", k, count);
-            if !balanced(condensed, loads.reactions(x), solution, &mut watch)? {
+            if !balanced(condensed, loads.amplitudes(x), solution, &mut watch)? {
                 return Ok(());
             }
             influence.positions.push(x);
@@ -185,14 +182,14 @@ impl Way {
     }
 }
 
-/// Balances the weight and what stands on the sleepers; whether a balance was found.
+/// Balances the weight and what stands on the bridge; whether a balance was found.
 fn balanced(
     condensed: &mut Condensed,
-    reactions: Vec<f64>,
+    amplitudes: Vec<f64>,
     solution: &mut Solution,
     watch: &mut dyn Watch,
 ) -> Result<bool, CondensedError> {
-    let reached = condensed.solve_position(&with_weight(reactions), watch)?.reached;
+    let reached = condensed.solve_position(&with_weight(amplitudes), watch)?.reached;
     if reached == Reached::Cancelled {
         solution.status = PassageStatus::Cancelled;
     }
@@ -202,9 +199,9 @@ fn balanced(
 /// Distance between the places of an influence line [m].
 const INFLUENCE_STEP: f64 = 0.25;
 
-/// Amplitudes of all patterns: the whole weight and what stands on the sleepers.
-pub(super) fn with_weight(reactions: Vec<f64>) -> Vec<f64> {
-    std::iter::once(1.0).chain(reactions).collect()
+/// Amplitudes of all patterns: the whole weight and what stands on the bridge.
+pub(super) fn with_weight(amplitudes: Vec<f64>) -> Vec<f64> {
+    std::iter::once(1.0).chain(amplitudes).collect()
 }
 
 /// Brings the self-weight on, step by step; `None` where it finds no balance or the onlooker stops it.

@@ -60,7 +60,7 @@ pub fn slices(
     };
     found.self_weight = condensed.observed();
     let at_rest = condensed.snapshot();
-    let under = wanted.positions.iter().map(|&position| with_weight(setup.loads.reactions(position)));
+    let under = wanted.positions.iter().map(|&position| with_weight(setup.loads.amplitudes(position)));
     let visited = condensed.solve_branches(&at_rest, &under.collect::<Vec<_>>(), watch).map_err(failed)?;
     let Some(visited) = visited else { return Ok(cancelled(found)) };
     found.taking_part = condensed.retained_parts();
