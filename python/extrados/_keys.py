@@ -387,6 +387,8 @@ class Assessment:
     """Codes of load cases of the rule that apply to the spans and were not moved."""
     doubtful: list[str]
     """Doubtful values of the file, of its vehicles and of its rule: their codes."""
+    assumed_values: list[str]
+    """Values of the file that nobody measured: paths of those whose remark begins with "assumed"."""
     changed_factors: list[dict[str, Any]]
     """Factors that differ from those of the library's rule."""
     taken: list[str]

@@ -39,7 +39,7 @@ impl Collapse {
             let from = "both strips by their widths";
             return both.headline.map(|whole| Headline { load: whole / self.width, whole, from });
         }
-        let (own, rigid) = match self.by {
+        let (own, rigid) = match &self.by {
             // Without dilation a state in equilibrium is no bound: others may carry less.
             By::Limit(found) if found.friction != FlowRule::Associated => {
                 ("limit analysis, friction without dilation", None)

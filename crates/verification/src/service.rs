@@ -129,6 +129,7 @@ fn assessed(file: &File) -> Result<Json, String> {
     };
     let assessment = Evidence {
         doubts: Vec::new(),
+        assumed: Vec::new(),
         bridge,
         asked,
         statics: None,

@@ -76,6 +76,7 @@ fn assessment() -> Evidence {
         asked: Assess { limits, ..Assess::default() },
         statics: None,
         doubts: Vec::new(),
+        assumed: Vec::new(),
         facts: Facts {
             update: Stage::NotAsked("no records".into()),
             service: Stage::Made(service),

@@ -27,6 +27,10 @@ pub(crate) const CALIBRATION: &str = include_str!("files/calibration.toml");
 pub(crate) const PASSAGE: &str = include_str!("files/passage.toml");
 /// A train of the library, with as little as will do.
 pub(crate) const TRAIN: &str = include_str!("files/train.toml");
+/// A lorry on a road, to the left.
+pub(crate) const LORRY: &str = include_str!("files/lorry.toml");
+/// A single axle of a known force.
+pub(crate) const AXLE: &str = include_str!("files/axle.toml");
 /// A train from a file.
 pub(crate) const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 
@@ -52,7 +56,7 @@ pub(crate) const CONDITION: &str = include_str!("files/condition.toml");
 pub(crate) const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub(crate) const GOOD: [&str; 20] = [
+pub(crate) const GOOD: [&str; 22] = [
     CASE_1,
     GRADIENT,
     NAMED,
@@ -72,6 +76,8 @@ pub(crate) const GOOD: [&str; 20] = [
     PASSAGE,
     TRAIN,
     TRAIN_FILE,
+    LORRY,
+    AXLE,
     ASSESS,
 ];
 

@@ -193,7 +193,8 @@ fn a_cloud_is_cut_along_a_line_and_fitted() {
     // In the other direction it is the same arch.
     let back = line(8.2, -0.2);
     let (mirrored, _) = stage.object(&["convert", "scan.las", "c.toml", "--line", &back, "--levels", "11.8,14"]);
-    assert!((number(&mirrored, "rise_m") - number(&answer, "rise_m")).abs() < 1e-3);
+    // The points scatter by three millimetres, and fall into other squares.
+    assert!((number(&mirrored, "rise_m") - number(&answer, "rise_m")).abs() < 3e-3, "{mirrored}");
 
     let refused = |more: &[&str]| {
         let (answer, ending) = stage.object(&[&["convert", "scan.las", "d.toml"], more].concat());

@@ -216,7 +216,8 @@ fn by_axles(bridge: &Bridge, setup: &Setup, name: &str) -> Option<Align> {
         }
     };
     let (speed, from) = (setup.plan.speed, *setup.positions.first()?);
-    let times = passage.train.axles(bridge.gravity).iter().map(|axle| (x + axle.offset - from) / speed).collect();
+    let along = setup.plan.direction.sign() * (x - from);
+    let times = passage.train.axles(bridge.gravity).iter().map(|axle| (along + axle.offset) / speed).collect();
     let (name, line) = (name.to_owned(), String::new());
     Some(Align::Axles { name, line, times, felt: 0.5 * (right - left).abs() / speed, speed: Some(speed) })
 }
