@@ -42,7 +42,7 @@ const ELSEWHERE: [(&str, &[&str], &str); 21] = [
         &["surfacing", "surface", "ballast", "soil", "layer", "layers"],
         "what lies above the ring is [[cover]], a table for each layer",
     ),
-    ("", &["vehicle", "vehicles", "traffic", "train_load"], "vehicles are named in [sweep] vehicles = [\"…\"]"),
+    ("", &["vehicles", "traffic", "train_load"], "vehicles are named in [sweep] vehicles = [\"…\"]"),
     ("", &["material", "materials"], "materials stand in [masonry], [joint], [[cover]] and [backing]"),
     ("", &["settings", "options", "solver"], "how to analyse is said in [analysis]"),
     (

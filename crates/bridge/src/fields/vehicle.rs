@@ -11,7 +11,7 @@ use crate::tree::Table;
 pub(super) static VEHICLE: Section = Section {
     path: "vehicle",
     doc: "The road vehicle that crosses: its axles press on the road through their wheels, and the layers of the mesh spread what they bring along the \
-          bridge. Give `axle_loads` or `axle_forces`.",
+          bridge. Give `axle_loads` or `axle_forces`. Vehicles that are moved to collapse are named in [sweep].",
     fields: &joined::<6>(&[
         &[
             text("name", "name of the vehicle", "test lorry").optional("vehicle"),
