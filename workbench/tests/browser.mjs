@@ -1,5 +1,6 @@
 // A real Chromium on the built page. EXTRADOS_WORKBENCH_URL names a server that runs already (`extrados workbench --no-browser`).
-import { existsSync, mkdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -124,3 +125,28 @@ export const textOf = (page) =>
     const kept = JSON.parse(localStorage.getItem("extrados.workspace.1"));
     return kept.sheets.find((sheet) => sheet.id === kept.active).text;
   });
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What axe calls serious or worse on the page as it stands. */
+export async function serious(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join(" | ")}`);
+  });
+}
+
+/** The bytes of what a click saves. */
+export const saved = async (page, click) => {
+  const download = page.waitForEvent("download");
+  await click();
+  return readFileSync(await (await download).path());
+};
+
+/** Begins a survey; gives its fields by their names. */
+export const survey = async (page) => {
+  await page.getByRole("button", { name: "Ten survey numbers" }).click();
+  await headline(page);
+  return (name) => page.getByLabel(name, { exact: true });
+};

@@ -1,26 +1,10 @@
 // Cases and two bridges side by side, drawings that are dropped, vehicles on wheels, figures as files.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, test } from "node:test";
-import { dropped, end, headline, openExample, part, shot, textOf, until, visit } from "../browser.mjs";
+import { dropped, end, headline, openExample, part, saved, serious, shot, textOf, until, visit } from "../browser.mjs";
 
 after(end);
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-async function serious(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join(" | ")}`);
-  });
-}
 const fits = (page) => page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
-const saved = async (page, click) => {
-  const download = page.waitForEvent("download");
-  await click();
-  return readFileSync(await (await download).path());
-};
 
 test("cases stand side by side, and a bridge beside what it was", async () => {
   for (const [width, theme] of [[1280, "light"], [390, "dark"]]) {

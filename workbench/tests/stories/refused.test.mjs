@@ -1,21 +1,9 @@
 // What is refused: it is told at its field, the answer of the values before is shown as such, and nothing typed is lost, also with a worker.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, test } from "node:test";
-import { end, headline, openExample, part, shot, textOf, until, visit } from "../browser.mjs";
+import { end, headline, openExample, part, serious, shot, textOf, until, visit } from "../browser.mjs";
 
 after(end);
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-async function serious(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join(" | ")}`);
-  });
-}
-
 const old = (page) => page.locator("#answer[data-old]");
 const survey = async (page) => {
   await page.getByRole("button", { name: "Ten survey numbers" }).click();

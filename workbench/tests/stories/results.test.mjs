@@ -1,16 +1,9 @@
 // Folders of results that are opened, and a load that falls where it was put.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { end, headline, openExample, part, shot, until, visit } from "../browser.mjs";
+import { end, headline, openExample, part, saved, shot, until, visit } from "../browser.mjs";
 
 after(end);
-
-const saved = async (page, click) => {
-  const download = page.waitForEvent("download");
-  await click();
-  return readFileSync(await (await download).path());
-};
 
 test("results of the command open beside their bridge, and name the version that made them", async () => {
   const { page, complaints, context } = await visit();

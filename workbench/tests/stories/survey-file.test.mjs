@@ -1,26 +1,9 @@
 // The survey and its file are one: what undo, a handle, the form or the text write stands in the fields, and what is typed goes into what is there.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, test } from "node:test";
-import { end, headline, part, shot, textOf, until, visit } from "../browser.mjs";
+import { end, headline, part, serious, shot, survey, textOf, until, visit } from "../browser.mjs";
 
 after(end);
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-async function serious(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join(" | ")}`);
-  });
-}
-
-const survey = async (page) => {
-  await page.getByRole("button", { name: "Ten survey numbers" }).click();
-  await headline(page);
-  return (name) => page.getByLabel(name, { exact: true });
-};
 
 test("after undo, a handle, the form and the text the survey shows what the file says, and typing works", async () => {
   const { page, complaints, context } = await visit();

@@ -1,26 +1,9 @@
 // From a survey sheet to a verdict: several spans, what the bridge is judged by, and the words that are said on the way.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, test } from "node:test";
-import { end, headline, openExample, part, shot, textOf, until, visit } from "../browser.mjs";
+import { end, headline, openExample, part, serious, shot, survey, textOf, until, visit } from "../browser.mjs";
 
 after(end);
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-async function serious(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join(" | ")}`);
-  });
-}
-
-const survey = async (page) => {
-  await page.getByRole("button", { name: "Ten survey numbers" }).click();
-  await headline(page);
-  return (name) => page.getByLabel(name, { exact: true });
-};
 
 /** Without vehicles all that go with the rule stay ticked; otherwise those of a load model that are named, or all of it. */
 const judged = async (page, field, [traffic, rule, model, ...vehicles]) => {

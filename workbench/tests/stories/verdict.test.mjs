@@ -1,16 +1,11 @@
 // Verdict: the report as by the command, every file, the same numbers.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { end, headline, openExample, part, shot, textOf, until, visit } from "../browser.mjs";
+import { end, headline, openExample, part, saved, shot, textOf, until, visit } from "../browser.mjs";
 
 after(end);
 
-async function saved(page, name) {
-  const download = page.waitForEvent("download");
-  await page.getByRole("button", { name, exact: typeof name === "string" }).click();
-  return readFileSync(await (await download).path());
-}
+const named = (page, name) => saved(page, () => page.getByRole("button", { name, exact: typeof name === "string" }).click());
 
 test("an assessment gives a report that prints, and files to take away", async () => {
   const { page, complaints, context } = await visit();
@@ -38,11 +33,11 @@ test("an assessment gives a report that prints, and files to take away", async (
   await report.locator("h1").waitFor();
   const leads = await report.locator("a.lead").count();
   assert.ok(leads >= 8, `${leads} numbers lead to their input`);
-  const html = (await saved(page, "report.html")).toString();
+  const html = (await named(page, "report.html")).toString();
   assert.match(html, /<!doctype html>/i);
-  const bridge = (await saved(page, /^The bridge file/)).toString();
+  const bridge = (await named(page, /^The bridge file/)).toString();
   assert.equal(bridge, await textOf(page));
-  const zip = await saved(page, /as a zip/);
+  const zip = await named(page, /as a zip/);
   assert.equal(zip.subarray(0, 2).toString(), "PK");
   // The frame refuses what the driver of this test runs in it, as it refuses every script.
   assert.deepEqual(complaints.filter((one) => !/^Blocked script execution in '[^']*\/report\.html'/.test(one)), []);
@@ -59,7 +54,7 @@ test("a collapse load has figures, DXF and VTU", async () => {
   await until("figures are drawn", () => page.locator(".figures img").first().evaluate((image) => image.complete && image.naturalWidth > 0));
   const names = await page.locator(".files li").allInnerTexts();
   for (const ending of [".json", ".svg", ".dxf", ".vtu"]) assert.ok(names.some((name) => name.endsWith(ending)), `${ending} among ${names.join(", ")}`);
-  const result = JSON.parse((await saved(page, "result.json")).toString());
+  const result = JSON.parse((await named(page, "result.json")).toString());
   assert.ok(Math.abs(result.headline_kn_per_m - (await headline(page, "verdict"))) < 0.06);
   await shot(page, "verdict-collapse-1280-light");
   assert.deepEqual(complaints, []);
