@@ -3,6 +3,7 @@
 use super::vehicles::across::lanes;
 use crate::vehicles::chosen;
 use bridge::defect::{Defect, DefectKind, Face};
+use bridge::passage::Way;
 use bridge::{Bridge, Cutwater, Pier, Span};
 use outcome::ground::{CrownDefect, Edges, GroundPlan, PierInPlan, SpanInPlan, VehicleAcross};
 use outcome::note::words_of_defect;
@@ -73,7 +74,8 @@ pub(super) fn edges(bridge: &Bridge) -> Edges {
 /// Whether trains run on the bridge.
 pub(super) fn carries_trains(bridge: &Bridge) -> bool {
     let moved = bridge.sweep.as_ref().and_then(|plan| chosen(bridge, plan).ok());
-    bridge.passage.is_some() || moved.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Rail))
+    let crossed = bridge.passage.as_ref().is_some_and(|asked| matches!(asked.way, Way::Rails(_)));
+    crossed || moved.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Rail))
 }
 
 /// Defects that reach the crown of a span, and how high above its intrados.

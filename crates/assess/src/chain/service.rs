@@ -145,7 +145,7 @@ fn prepared(bridge: &Bridge, load: &ServiceLoad, probes: &[Probe]) -> Result<(Br
 /// Cuts the passage to a stretch about these places of the first axle [m]: what is needed to see one peak again.
 pub(super) fn window(bridge: &mut Bridge, at: f64) {
     if let Some(passage) = &mut bridge.passage {
-        let step = passage.plan.speed * passage.plan.time_step;
+        let step = passage.plan.direction.sign() * passage.plan.speed * passage.plan.time_step;
         passage.plan.from = Some(at - 2.0 * step);
         passage.plan.to = Some(at + 2.0 * step);
     }
@@ -334,6 +334,22 @@ mod tests {
 
     fn pair(y: f64, normal: f64) -> Pair {
         Pair { at: [0.0, y], area: 0.25, normal, shear: 0.0, opening: 0.0, sliding: 0.0, state: PairState::Closed }
+    }
+
+    /// A peak is seen again whichever way the train drives.
+    #[test]
+    fn a_stretch_about_a_peak_lies_on_the_way() {
+        use bridge::passage::Heading;
+        for direction in [Heading::Right, Heading::Left] {
+            let mut bridge = crate::samples::bridgemill();
+            let mut asked = crate::samples::passage();
+            asked.plan.direction = direction;
+            bridge.passage = Some(asked);
+            window(&mut bridge, 3.0);
+            let plan = &bridge.passage.as_ref().unwrap().plan;
+            let (from, to) = (plan.from.unwrap(), plan.to.unwrap());
+            assert!(direction.sign() * (to - from) > 0.0 && (from + to - 6.0).abs() < 1e-12, "{from} {to}");
+        }
     }
 
     /// Motion adds by the span that is loaded: the short one's coefficient does not come from the long one.

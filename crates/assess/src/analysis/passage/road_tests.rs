@@ -95,6 +95,7 @@ fn a_road_vehicle_is_spread_by_what_is_modelled() {
     let force: f64 = set.loads.forces(x, set.meshed.sets.surface.len()).iter().sum();
     assert!((force * set.effective_width / (15.5e3 * bridge.gravity) - 1.0).abs() < 1e-9, "{force}");
     assert_eq!(set.dead_load.iter().sum::<f64>(), 0.0);
+    assert!(!super::super::ground::carries_trains(&bridge), "no track is drawn or weighed");
 }
 
 /// A file has either rails or a road, and drives somewhere.
