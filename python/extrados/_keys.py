@@ -217,6 +217,8 @@ class VehicleSweep:
     """The governing position, as in sweeps of the file's own loads, with its vehicle and its `adequacy_factor`."""
     vehicles: list[dict[str, Any]]
     """Every vehicle, in the order of the plan."""
+    restrictions: list[dict[str, Any]] | None
+    """Vehicles of the weight restrictions that the rule names, lightest first up to the first that is not carried: moved where a vehicle of the plan is not."""
     discrete_elements: dict[str, Any] | None
     """The governing case by discrete elements, where the plan asks for it."""
     collapse: dict[str, Any] | None

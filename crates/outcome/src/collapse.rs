@@ -225,7 +225,7 @@ published! {
         pub without_fill_pressure_load?: Option<f64> [kN/m],
         /// Load with all of the fill's passive pressure [N/m], where it presses.
         pub full_fill_pressure_load?: Option<f64> [kN/m],
-        /// The non-associated load, and the largest on the way to it [N/m].
+        /// The load in the mechanism without dilation, or the least behind the largest where loads come and go, and the largest [N/m].
         pub spread: Option<[f64; 2]> [kN/m] as non_associated_spread,
         /// Collapse load of joints that never crush [N/m]; the same as the collapse load where the file gives no strength.
         pub unlimited_strength_load: Option<f64> [kN/m],

@@ -44,7 +44,7 @@ pub use state::by_weight_alone;
 pub use statics::{statics, weighed};
 pub use sweep::{Places, sweep};
 pub use thickness::thickness;
-pub use vehicles::vehicle_sweep;
+pub use vehicles::{vehicle_sweep, vehicle_sweep_with_restrictions};
 
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::watch::Watch;
@@ -186,5 +186,7 @@ mod path_many_tests;
 mod path_tests;
 #[cfg(test)]
 mod ring_cohesion_tests;
+#[cfg(test)]
+mod slender_rings_tests;
 #[cfg(test)]
 mod tests;

@@ -149,7 +149,7 @@ fn comes_and_goes(found: &Sweep, rows: &[Place]) -> Option<Warning> {
     let worst = found.worst()?;
     let of_case = |tried: &Tried| {
         let level = tried.level.as_ref().filter(|_| tried.key.axles == Some(worst.axles))?;
-        let (least, most, per_factor) = (level.factor?, level.at_most?, worst.collapse_load? / worst.load_factor?);
+        let (most, least, per_factor) = (level.factor?, level.falls_to?, worst.collapse_load? / worst.load_factor?);
         Some(warning::Joints::ComesAndGoes { least: per_factor * least, most: per_factor * most }.into())
     };
     rows.iter().filter(|row| row.at.position == worst.position).flat_map(|row| &row.tried).find_map(of_case)

@@ -49,9 +49,9 @@ pub(super) fn without_dilation(equilibrium: &Equilibrium, beside: &WithDilation,
     let Some(stood) = at_rest.stood(equilibrium) else { return WithoutDilation::Jammed };
     match stood.under(equilibrium, if endless { LOCKED } else { f64::INFINITY }) {
         WithoutDilation::Load { solution, .. } if solution.factor < -ZERO => WithoutDilation::Jammed,
-        WithoutDilation::Load { mut solution, spread: [_, most], comes_and_goes } => {
+        WithoutDilation::Load { mut solution, spread, comes_and_goes } => {
             solution.factor = solution.factor.max(0.0);
-            let spread = [solution.factor, most.max(solution.factor)];
+            let spread = spread.map(|factor| factor.max(0.0));
             WithoutDilation::Load { solution, spread, comes_and_goes }
         }
         other => other,

@@ -62,8 +62,8 @@ pub struct Least {
     pub factor: Option<f64>,
     /// The flow rule that the factor belongs to.
     pub friction: Friction,
-    /// Where the load without dilation comes and goes and the factor is the least of it: the largest one.
-    pub at_most: Option<f64>,
+    /// Where the load without dilation comes and goes, and the factor is its largest: the least since then.
+    pub falls_to: Option<f64>,
 }
 
 impl Ground {
@@ -231,7 +231,7 @@ impl Sweeper<'_> {
             dilatant = self.slowly(effect);
         }
         let Factor { status, lower, slides, .. } = dilatant;
-        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated, at_most: None };
+        let dilates = Least { dilatant, status, factor: lower, friction: Friction::Associated, falls_to: None };
         if friction == Friction::Associated || !matches!(status, Status::Solved | Status::Locks) {
             return dilates;
         }
@@ -246,14 +246,14 @@ impl Sweeper<'_> {
         if !level.governs(friction, &beside) {
             return dilates;
         }
-        let (status, factor, at_most) = match level {
+        let (status, factor, falls_to) = match level {
             WithoutDilation::Load { solution, spread, comes_and_goes } => {
-                (Status::Solved, Some(solution.factor * scale), comes_and_goes.then_some(spread[1] * scale))
+                (Status::Solved, Some(solution.factor * scale), comes_and_goes.then_some(spread[0] * scale))
             }
             WithoutDilation::Locks => (Status::Locks, None, None),
             WithoutDilation::Jammed | WithoutDilation::Unsettled => (Status::NotConverged, None, None),
         };
-        Least { status, factor, friction: Friction::NonAssociated, at_most, ..dilates }
+        Least { status, factor, friction: Friction::NonAssociated, falls_to, ..dilates }
     }
 
     /// A factor up to `most` that is proven to be carried with dilation, also where no largest one was found.

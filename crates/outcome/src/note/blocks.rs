@@ -3,6 +3,15 @@
 use crate::sentences::{kilo, notes};
 use serde::{Deserialize, Serialize};
 
+/// What crushing takes from a load [N/m], where it takes anything: rings that slide may carry more by chance.
+fn lowered(load: f64, without: f64) -> String {
+    let share = 100.0 * (1.0 - load / without);
+    if share > 0.05 {
+        return format!(", which lowers the load by {share:.1} % from the {} kN/m without crushing", kilo(without));
+    }
+    format!("; without crushing {} kN/m are carried", kilo(without))
+}
+
 notes! {
     /// What a method assumes of blocks and joints.
     Blocks {
@@ -15,8 +24,7 @@ notes! {
         NoBound => "Where joints slide without dilation the load is that of the self-stress which weight and load bring about, and no bound: other \
                     states may carry less.";
         Crushing { strength [Pa]: f64, load [N/m]: f64, without [N/m]: f64 } =>
-            "Joints crush at {:.1} MPa, which lowers the load by {:.1} % from the {} kN/m without crushing.",
-            strength / 1e6, 100.0 * (1.0 - load / without), kilo(*without);
+            "Joints crush at {:.1} MPa{}.", strength / 1e6, lowered(*load, *without);
         DiscreteElements { distributed: bool } =>
             "Rigid blocks in deformable {} contact; loads follow their blocks and keep their direction; displacements are large.",
             if *distributed { "distributed" } else { "point" };

@@ -44,8 +44,8 @@ warnings! {
              the equilibrium path gave half of them 0.51 to 0.67 of this load";
         /// Rings that snap to and fro.
         RINGS_SHARE: ComesAndGoes { least [N/m]: f64, most [N/m]: f64 } =>
-            "rings snap to and fro between {} and {} kN/m: the least is told, and the motion that is drawn is one of many",
-            kilo(*least), kilo(*most);
+            "beyond their largest load of {} kN/m rings snap to and fro, down to {} kN/m: a bridge that has moved before may carry no more than that, and the \
+             motion that is drawn is one of many", kilo(*most), kilo(*least);
         INSET: Inset { rounding [m]: f64, thickness [m]: f64 } =>
             "contact points lie {:.1} mm inside the edges: {:.4} m of a ring of {thickness:.4} m count", 1e3 * rounding, thickness - 2.0 * rounding;
         INSET: InsetBlocks { rounding [m]: f64 } => "contact points lie up to {:.1} mm inside the edges of the blocks", 1e3 * rounding;

@@ -163,5 +163,5 @@ impl Tried {
 /// Nobody knows whether a case slides.
 fn cancelled(tried: &Tried) -> Least {
     let (dilatant, factor) = (tried.dilatant, tried.dilatant.lower);
-    Least { dilatant, status: Status::Cancelled, factor, friction: Friction::Associated, at_most: None }
+    Least { dilatant, status: Status::Cancelled, factor, friction: Friction::Associated, falls_to: None }
 }

@@ -40,7 +40,7 @@ pub(super) struct Stood {
 /// What is carried where sliding does not dilate.
 pub(super) enum WithoutDilation {
     /// A load: the mechanism in which blocks give way, the scaled factors there and of the largest load on the way to it, and whether it comes and goes:
-    /// the motion is then that at the least since the largest.
+    /// the load is then the largest, the motion that which leads on from it, and the first of both factors the least since.
     Load { solution: Solution, spread: [f64; 2], comes_and_goes: bool },
     /// Every load, as far as blocks are followed.
     Locks,
@@ -96,7 +96,8 @@ impl Stood {
         match way.end {
             End::Far if way.state.factor > carried => WithoutDilation::Locks,
             End::Mechanism | End::Far | End::Wanders => {
-                let (spread, comes_and_goes) = ([way.state.factor, way.most], way.end == End::Wanders);
+                let comes_and_goes = way.end == End::Wanders;
+                let spread = [if comes_and_goes { way.least } else { way.state.factor }, way.most];
                 WithoutDilation::Load { solution: self.solution(equilibrium, &way), spread, comes_and_goes }
             }
             End::Reached | End::Lost => WithoutDilation::Unsettled,

@@ -16,10 +16,8 @@ const RIGID: f64 = 1e7;
 const FAR: f64 = 1e4;
 /// The same along a mechanism: limits that are further away may be round-off of its velocities, which are known to 1e-7 in chains of a hundred blocks.
 const ALONG: f64 = 1e3;
-/// The same from which on a load that no longer grows by [`GROWS`] within [`STEPS`] limits for each element comes and goes; and from which on the least load
-/// since the largest one is kept for that.
+/// The same from which on a load that no longer grows by [`GROWS`] within [`STEPS`] limits for each element comes and goes.
 const WANDERS: f64 = 100.0;
-const KEPT: f64 = 3.0;
 const GROWS: f64 = 1e-3;
 const STEPS: usize = 4;
 /// Below this share of its size the speed of an element says nothing of the direction.
@@ -50,9 +48,9 @@ pub(super) enum End {
     Reached,
     /// Displacements grow at one load.
     Mechanism,
-    /// They are so large that they would show a mechanism.
+    /// They are so large that they would show a mechanism; the state is that of the largest load.
     Far,
-    /// The load has stopped to grow and comes and goes: the state is that of the least load since it was largest.
+    /// The load has stopped to grow and comes and goes: the state is that of the largest load, and the motion that which leads on from it.
     Wanders,
     /// No direction, no number or too many limits.
     Lost,
@@ -62,8 +60,9 @@ pub(super) enum End {
 pub(super) struct Way {
     pub end: End,
     pub state: State,
-    /// The largest factor.
+    /// The largest factor, and the least since then.
     pub most: f64,
+    pub least: f64,
     /// Velocities at the end.
     pub velocities: Vec<f64>,
     /// Limits passed.
@@ -116,6 +115,7 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         load,
         tangent,
         most: state.factor,
+        least: state.factor,
         state,
         oriented: None,
         moved: Vec::new(),
@@ -125,7 +125,7 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         steps: 0,
     };
     let (mut best, mut grown) = (this.most, 0);
-    let mut least: Option<(State, Vec<f64>)> = None;
+    let mut peak: Option<(State, Vec<f64>)> = None;
     loop {
         let Some((rate, direction)) = this.rate().filter(|_| !token.is_cancelled()) else {
             return this.ends(End::Lost);
@@ -133,6 +133,9 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         let Rate { displacements: rate, speed, elastic: mut rates, .. } = rate;
         let unit = load.displacement(this.most);
         let reach = largest(&this.state.displacements);
+        if load.goal.is_none() && direction < 0.0 && this.state.factor >= this.most {
+            peak = Some((this.state.clone(), rate.clone()));
+        }
         load.bind(&mut rates, direction);
         let rigid = speed > load.rigid();
         let far = if rigid { ALONG * unit } else { (FAR * unit - reach).max(0.0) } / speed;
@@ -148,22 +151,20 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         }
         this.advance(&rate, &rates, direction, after);
         let Some((element, event)) = next else {
-            return this.ends_with(if goal == Some(most) { End::Reached } else { End::Far }, rate);
+            let reached = goal == Some(most);
+            return match peak.filter(|(state, _)| !reached && state.factor > this.state.factor) {
+                Some((state, rate)) => Follower { state, ..this }.ends_with(End::Far, rate),
+                None => this.ends_with(if reached { End::Reached } else { End::Far }, rate),
+            };
         };
         this.pass(element, event);
         if this.most > best + GROWS * best.abs() {
-            (best, grown, least) = (this.most, this.steps, None);
+            (best, grown) = (this.most, this.steps);
         }
         let count = system.elements.len();
-        if load.goal.is_none()
-            && reach > KEPT * unit
-            && least.as_ref().is_none_or(|(least, _)| this.state.factor < least.factor)
-        {
-            least = Some((this.state.clone(), rate));
-        }
         let comes_and_goes = reach > WANDERS * unit && this.steps - grown > STEPS * count;
         let too_many = this.steps > MOST * count;
-        match least.take_if(|_| comes_and_goes || too_many) {
+        match peak.take_if(|_| comes_and_goes || too_many) {
             Some((state, rate)) => {
                 this.state = state;
                 return this.ends_with(End::Wanders, rate);
@@ -180,6 +181,8 @@ struct Follower<'a> {
     tangent: Tangent<'a>,
     state: State,
     most: f64,
+    /// The least factor since the largest.
+    least: f64,
     /// Direction of the factor times the sign of the determinant: the same all the way.
     oriented: Option<f64>,
     /// Displacements along the way before the last limit.
@@ -267,6 +270,7 @@ impl Follower<'_> {
         }
         self.room.iter_mut().zip(&self.speeds).for_each(|(room, speed)| *room -= after * speed);
         state.factor += after * direction;
+        self.least = if state.factor > self.most { state.factor } else { self.least.min(state.factor) };
         self.most = self.most.max(state.factor);
     }
 
@@ -309,6 +313,6 @@ impl Follower<'_> {
     fn ends_with(self, end: End, rate: Vec<f64>) -> Way {
         let fastest = largest(&rate).max(f64::MIN_POSITIVE);
         let velocities = rate.iter().map(|v| v / fastest).collect();
-        Way { end, state: self.state, most: self.most, velocities, steps: self.steps }
+        Way { end, state: self.state, most: self.most, least: self.least, velocities, steps: self.steps }
     }
 }
