@@ -67,11 +67,7 @@ fn restrict(evidence: &Evidence, checked: &[Checked], verdict: &Verdict, list: &
         list.push(step(Action::Restrict, what, used(found), SHORTFALL));
     }
     if grades.is_empty() {
-        let ladder = evidence.bridge.sweep.as_ref().is_some_and(|plan| plan.rule == "cs-454");
-        let limit = if ladder { "; vehicles = [\"gb-restrictions\"] in [sweep] finds the weight limit" } else { "" };
-        let what = format!(
-            "keep the loads that are not carried off the bridge until the shortfall is removed or disproved{limit}"
-        );
+        let what = "keep the loads that are not carried off the bridge until the shortfall is removed or disproved";
         list.push(step(Action::Restrict, what, used(found), SHORTFALL));
     }
 }

@@ -3,7 +3,7 @@
 use bridge::{Bridge, SweepPlan};
 use outcome::vehicles::Grade;
 use outcome::warning::TooLong;
-use rules::{Acting, Confidence};
+use rules::{Acting, Confidence, Factor};
 pub use rules::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways};
 
 /// Code of the load model that holds the trains of passages.
@@ -185,6 +185,17 @@ fn of_name<'l>(library: &'l Library, code: &str) -> Vec<(&'l LoadModel, &'l Vehi
     }
 }
 
+/// The vehicles of a load model under the rule of a plan.
+///
+/// # Errors
+/// No such model, or one that does not go with the rule or with spans as long as these.
+pub(crate) fn of_model(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, code: &str) -> Result<Vec<Chosen>, Refused> {
+    let Read { library, .. } = read(bridge, plan)?;
+    let unknown = || Unknown::Vehicle { code: code.to_owned(), near: String::new() };
+    let model = library.model(code).ok_or_else(unknown)?;
+    model.vehicles.iter().map(|vehicle| Ok(taken(bridge, rule, &library, model, vehicle)?)).collect()
+}
+
 /// What a plan has to choose from.
 pub(crate) struct Read {
     /// The rule of the plan, where there is one.
@@ -209,6 +220,12 @@ pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
     {
         wrong.push(no_rule(&library, base));
     }
+    if let Some(code) = rule.as_ref().and_then(|rule| rule.restrictions.as_ref())
+        && library.model(code).is_none()
+    {
+        let known: Vec<&str> = library.models.iter().map(|model| model.code.as_str()).collect();
+        wrong.push(Unknown::Vehicle { code: code.clone(), near: near(code, &known) });
+    }
     let mut read = Read { rule, own: library.models.len(), library, whole: true, wrong };
     for (name, text) in texts {
         match rules::read_load_model(name, text) {
@@ -230,6 +247,21 @@ pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
 
 /// The rule of a plan: of its own file, where it names one, or of the library.
 fn rule_of(library: &Library, plan: &SweepPlan, text: Option<&(String, String)>) -> Result<Rule, Vec<Unknown>> {
+    let mut rule = written(library, plan, text)?;
+    if let Some(value) = plan.condition_factor {
+        let source = Source {
+            text: "condition_factor of [sweep]: judged by the barrel's inspector".to_owned(),
+            date: String::new(),
+            confidence: Confidence::Read,
+            note: String::new(),
+        };
+        rule.factors.condition = Factor { value, source };
+    }
+    Ok(rule)
+}
+
+/// The same as it is written.
+fn written(library: &Library, plan: &SweepPlan, text: Option<&(String, String)>) -> Result<Rule, Vec<Unknown>> {
     if plan.rule_file.is_none() {
         return library.rule(&plan.rule).cloned().ok_or_else(|| vec![no_rule(library, &plan.rule)]);
     }

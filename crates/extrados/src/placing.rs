@@ -70,6 +70,7 @@ impl DerefMut for Placing {
 /// What a file without `[sweep]` says of vehicles: as they are, without factors.
 fn characteristic() -> SweepPlan {
     SweepPlan {
+        condition_factor: None,
         rule: "characteristic".to_owned(),
         rule_file: None,
         vehicles: Vec::new(),

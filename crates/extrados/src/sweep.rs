@@ -49,7 +49,7 @@ pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -
     let found = match &mut bridge.sweep {
         Some(plan) => {
             plan.step = options.step.or(plan.step);
-            analysis::vehicle_sweep(&bridge, watch).map(|mut found| {
+            analysis::vehicle_sweep_with_restrictions(&bridge, watch).map(|mut found| {
                 found.assumptions.extend(other);
                 Swept::Vehicles(Box::new(found))
             })

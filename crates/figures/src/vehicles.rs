@@ -136,6 +136,7 @@ mod tests {
 
     fn sweep(vehicles: Vec<Swept>, governing: Option<usize>) -> VehicleSweep {
         VehicleSweep {
+            restrictions: Vec::new(),
             bridge: "Bridge".into(),
             rule: outcome::rules::library().expect("library").rules.remove(0),
             weights: Vec::new(),

@@ -103,10 +103,10 @@ impl Given {
         all
     }
 
-    /// What a verdict is to be read with, in brackets: what is carried, factors to be confirmed, factors that are not the library's, how many values
+    /// What a verdict is to be read with, in brackets: factors to be confirmed, factors that are not the library's, how many values
     /// are doubtful, what was taken; empty where there is nothing.
     fn in_short(&self) -> String {
-        let mut parts: Vec<String> = self.carried.iter().map(|grade| format!("carries {grade}")).collect();
+        let mut parts: Vec<String> = Vec::new();
         match self.to_confirm.len() {
             0 => {}
             n => parts.push(format!("{} to be confirmed", counted(n, "factor"))),
@@ -130,7 +130,8 @@ impl Verdict {
     pub fn head(&self) -> String {
         let Given { name, level, .. } = &self.given;
         let level = level.as_ref().map_or(String::new(), |level| format!(" for {level}"));
-        let with = self.given.in_short();
+        let carries = self.given.carried.as_ref().map_or(String::new(), |grade| format!(": carries {grade}"));
+        let with = carries + &self.given.in_short();
         match self.headline {
             Rung::Adequate => format!("Adequate by {name}{level}{with}"),
             Rung::NotAdequate if self.broken_by_rule => format!("Not adequate by {name}{level}{with}"),

@@ -57,6 +57,10 @@ published! {
         pub governing: Option<usize> [kept],
         /// Every vehicle, in the order of the plan.
         pub vehicles: Vec<Swept>,
+        /// Vehicles of the weight restrictions that the rule names, lightest first up to the first that is not carried: moved where a vehicle of the plan is not.
+        = restrictions?: Option<Vec<Swept>> = Some(found.restrictions.clone()).filter(|all| !all.is_empty()),
+        /// The same; empty where none were looked up.
+        pub restrictions: Vec<Swept> [kept],
         /// The governing case by discrete elements, where the plan asks for it.
         pub discrete_elements?: Option<ByDiscreteElements>,
         /// The governing case as a collapse analysis.
@@ -92,7 +96,9 @@ impl VehicleSweep {
     pub fn status(&self) -> Ended {
         let ended = |status| self.vehicles.iter().any(|v| v.status == status);
         match self.governing {
-            _ if ended(Status::Cancelled) => Ended::Cancelled,
+            _ if ended(Status::Cancelled) || self.restrictions.iter().any(|one| one.status == Status::Cancelled) => {
+                Ended::Cancelled
+            }
             _ if ended(Status::NotConverged) => Ended::Undetermined,
             None => Ended::Undetermined,
             Some(_) => Ended::Completed,

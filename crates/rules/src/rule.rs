@@ -18,6 +18,8 @@ table! {
         must factors: Factors, "partial factors";
         may[default] based_on: String,
             "code of the rule of the library that it builds on: factors that differ from it stand beside a verdict; the nearest rule where not written";
+        may restrictions: Option<String>,
+            "load model of the grades that are looked up, as a weight limit, where a vehicle is not carried on which it acts as on them";
         may[default] requires: Vec<Requirement>, "what must be given before a bridge is adequate by the rule";
     }
 }
@@ -223,6 +225,12 @@ impl Rule {
             });
         }
         self.impact.as_ref().filter(|_| self.ways.contains(&model.ways)).map(|general| plain(own, general))
+    }
+
+    /// Whether the loads of two models have the same factors.
+    pub fn acts_alike(&self, one: &str, other: &str) -> bool {
+        let has = |loads: &Loads, code: &str| loads.models.iter().any(|model| model == code);
+        one == other || self.loads.iter().any(|loads| has(loads, one) && has(loads, other))
     }
 
     /// Codes of the load models that the rule is made for.

@@ -158,6 +158,7 @@ fn two_rings(vehicles: &[&str]) -> Bridge {
         braking: 0.0,
         braking_given: false,
         braking_reason: None,
+        condition_factor: None,
         discrete_elements: false,
         texts: Vec::new(),
     });

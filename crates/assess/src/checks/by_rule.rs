@@ -6,6 +6,7 @@ use super::verdict::Open;
 use crate::coverage;
 use crate::evidence::Evidence;
 use crate::record;
+use findings::words::in_rows;
 use outcome::checked::Checked;
 use rules::Confidence;
 
@@ -42,7 +43,7 @@ fn assumed_loads(a: &Evidence) -> Option<Open> {
     let assumed: Vec<&str> = assumed.map(|one| one.code.as_str()).collect();
     (!assumed.is_empty()).then(|| {
         Open::new(
-            format!("axle loads or distances of {} assumed", assumed.join(", ")),
+            format!("axle loads or distances of {} assumed", in_rows(&assumed)),
             "write those of the loading diagram into a file of vehicle_files in [sweep]",
         )
     })

@@ -12,7 +12,7 @@ pub(super) static SWEEP: Section = Section {
     doc: "Vehicles that `extrados collapse --sweep` moves over the bridge by limit analysis: every position, both \
           directions, every group of neighbouring axles, with the factors of a rule on loads and weights. Vehicles and \
           rules of the library are listed in docs/theory/load-rules.md.",
-    fields: &joined::<12>(&[
+    fields: &joined::<13>(&[
         SweepPlan::CARDS,
         &[flag("confirm", "the former name of `discrete_elements`", "true").default("false")],
     ]),

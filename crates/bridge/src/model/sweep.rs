@@ -27,6 +27,12 @@ of_keys! {
             ) => rule,
         pub rule_file: Option<String> =
             text("file with a rule, relative to the bridge file", "our-rule.toml").optional("a rule of the library"),
+        pub condition_factor: Option<f64> = number(
+            "condition of the barrel as its inspector judges it (F_cM of CS 454): what is carried counts so many times, in place of the rule's factor",
+            "0.85",
+        )
+        .between(0.05, 1.0)
+        .optional("the rule's: mostly 1, to be confirmed"),
         /// Here without quotes.
         pub vehicles: Vec<String> = values(
             "codes of vehicles, load models or trains of the library, or of `vehicle_files`",

@@ -199,7 +199,9 @@ pub(super) fn written(name: &str, sheet: &Sheet) -> (String, Lines) {
         let _ = writeln!(page, "\n[sweep]\nrule = \"{rule}\"");
         let vehicles: Vec<String> = vehicles.iter().map(|code| format!("\"{code}\"")).collect();
         page += &match vehicles.is_empty() {
-            true => "# every vehicle of the library that goes with the rule\n".to_owned(),
+            true => "# every vehicle of the library that goes with the rule; vehicles = [\"…\"] asks for some alone, such as the grade of a line or road: extrados \
+                     vehicles lists them\n"
+                .to_owned(),
             false => format!("vehicles = [{}]\n", vehicles.join(", ")),
         };
     }

@@ -214,7 +214,8 @@ impl Stages<'_> {
     fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
         let why = bridge.sweep.is_none().then_some("the file has no [sweep] of vehicles");
         self.asked(StageName::Vehicles, why, bridge, |watch| {
-            let found = analysis::vehicle_sweep(bridge, &mut Looking(watch)).map_err(|error| error.to_string())?;
+            let found = analysis::vehicle_sweep_with_restrictions(bridge, &mut Looking(watch))
+                .map_err(|error| error.to_string())?;
             let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
             Ok(Some((chain::vehicle_facts(bridge, &found), figures)))
         })

@@ -52,10 +52,10 @@ impl Graded {
 }
 
 impl VehicleSweep {
-    /// The grades of the bridge, one list for each load model that has them.
+    /// The grades of the bridge, one list for each load model that has them: of the vehicles that were asked for, and of restrictions that were looked up.
     pub fn grades(&self) -> Vec<Graded> {
         let mut vehicles: Vec<(&Grade, &Swept)> =
-            self.vehicles.iter().filter_map(|one| Some((one.grade.as_ref()?, one))).collect();
+            self.vehicles.iter().chain(&self.restrictions).filter_map(|one| Some((one.grade.as_ref()?, one))).collect();
         vehicles.sort_by_key(|(grade, _)| grade.rank);
         let mut found: Vec<Graded> = Vec::new();
         for (Grade { of, name, .. }, one) in vehicles {

@@ -3,6 +3,7 @@
 use super::cards::warnings;
 use crate::note::Sideways;
 use crate::sentences::{listed, notes};
+use findings::words::in_rows;
 use rules::{Acting, Source, Ways};
 use serde::{Deserialize, Serialize};
 
@@ -24,7 +25,7 @@ warnings! {
         /// Vehicles whose standard was not read, by their sources.
         VEHICLE_NOT_READ: NotRead { sources: Vec<(Vec<String>, Source)> } =>
             "axles and distances that were not read in their standard: {}",
-            sources.iter().map(|(codes, source)| format!("{} {}", codes.join(", "), doubtful(source))).collect::<Vec<_>>().join(". ");
+            sources.iter().map(|(codes, source)| format!("{} {}", in_rows(codes), doubtful(source))).collect::<Vec<_>>().join(". ");
         DOUBTFUL_FILE: DoubtfulFile { values: Vec<String> } =>
             "doubtful values in files of vehicles or of the rule: {}", listed(values);
         /// Load models that are not made for spans as long, each with the reason.

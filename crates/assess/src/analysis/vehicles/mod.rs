@@ -3,7 +3,7 @@
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
 //! strengths their factors, `traffic` puts vehicles under them, `cases` lists places, `standing` what stands there, `search` tells what `moving` finds of it, `continuum` asks what governs on fill that yields, `deformable` follows the cases on deformable joints, `discrete` makes the governing case by
-//! discrete elements.
+//! discrete elements; `restrictions` looks for a weight limit.
 
 pub(super) mod across;
 mod beside;
@@ -16,6 +16,7 @@ mod discrete;
 mod driven;
 mod factored;
 mod limits;
+mod restrictions;
 #[cfg(test)]
 mod screened_tests;
 mod search;
@@ -33,6 +34,7 @@ pub use across::ROAD_LANE;
 pub(super) use braking::worst_of;
 pub(super) use driven::Asked;
 pub use driven::{Carried, Driven};
+pub use restrictions::vehicle_sweep_with_restrictions;
 pub(super) use standing::Standing;
 
 use super::parallel::portion;
@@ -130,6 +132,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
         weights,
         vehicles: swept,
         governing,
+        restrictions: Vec::new(),
         collapse: None,
         discrete_elements: None,
         step,

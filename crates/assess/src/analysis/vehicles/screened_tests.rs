@@ -48,6 +48,7 @@ fn drawn(seed: u64) -> Bridge {
         braking: 0.0,
         braking_given: false,
         braking_reason: None,
+        condition_factor: None,
         discrete_elements: false,
         texts: Vec::new(),
     });

@@ -26,6 +26,7 @@ pub(crate) fn plan(vehicles: &[&str]) -> SweepPlan {
         braking: 0.0,
         braking_given: false,
         braking_reason: None,
+        condition_factor: None,
         discrete_elements: false,
         texts: Vec::new(),
     }
@@ -119,6 +120,47 @@ fn a_bridge_has_the_grades_that_it_carries() {
         assert!(graded.carried.contains(&wanted.to_owned()), "{graded:?}");
         assert_eq!(graded.highest.as_deref(), Some(wanted), "{graded:?}");
     }
+}
+
+/// Where normal traffic is not carried, the weight limit is looked up: the same grades as by asking for them, and nothing else changes. Where it is
+/// carried, where the limit was asked for, and beside abnormal vehicles alone, nothing is.
+#[test]
+fn a_weight_limit_is_looked_up_where_normal_traffic_is_not_carried() {
+    let with = |ring: f64, vehicles: &[&str]| {
+        let mut b = spans(1);
+        let ring = Ring { crown_thickness: ring, springing_thickness: ring, voussoirs: 21 };
+        b.spans[0].rings = vec![ring];
+        b.sweep = Some(bridge::SweepPlan { rule: "cs-454".into(), ..plan(vehicles) });
+        b
+    };
+    let sought = |b: &Bridge| vehicle_sweep_with_restrictions(b, &mut Unwatched).unwrap();
+    let weak = with(0.40, &["cs-454"]);
+    let (found, plain) = (sought(&weak), swept(&weak));
+    assert!(plain.headline().unwrap().0 < 1.0 && plain.grades().is_empty());
+    assert_eq!((found.headline(), found.vehicles.len()), (plain.headline(), plain.vehicles.len()));
+    let (own, asked) = (found.grades(), swept(&with(0.40, &["gb-restrictions"])).grades());
+    assert_eq!((own.len(), &own[0].highest, &own[0].carried), (1, &asked[0].highest, &asked[0].carried));
+    assert!(
+        own[0].highest.is_some() && own[0].not_carried.len() == 1 && own[0].not_carried[0] == asked[0].not_carried[0]
+    );
+    for b in [with(0.70, &["cs-454"]), with(0.40, &["gb-13t"]), with(0.30, &["hb-45"])] {
+        let found = sought(&b);
+        assert_eq!(found.restrictions, Vec::new(), "{:?}", found.headline());
+    }
+    assert!(sought(&with(0.30, &["hb-45"])).headline().unwrap().0 < 1.0);
+}
+
+/// The condition of the barrel multiplies what is carried, and no factor of an inspector raises it.
+#[test]
+fn a_condition_factor_of_the_file_takes_its_share() {
+    let mut b = spans(1);
+    b.sweep = Some(bridge::SweepPlan { rule: "cs-454".into(), ..plan(&["cs454-single"]) });
+    let whole = swept(&b);
+    b.sweep.as_mut().unwrap().condition_factor = Some(0.8);
+    let found = swept(&b);
+    let [whole_factor, less] = [&whole, &found].map(|one| one.vehicles[0].adequacy.unwrap());
+    assert!((less / whole_factor - 0.8).abs() < 1e-9, "{less} of {whole_factor}");
+    assert_eq!(found.rule.factors.condition.source.confidence, rules::Confidence::Read);
 }
 
 #[test]
