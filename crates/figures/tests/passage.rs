@@ -130,6 +130,7 @@ fn made_up(bridge: &Bridge) -> Passage {
             moment(bridge, &setup, "peak of pier springing displacement", Some(42.3)),
         ],
         influence: Some(influence),
+        no_influence_at: None,
         assumptions: Vec::new(),
     };
     report(bridge, &setup, solution)

@@ -162,6 +162,10 @@ findings::cards! {
          ends 12 % above Prandtl's load, and a slope that should fail at a factor of 1.4 stands at 1.6; peaks of a \
          ring under such fill are a little low. Halve size in [mesh] and compare the peaks; if they change, halve it \
          again. A larger cohesion or friction angle, if the real fill has it, prevents yielding.";
+    COARSE_PASSAGE = "A154", "positions of a passage are far apart",
+        "A record has a value for each position of its vehicle, `time_step` times its speed apart. Where a record bends much at its peak, the peak lies between two          positions: by the parabola through three of them up to an eighth of their second difference above what was found. The message names records of          which that is more than a twentieth. Write a smaller `time_step` in [passage].";
+    NO_INFLUENCE_LINES = "A155", "no influence lines",
+        "After a passage the heaviest axle crosses by itself, in places 0.25 m apart, and what the sensors read is drawn over its place. At one place the          solution found no balance, and no line is given rather than a part of one. The passage itself is not concerned. A smaller `size` in [mesh] or more          `load_steps` in [passage] may help.";
     STAGE_FAILED = "A160", "a stage of the assessment did not finish",
         "An analysis of the file could not be set up or found no result; the message says which one and why. The other \
          stages are valid. Checks that depend on this one are not made, and if all others are met the verdict is \

@@ -17,6 +17,12 @@ warnings! {
         LOCKING_FILL: Locking { elements: usize } =>
             "up to {} of the fill {} as a whole: plain elements then carry more than the fill does, on a coarse mesh by a tenth",
             counted(*elements, "element"), verb(*elements, "flows", "flow");
+        /// Channels whose peaks may lie between the positions, so far apart, with the largest share that they may miss.
+        COARSE_PASSAGE: CoarsePassage { apart [m]: f64, channels: Vec<String>, share: f64 } =>
+            "peaks may lie between the positions, which are up to {apart:.2} m apart: {} may be {:.0} % larger", listed(channels), 100.0 * share;
+        /// Where the axle stood that found no balance.
+        NO_INFLUENCE_LINES: NoInfluenceLines { at [m]: f64 } =>
+            "there are no influence lines: the heaviest axle by itself finds no balance at {at:.2} m";
         /// What an update could not tell, and why.
         UNTOLD: Untold { what: Asked, why: String } => "{what} could not be told: {why}";
         SYNTHETIC: Synthetic { records: Vec<String> } => "records that were computed and not measured: {}", listed(records);

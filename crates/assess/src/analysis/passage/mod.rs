@@ -41,6 +41,29 @@ fn kept(log: &[outcome::passage::StepLog]) -> impl Iterator<Item = &outcome::pas
     log.iter().filter(|step| step.cuts == 0 || step.stage == Part::Passage)
 }
 
+/// Share of a peak that may lie between positions without a word.
+const BETWEEN: f64 = 0.05;
+
+/// Records whose peak may lie between two positions: a parabola through three of them rises by up to an eighth of their second difference.
+fn coarse(setup: &Setup, values: &[Vec<f64>], positions: &[f64]) -> Option<Warning> {
+    let apart = positions.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+    let mut largest = 0.0f64;
+    let missed = |values: &Vec<f64>| {
+        let peak = (0..values.len()).max_by(|a, b| values[*a].abs().total_cmp(&values[*b].abs()))?;
+        let [before, at, after] = values.get(peak.checked_sub(1)?..peak + 2)? else { return None };
+        Some((before - 2.0 * at + after).abs() / (8.0 * at.abs())).filter(|share| *share > BETWEEN)
+    };
+    let channels: Vec<String> = setup
+        .sensors
+        .iter()
+        .zip(values)
+        .filter_map(|(sensor, values)| {
+            missed(values).map(|share| (largest = largest.max(share), sensor.name.clone()).1)
+        })
+        .collect();
+    (!channels.is_empty()).then(|| warning::Service::CoarsePassage { apart, channels, share: largest }.into())
+}
+
 /// The solution in an engineer's words.
 pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let plan = &setup.plan;
@@ -64,7 +87,11 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     if locking_elements > 0 {
         warnings.push(warning::Service::Locking { elements: locking_elements }.into());
     }
+    if let Some(at) = solution.no_influence_at.filter(|_| solution.status != PassageStatus::Cancelled) {
+        warnings.push(warning::Service::NoInfluenceLines { at }.into());
+    }
     let solved = solution.values.first().map_or(0, Vec::len);
+    warnings.extend(coarse(setup, &solution.values, &setup.positions[..solved]));
     let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| SensorRecord {
         name: sensor.name.clone(),
         quantity: sensor.quantity,

@@ -120,6 +120,7 @@ fn a_report_ends_where_the_solution_ends() {
         log: vec![step(3, 1), step(4, 5), step(2, 0)],
         moments: Vec::new(),
         influence: None,
+        no_influence_at: None,
         assumptions: vec![InPassage::Base.into()],
     };
     let report = report(&bridge, &setup, solution);
@@ -143,6 +144,7 @@ fn solved() -> Solution {
         log: Vec::new(),
         moments: Vec::new(),
         influence: None,
+        no_influence_at: None,
         assumptions: Vec::new(),
     }
 }
@@ -156,6 +158,26 @@ fn a_passage_beside_walls_says_that_they_are_left_out() {
     assert!(!codes(&bridge).contains(&outcome::warning::WALLS_LEFT_OUT));
     bridge.spandrel_wall = Some(samples::spandrel_wall(&bridge));
     assert!(codes(&bridge).contains(&outcome::warning::WALLS_LEFT_OUT));
+}
+
+/// A record that bends much at its peak is named, a smooth one is not, and where influence lines found no balance is told.
+#[test]
+fn peaks_between_positions_and_missing_influence_lines_are_told() {
+    let bridge = railway();
+    let setup = setup(&bridge).unwrap();
+    let told = |apart: f64, no_influence_at: Option<f64>| {
+        let wave: Vec<f64> = (0..setup.positions.len()).map(|k| (-(k as f64 * apart - 10.0).powi(2)).exp()).collect();
+        let mut values = vec![vec![0.0; wave.len()]; 6];
+        values[0] = wave;
+        let found = report(&bridge, &setup, Solution { values, no_influence_at, ..solved() });
+        found.warnings.iter().map(|one| one.message()).collect::<Vec<_>>()
+    };
+    // The parabola through neighbours of the peak of exp(-x^2) bends by 2 (1 - exp(-d^2)).
+    assert!(told(0.25, None).iter().all(|words| !words.contains("peaks may lie")), "{:?}", told(0.25, None));
+    let coarse = told(1.0, None);
+    let wanted = format!("{} may be 16 % larger", setup.sensors[0].name);
+    assert!(coarse.iter().any(|words| words.contains(&wanted)), "{coarse:?}");
+    assert!(told(0.25, Some(3.25)).iter().any(|words| words.contains("no balance at 3.25 m")));
 }
 
 /// A plan for the condensed path that cannot be followed: what was done is told, and why.
@@ -191,6 +213,7 @@ fn the_object_has_the_fields_that_scripts_read() {
         log: vec![StepLog { stage: Part::Passage, iterations: 3, plastic_points: 4, ..StepLog::default() }],
         moments: Vec::new(),
         influence: None,
+        no_influence_at: None,
         assumptions: Vec::new(),
     };
     let passage = report(&bridge, &setup, solution);

@@ -27,6 +27,7 @@ fn bump() -> Passage {
         log: Vec::new(),
         moments: Vec::new(),
         influence: None,
+        no_influence_at: None,
         assumptions: Vec::new(),
     };
     passage::report(&bridge, &setup, solution)

@@ -170,6 +170,7 @@ impl Way {
             let x = first + INFLUENCE_STEP * k as f64;
             let mut watch = again(watch, "influence lines", k, count);
             if !balanced(condensed, loads.amplitudes(x), solution, &mut watch)? {
+                solution.no_influence_at = Some(x);
                 return Ok(());
             }
             influence.positions.push(x);

@@ -49,6 +49,8 @@ pub struct Solution {
     pub moments: Vec<Moment>,
     /// Influence lines, where they were computed.
     pub influence: Option<Influence>,
+    /// Where the axle of influence lines found no balance [m].
+    pub no_influence_at: Option<f64>,
     /// What the solver assumed, in words.
     pub assumptions: Vec<Note>,
 }
