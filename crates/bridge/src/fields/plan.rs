@@ -27,7 +27,7 @@ choice! {
 
 pub(super) static ANALYSIS: Section = Section {
     path: "analysis",
-    doc: "What to analyse, and how exactly. Only `load_step` has no default: the discrete element method needs it.",
+    doc: "What to analyse, and how exactly. Without `load_step` the discrete element method chooses one, and says which (A112).",
     fields: &[
         word::<Method>("method", "method for the collapse load", "dem").default(Method::Limit.word()),
         word::<Analysis>("analysis", "what is increased or reduced until collapse", "load")

@@ -322,4 +322,7 @@ fn lengths_in_two_systems_are_doubted() {
     let told = doubts(file("5 m", "1.25 m", "20 ft"));
     assert!(told.len() == 1 && told[0].contains("`width` is in feet"), "{told:?}");
     assert_eq!(doubts(file("5 m", "4 ft", "20 ft")).len(), 1, "the one that stands alone");
+    // Nobody writes an inch for a metre, nor a millimetre for a foot.
+    assert_eq!(doubts(file("5 m", "18 in", "6 m")), Vec::<String>::new());
+    assert_eq!(doubts(file("16 ft", "450 mm", "20 ft")), Vec::<String>::new());
 }
