@@ -231,6 +231,9 @@ pub(crate) struct Workbench {
     /// Only print the address
     #[arg(long)]
     pub no_browser: bool,
+    /// Write the page into a new or empty folder, for any web server, and end
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["port", "no_browser"])]
+    pub export: Option<PathBuf>,
 }
 
 #[cfg(test)]

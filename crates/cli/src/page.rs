@@ -116,6 +116,20 @@ fn clipped(line: &str) -> String {
     if measure_text_width(line) <= WIDTH { line.to_owned() } else { truncate_str(line, WIDTH, "…").into_owned() }
 }
 
+/// What an answer may not lose: a line that is broken between words where it does not fit, the rest so many letters in.
+pub(crate) fn wrapped(line: &str, hanging: usize) -> String {
+    let mut lines = vec![String::new()];
+    for (k, word) in line.split(' ').enumerate() {
+        let last = lines.len() - 1;
+        if k > 0 && measure_text_width(&lines[last]) + 1 + measure_text_width(word) > WIDTH {
+            lines.push(" ".repeat(hanging) + word);
+        } else {
+            lines[last] += &if k > 0 { format!(" {word}") } else { word.to_owned() };
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,6 +149,20 @@ mod tests {
         // Where a load goes matters least.
         assert!(!first.contains("A102") && first.contains("A101"), "{first}");
         assert!(page.whole().lines().count() > 40);
+    }
+
+    #[test]
+    fn a_line_that_is_wrapped_loses_no_word() {
+        let line = format!("  next      restrict: {}", "no more than 13 t ".repeat(20).trim_end());
+        let told = wrapped(&line, 12);
+        assert!(told.lines().count() > 1 && told.lines().all(|one| measure_text_width(one) <= WIDTH), "{told}");
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(words(&told), words(&line));
+        assert!(
+            told.lines().skip(1).all(|one| one.starts_with("            no") || one.starts_with(&" ".repeat(12))),
+            "{told}"
+        );
+        assert_eq!(wrapped("  short  line", 2), "  short  line\n");
     }
 
     #[test]

@@ -98,6 +98,25 @@ pub fn update(found: &Update) -> Written {
     Written { drawings: figures::update_drawings(found), files: files.collect() }
 }
 
+/// What some runs of a study warn of and others do not, with the runs: what all warn of is the bridge's, and told by an analysis of it.
+pub fn warnings_of_study(found: &Study) -> Vec<Value> {
+    let mut codes: Vec<&str> =
+        found.rows.iter().flat_map(|row| row.outcome.warnings.iter().map(String::as_str)).collect();
+    codes.sort_unstable();
+    codes.dedup();
+    let of = |code: &&str| {
+        let has = |row: &outcome::study::Row| row.outcome.warnings.iter().any(|one| one == code);
+        let runs: Vec<String> = (0..found.rows.len()).filter(|k| has(&found.rows[*k])).map(|k| k.to_string()).collect();
+        if runs.len() == found.rows.len() {
+            return None;
+        }
+        let title = outcome::warning::CARDS.iter().find(|card| card.code == *code).map_or("", |card| card.title);
+        let message = format!("in {} of {} runs ({}): {title}", runs.len(), found.rows.len(), runs.join(", "));
+        Some(json!({ "code": code, "message": message }))
+    };
+    codes.iter().filter_map(of).collect()
+}
+
 /// Of a study.
 pub fn study(found: &Study) -> Written {
     Written { drawings: figures::study_drawings(found), files: vec![file("vary", published::vary_table(found))] }

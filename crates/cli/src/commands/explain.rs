@@ -83,11 +83,14 @@ fn parts(text: &str) -> Vec<String> {
 fn weight(asked: &[String], entry: &Entry) -> Option<usize> {
     let named = [parts(&entry.code), parts(&entry.title)].concat();
     let said = parts(&entry.text);
-    let has = |words: &[String], asked: &str| words.iter().any(|word| word.starts_with(asked));
-    let of = |asked: &String| match (has(&named, asked), has(&said, asked)) {
-        (true, _) => Some(4),
-        (false, true) => Some(1),
-        (false, false) => None,
+    // Two letters are a word of their own: RA is no range.
+    let is = |word: &String, asked: &str| if asked.len() > 2 { word.starts_with(asked) } else { word == asked };
+    let has = |words: &[String], asked: &str| words.iter().any(|word| is(word, asked));
+    let of = |asked: &String| match (named.contains(asked), has(&named, asked), has(&said, asked)) {
+        (true, ..) => Some(6),
+        (false, true, _) => Some(4),
+        (false, false, true) => Some(1),
+        (false, false, false) => None,
     };
     asked.iter().map(of).sum::<Option<usize>>().filter(|_| !asked.is_empty())
 }

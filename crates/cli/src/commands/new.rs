@@ -42,12 +42,13 @@ pub(crate) fn examples_of_new() -> String {
 
 fn example(dir: &Path, from: &str) -> Result<Report, Refusal> {
     let example = examples::named(from).ok_or_else(|| unknown(from))?;
-    let files: Vec<(&str, &str)> = example.files.iter().map(|file| (file.name, file.text)).collect();
+    let files: Vec<(&str, &[u8])> = example.files.iter().map(|file| (file.name, file.text.as_bytes())).collect();
     write(&files, dir)?;
     let first = dir.join(example.main);
     let mut summary = format!("{}: {}\n", dir.display(), example.about);
+    let longest = example.files.iter().map(|file| file.name.len()).max().unwrap_or(0);
     for file in example.files {
-        let _ = writeln!(summary, "  {:<16} {}", file.name, file.about());
+        let _ = writeln!(summary, "  {:<longest$}  {}", file.name, file.about());
     }
     let _ = writeln!(summary, "next: extrados {} {}", example.command(), first.display());
     let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
@@ -63,7 +64,7 @@ fn surveyed(desk: &mut Desk, dir: &Path, said: &Survey) -> Result<Report, Refusa
     let name = said.name.clone().or_else(|| dir.file_name().map(|name| name.to_string_lossy().into_owned()));
     let text = survey::file(name.as_deref().unwrap_or("Bridge"), &|key| said.answer(key)).map_err(slips)?;
     known(&text)?;
-    write(&[(BRIDGE, &text)], dir)?;
+    write(&[(BRIDGE, text.as_bytes())], dir)?;
     let assumed: Vec<&str> = text.lines().filter(|line| line.contains("# assumed")).map(str::trim).collect();
     let first = dir.join(BRIDGE);
     let mut summary = format!(
@@ -151,7 +152,7 @@ fn known(text: &str) -> Result<(), Refusal> {
 }
 
 /// Writes the files into a folder beside the place, which then takes its name: it is there whole or not at all.
-fn write(files: &[(&str, &str)], dir: &Path) -> Result<(), Refusal> {
+pub(super) fn write(files: &[(&str, &[u8])], dir: &Path) -> Result<(), Refusal> {
     let unwritable = |error: io::Error| failure::unwritable(dir, &error);
     match fs::read_dir(dir) {
         Ok(mut entries) => {
@@ -176,8 +177,8 @@ fn write(files: &[(&str, &str)], dir: &Path) -> Result<(), Refusal> {
     written.map_err(unwritable)
 }
 
-fn fill(files: &[(&str, &str)], dir: &Path) -> io::Result<()> {
-    let write = |(name, text): &(&str, &str)| folder::write_whole(folder::with_room(&dir.join(name))?, text.as_bytes());
+fn fill(files: &[(&str, &[u8])], dir: &Path) -> io::Result<()> {
+    let write = |(name, bytes): &(&str, &[u8])| folder::write_whole(folder::with_room(&dir.join(name))?, bytes);
     files.iter().try_for_each(write)
 }
 

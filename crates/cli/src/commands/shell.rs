@@ -29,7 +29,9 @@ pub(super) fn pages(dir: &Path) -> Result<Report, Refusal> {
     fs::create_dir_all(dir).map_err(|error| failure::unwritable(dir, &error))?;
     for (name, command) in &all {
         let mut page = Vec::new();
-        let named = Man::new(command.clone().version(extrados::VERSION)).title(name);
+        let named = Man::new(command.clone().version(extrados::VERSION))
+            .title(name)
+            .source(format!("extrados {}", extrados::VERSION));
         named.render(&mut page).map_err(|error| failure::unwritable(dir, &error))?;
         let path = dir.join(format!("{name}.1"));
         folder::write_whole(&path, &page).map_err(|error| failure::unwritable(&path, &error))?;

@@ -140,6 +140,7 @@ fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) ->
     }
     let settings = std::mem::replace(&mut report.fields, study.object());
     report.fields.extend(settings);
+    written::warnings_of_study(study).into_iter().for_each(|warning| report.warn_with(&mut desk.screen, warning));
     report.summary = summary::vary(study, &folder.path().display().to_string());
     results::publish(desk, report, folder, written::study(study))
 }

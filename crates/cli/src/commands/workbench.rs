@@ -6,10 +6,12 @@ use crate::report::Report;
 use extrados::Refusal;
 #[cfg(feature = "workbench")]
 use {
+    super::new,
     crate::status::Status,
     crate::watcher::asked_to_stop,
     crate::workbench::{FILES, server::Server},
     std::io,
+    std::path::Path,
 };
 
 /// How a program with the workbench is made.
@@ -29,6 +31,9 @@ pub(super) fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Refu
         let message = "this program was built with the feature `workbench`, but before there was a page";
         return Err(Refusal::new("F140", message, BUILD));
     }
+    if let Some(dir) = &arguments.export {
+        return exported(dir);
+    }
     let server = Server::bind(arguments.port, FILES).map_err(|error| taken(arguments.port, &error))?;
     let address = server.address();
     desk.screen.remark(&format!(
@@ -39,6 +44,19 @@ pub(super) fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Refu
     }
     server.run(asked_to_stop).map_err(|error| taken(arguments.port, &error))?;
     Ok(Report::new(Status::Completed).with("address", address).saying("the workbench was stopped\n"))
+}
+
+/// The page as files that any web server gives out, compressed ones beside them.
+#[cfg(feature = "workbench")]
+fn exported(dir: &Path) -> Result<Report, Refusal> {
+    let compressed: Vec<(String, &[u8])> =
+        FILES.iter().filter_map(|file| Some((format!("{}.br", file.name), file.compressed?))).collect();
+    let whole = FILES.iter().map(|file| (file.name, file.bytes));
+    let files: Vec<(&str, &[u8])> =
+        whole.chain(compressed.iter().map(|(name, bytes)| (name.as_str(), *bytes))).collect();
+    new::write(&files, dir)?;
+    let said = format!("{}: the page, {} files; any web server can give them out\n", dir.display(), files.len());
+    Ok(Report::new(Status::Completed).with("folder", dir.display().to_string()).saying(said))
 }
 
 /// A port that cannot be had.

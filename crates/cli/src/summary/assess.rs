@@ -1,6 +1,6 @@
 //! An assessment in a few lines: the same verdict as the report's.
 
-use crate::page::Page;
+use crate::page::{Page, wrapped};
 use ::outcome::assessment::Assessment;
 use ::outcome::checked::{told_apart, worst};
 use findings::words::counted;
@@ -12,13 +12,15 @@ pub(crate) fn assessment(a: &Assessment, place: String, details: bool) -> Page {
     Page { body, assumptions: Vec::new(), place }
 }
 
+/// Letters before the words of a line with a title.
+const HANGING: usize = 12;
 /// Lines of what stands beside a verdict on a first screen.
 const MOST_BESIDE: usize = 5;
 
 /// The verdict, what governs it, and what stands beside it.
 fn digest(a: &Assessment) -> String {
     let verdict = &a.verdict;
-    let mut text = format!("{}: {}\n\n", a.bridge, verdict.head());
+    let mut text = wrapped(&format!("{}: {}", a.bridge, verdict.head()), 2) + "\n";
     if let Some((check, finding)) = worst(&a.checked) {
         let [value, limit] = told_apart(finding.value, finding.limit);
         let unit = if finding.unit.word().is_empty() { String::new() } else { format!(" {}", finding.unit) };
@@ -39,17 +41,17 @@ fn digest(a: &Assessment) -> String {
         counted(all, "comparison"),
         counted(open, "check")
     );
+    if let Some(next) = a.next.first() {
+        text += &wrapped(&format!("  next      {}: {}", next.action, next.what), HANGING);
+    }
     let missing = &verdict.strength.missing;
-    missing.iter().take(2).for_each(|words| text += &format!("  missing   {words}\n"));
+    missing.iter().take(2).for_each(|words| text += &wrapped(&format!("  missing   {words}"), HANGING));
     if missing.len() > 2 {
         let _ = writeln!(text, "            and {}", counted(missing.len() - 2, "more thing"));
     }
     let beside = verdict.beside();
     for (k, words) in beside.iter().take(MOST_BESIDE).enumerate() {
         let _ = writeln!(text, "  {:<8}  {words}", if k == 0 { "beside" } else { "" });
-    }
-    if let Some(next) = a.next.first() {
-        let _ = writeln!(text, "  next      {}: {}", next.action, next.what);
     }
     text
 }

@@ -42,6 +42,21 @@ mod with {
         String::from_utf8_lossy(&answer).into_owned()
     }
 
+    /// Any web server gives out what is exported: the same bytes as this one does.
+    #[test]
+    fn the_page_is_exported_as_files() {
+        let stage = Stage::new("workbench-export");
+        let run = |words: &[&str]| stage.command(words).output().expect("it runs");
+        assert_eq!(run(&["workbench", "--export", "page"]).status.code(), Some(0));
+        let index = stage.read("page/index.html");
+        let named: Vec<&str> = index.split(['"', '\'']).filter(|word| word.starts_with("./assets/")).collect();
+        let there = stage.names("page/assets");
+        let is_there = |name: &str| there.iter().any(|one| one.ends_with(name.trim_start_matches("./assets/")));
+        assert!(named.len() >= 2 && named.iter().all(|name| is_there(name)), "{index} {there:?}");
+        let again = run(&["workbench", "--export", "page"]);
+        assert!(again.status.code() == Some(2) && String::from_utf8_lossy(&again.stderr).contains("F103"));
+    }
+
     #[test]
     fn the_page_with_all_that_it_names_is_given_to_this_machine_alone() {
         let stage = Stage::new("workbench-with");
