@@ -77,9 +77,9 @@ fn picture(bridge: &Path, name: &str, files: &dyn Files, room: &mut u64) -> Resu
 const MOST_RECORDS: usize = 1000;
 
 /// The tables of measurements that the file names: one, or all of a folder in the order of their names.
-pub(crate) fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec<RecordFile>, Refusal> {
-    let place = beside(path, place);
-    let listed = files.list(&place).map_err(|error| Refusal::unreadable(&place, &error))?;
+pub(crate) fn records(path: &Path, name: &str, files: &dyn Files) -> Result<Vec<RecordFile>, Refusal> {
+    let place = beside(path, name);
+    let listed = files.list(&place).map_err(|error| Refusal::companion("place", name, &place, &error))?;
     let paths = match listed {
         Some(mut paths) => {
             paths.retain(|path| is_table(path));
@@ -96,9 +96,10 @@ pub(crate) fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec
         return Err(Refusal::new("F130", message, "put the tables of one test into a folder of their own"));
     }
     let mut room = LONGEST;
+    let own = name;
     let mut file = |path: &PathBuf| {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        let bytes = files.read_at_most(path, room).map_err(|error| Refusal::unreadable(path, &error))?;
+        let bytes = files.read_at_most(path, room).map_err(|error| Refusal::companion("place", own, path, &error))?;
         room -= bytes.len() as u64;
         Ok(RecordFile { name, bytes })
     };
@@ -111,8 +112,8 @@ fn is_table(path: &Path) -> bool {
 }
 
 /// The bytes of a file that somebody wrote by hand, in UTF-8 where it was UTF-16.
-fn text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
-    let bytes = files.read_at_most(path, LONGEST_TEXT).map_err(|error| Refusal::unreadable(path, &error))?;
+fn text(key: &str, name: &str, path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
+    let bytes = files.read_at_most(path, LONGEST_TEXT).map_err(|error| Refusal::companion(key, name, path, &error))?;
     Ok(bridge::as_utf8(bytes))
 }
 
@@ -129,7 +130,7 @@ fn beside(path: &Path, name: &str) -> PathBuf {
 fn packing(particles: &mut Particles, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
     let Some(name) = &particles.file else { return Ok(()) };
     let path = beside(path, name);
-    let bytes = files.read(&path).map_err(|error| Refusal::unreadable(&path, &error))?;
+    let bytes = files.read(&path).map_err(|error| Refusal::companion("file", name, &path, &error))?;
     particles.grains = packing_file::read(&bytes).map_err(|error| {
         let message = format!("cannot use the packing {}: {error}", path.display());
         Refusal::new("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
@@ -140,7 +141,7 @@ fn packing(particles: &mut Particles, path: &Path, files: &dyn Files) -> Result<
 fn take_train(train: &mut train::Train, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
     let Some(name) = &train.file else { return Ok(()) };
     let path = beside(path, name);
-    let text = text(&path, files)?;
+    let text = text("file", name, &path, files)?;
     let unusable = |why: String| {
         let message = format!("cannot use the train {}: {why}", path.display());
         Refusal::new("F121", message, "write [[vehicle]] tables (.toml), or axle_load_t,distance_m (.csv)")
@@ -164,9 +165,10 @@ fn take_train(train: &mut train::Train, path: &Path, files: &dyn Files) -> Resul
 }
 
 fn vehicles(sweep: &mut SweepPlan, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
-    for name in sweep.rule_file.iter().chain(&sweep.vehicle_files) {
+    let rule = sweep.rule_file.iter().map(|name| ("rule_file", name));
+    for (key, name) in rule.chain(sweep.vehicle_files.iter().map(|name| ("vehicle_files", name))) {
         let path = beside(path, name);
-        let text = String::from_utf8_lossy(&text(&path, files)?).into_owned();
+        let text = String::from_utf8_lossy(&text(key, name, &path, files)?).into_owned();
         sweep.texts.push((path.display().to_string(), text));
     }
     Ok(())

@@ -35,9 +35,33 @@ impl Refusal {
         Refusal::new("F101", format!("cannot read {}: {}", path.display(), reason(error)), help)
     }
 
+    /// A file that a key of the bridge file names and that cannot be read.
+    pub(crate) fn companion(key: &str, name: &str, path: &Path, error: &io::Error) -> Refusal {
+        if error.kind() != io::ErrorKind::NotFound {
+            return Refusal::unreadable(path, error);
+        }
+        let message = format!("`{key}` names {name}, and there is no {}", path.display());
+        Refusal::new(
+            "F101",
+            message,
+            "put that file beside the bridge file, or correct its name there; paths are relative to the bridge file",
+        )
+    }
+
     /// An analysis that cannot be set up.
     pub fn not_set_up(error: &impl Display) -> Refusal {
         Refusal::new("F108", error.to_string(), "extrados explain F108 tells what each analysis needs")
+    }
+}
+
+/// Several refusals as one, with the code and the help of the first: for `?` where one is enough.
+impl From<Vec<Refusal>> for Refusal {
+    fn from(all: Vec<Refusal>) -> Refusal {
+        let messages: Vec<&str> = all.iter().map(|one| one.message.as_str()).collect();
+        let message = messages.join("; ");
+        all.into_iter()
+            .next()
+            .map_or_else(|| Refusal::new("F108", "nothing is told", ""), |first| Refusal { message, ..first })
     }
 }
 
