@@ -9,13 +9,13 @@ from .errors import argument
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .results import Collapse, Passage, Sweep, VehicleSweep
+    from .results import Collapse, Passage, Study, Sweep, VehicleSweep
 
 _LARGEST = 0.05
 """Largest movement of a mechanism that is drawn, in lengths of the bridge."""
 _SEEN = 5.0
 """Largest factor of a sweep within the axes, in times the least: a vehicle that has hardly come onto the bridge may be multiplied without end."""
-_STONE, _EDGE, _BUILT, _MARK = "#f2e8d5", "#1a1a1a", "#b0b0b0", "#0b5394"
+_STONE, _GROUND, _EDGE, _BUILT, _MARK = "#f2e8d5", "#dcdcdc", "#1a1a1a", "#b0b0b0", "#0b5394"
 
 
 def axes(given: Any) -> Any:
@@ -45,13 +45,13 @@ def load_displacement(found: Collapse, ax: Any) -> Any:
     """Load over the vertical movement of the watched point, down positive."""
     movements, loads = found.path_displacements_m, found.path_loads_n_per_m
     if len(loads) == 0:
-        raise argument('kind = "load-displacement" cannot be used: this result has no load path', 'compute it by method="dem"')
+        raise argument('kind = "load-displacement" cannot be used: this result has no load path', 'compute it by method="dem" or method="path"')
     ax.plot(-1e3 * movements[:, 1], loads / 1e3, color=_MARK, marker=".", label="load path")
     stable = found.last_stable_load_kn_per_m
     if stable is not None:
         ax.axhline(stable, color=_BUILT, linestyle="--", label=f"last stable: {stable:.4g} kN/m")
     ax.legend()
-    return _titled(ax, found, "vertical displacement of the watched point, down positive [mm]", "load [kN/m]")
+    return _titled(ax, found, "vertical displacement, down [mm]", "load [kN/m]")
 
 
 def thrust_line(found: Collapse, ax: Any) -> Any:
@@ -59,7 +59,7 @@ def thrust_line(found: Collapse, ax: Any) -> Any:
     lines = [line for line in found.thrust_points_m if len(line)]
     if not lines:
         raise argument('kind = "thrust-line" cannot be used: this result has no line of thrust', "see its status")
-    _blocks(ax, [found.outline_m(k) for k in range(found.blocks)], facecolor=_STONE, edgecolor=_BUILT)
+    _blocks(ax, [found.outline_m(k) for k in range(found.blocks)], facecolor=_colours(found), edgecolor=_BUILT)
     for number, line in enumerate(lines):
         ax.plot(line[:, 0], line[:, 1], color=_MARK, label="line of thrust" if number == 0 else None)
     _hinges(ax, found.hinge_points_m)
@@ -81,7 +81,8 @@ def mechanism(found: Collapse, ax: Any) -> Any:
     # A mechanism has a shape and no size.
     scale = _LARGEST * numpy.ptp(corners[:, 0]) / largest if largest > 0.0 else 0.0
     _blocks(ax, built, facecolor="none", edgecolor=_BUILT, linestyle=":")
-    _blocks(ax, [before + scale * (now - before) for now, before in zip(moved, built)], facecolor=_STONE, edgecolor=_EDGE)
+    drawn = [before + scale * (now - before) for now, before in zip(moved, built)]
+    _blocks(ax, drawn, facecolor=_colours(found), edgecolor=_EDGE)
     points = [
         point + scale * (_moved(point, translations[one], rotations[one], _centroid(built[one])) - point)
         for point, (one, _) in zip(found.hinge_points_m, found.hinge_blocks)
@@ -108,6 +109,11 @@ def _centroid(outline: Any) -> Any:
     return first + [((one + numpy.roll(one, -1)) * cross).sum() / (3.0 * cross.sum()) for one in (x, y)]
 
 
+def _colours(found: Collapse) -> list[str]:
+    """Stones of the rings in one colour, what they stand on in another."""
+    return [_GROUND if role == "abutment" else _STONE for role in found.block_roles]
+
+
 def _blocks(ax: Any, outlines: Sequence[Any], **style: Any) -> None:
     from matplotlib.collections import PolyCollection
 
@@ -116,7 +122,10 @@ def _blocks(ax: Any, outlines: Sequence[Any], **style: Any) -> None:
 
 def _hinges(ax: Any, points: Any) -> None:
     if len(points):
-        ax.plot(points[:, 0], points[:, 1], linestyle="none", marker="o", markerfacecolor="white", markeredgecolor=_EDGE, label="hinge", zorder=5)
+        told = "hinge" in ax.get_legend_handles_labels()[1]
+        ax.plot(
+            points[:, 0], points[:, 1], linestyle="none", marker="o", markerfacecolor="white", markeredgecolor=_EDGE, label=None if told else "hinge", zorder=5
+        )
 
 
 def _elevation(ax: Any, found: Any) -> Any:
@@ -204,6 +213,9 @@ def _number(value: float | None) -> float:
 
 # ---- passages
 
+_MEASURED = {"mm": "displacement", "m": "displacement", "µε": "strain", "microstrain": "strain", "MPa": "stress", "kPa": "stress"}
+"""What records of a unit measure."""
+
 
 def passage(found: Passage, names: Sequence[str] | None, ax: Any) -> Any:
     """Records over the position of the first axle: those that are named, or all that have the unit of the first."""
@@ -220,4 +232,36 @@ def passage(found: Passage, names: Sequence[str] | None, ax: Any) -> Any:
     for one in shown:
         ax.plot(found.positions_m, one.values, label=one.name)
     ax.legend(fontsize="small")
-    return _titled(ax, found, "position of the first axle along the bridge [m]", f"value of the record [{unit}]")
+    return _titled(ax, found, "position of the first axle along the bridge [m]", f"{_MEASURED.get(unit, 'value of the record')} [{unit}]")
+
+
+# ---- studies
+
+
+def study(found: Study, quantity: str | None, ax: Any) -> Any:
+    """The outcome over the values of a quantity, those of the other quantities as the file has them; runs without an answer leave a gap."""
+    ranges = {one["quantity"]: one for one in found.quantities}
+    if quantity is None:
+        quantity = next(iter(ranges))
+    if quantity not in ranges:
+        raise argument(f"quantity = {quantity!r} cannot be used", f"there are {', '.join(ranges)}")
+    unit = ranges[quantity]["unit"]
+    own = found.baseline
+    rows = [row for row in found.rows if row["varied"] in (quantity, None) and quantity in row["values"]]
+    known = sorted((row["values"][quantity], _number(row["outcomes"].get(found.outcome))) for row in rows)
+    if len(known) < 2:
+        raise argument(f"quantity = {quantity!r} cannot be drawn: it has one value", "vary it over several values")
+    ax = axes(ax)
+    if len(ranges) > 1 and found.design == "grid":
+        raise argument("a grid of several quantities is no curve", 'draw figure("heat-map"), or pick runs of to_pandas()')
+    ax.plot([value for value, _ in known], [outcome for _, outcome in known], color=_MARK, marker=".")
+    if own is not None and own["outcomes"].get(found.outcome) is not None:
+        place = own["values"].get(quantity)
+        ax.plot([place], [own["outcomes"][found.outcome]], linestyle="none", marker="o", markerfacecolor="white", markeredgecolor=_EDGE, label="the file")
+        ax.legend()
+    across = f"{quantity} [{unit}]" if unit else quantity
+    return _titled(ax, found, across, _LEADING.get(found.outcome, found.outcome))
+
+
+_LEADING = {"headline_kn_per_m": "load carried [kN/m]", "last_stable_load_kn_per_m": "load carried [kN/m]", "adequacy_factor": "adequacy factor [-]", "load_factor": "load factor [-]"}
+"""What studies are about, in words."""

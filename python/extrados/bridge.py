@@ -585,7 +585,9 @@ def _value(name: str, value: Any) -> str:
     unit = _HEADING.fullmatch(name)
     if isinstance(value, str):
         return value
-    return f"{value!r} {unit[2]}" if unit else repr(value)
+    # Steps of an array are told to twelve digits: 0.24 and not 0.24000000000000002.
+    told = repr(float(f"{value:.12g}")) if isinstance(value, float) else repr(value)
+    return f"{told} {unit[2]}" if unit else told
 
 
 def _literal(name: str, value: Any) -> str:

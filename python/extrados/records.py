@@ -15,6 +15,7 @@ time [s],crown displacement [mm]
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -82,10 +83,14 @@ def _columns(table: Table) -> dict[str, Any]:
 
 def as_files(bridge: Bridge, records: Records) -> Project:
     """The project of a bridge with records in memory in the place of those that its file names."""
-    place = bridge._project.records_place()
+    place, text = bridge._project.records_place(), bridge.text
     if place is None:
-        # The project itself tells what the file lacks.
-        return bridge._project
+        if re.search(r"^\s*(\[+\s*records\b|records\s*[.=])", text, re.MULTILINE):
+            # The project itself tells what is wrong with it.
+            return bridge._project
+        # Records in memory need no place in the file.
+        place = "records.csv"
+        text = f'{text.rstrip()}\n\n[records]\nplace = "{place}"\n'
     path = os.path.join(os.path.dirname(bridge.name), place)
     runs = _runs(records)
     files = dict(bridge._project.files())
@@ -95,7 +100,7 @@ def as_files(bridge: Bridge, records: Records) -> Project:
         files[path] = next(iter(runs.values())).encode()
     else:
         files |= {os.path.join(path, f"{name}.csv"): text.encode() for name, text in runs.items()}
-    files[bridge.name] = bridge.text.encode()
+    files[bridge.name] = text.encode()
     return Project.read(bridge.name, files)
 
 

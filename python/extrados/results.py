@@ -5,6 +5,7 @@ units that look into the result's memory.
 from __future__ import annotations
 
 import csv
+import importlib
 import io
 import json
 import os
@@ -233,6 +234,11 @@ class Result:
                 told = f"did you mean {' or '.join(meant)}?" if meant else f"it has {', '.join(known)}"
                 raise AttributeError(f"this result has no `{name}`; {told}") from None
 
+        def __setattr__(self, name: str, value: Any) -> None:
+            if not name.startswith("_"):
+                raise AttributeError(f"results are values: `{name}` cannot be set; to_dict() is a copy that can be changed")
+            super().__setattr__(name, value)
+
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._whole()})
 
@@ -308,24 +314,29 @@ class Result:
 
     def to_pandas(self, table: str | None = None) -> Any:
         """A table as a data frame of pandas; the first of `tables` where none is named."""
-        import pandas
-
+        pandas = _library("pandas")
         return pandas.DataFrame(self._columns(table))
 
     def to_polars(self, table: str | None = None) -> Any:
         """A table as a data frame of polars."""
-        import polars
-
+        polars = _library("polars")
         return polars.DataFrame(self._columns(table), strict=False)
 
     def to_xarray(self, table: str | None = None) -> Any:
         """A table as a dataset of xarray over its first column."""
-        import xarray
-
+        xarray = _library("xarray")
         columns = self._columns(table)
         first, *others = columns
         data = {name: (first, columns[name]) for name in others}
         return xarray.Dataset(data, coords={first: columns[first]}, attrs={"bridge": self._whole().get("bridge", "")})
+
+
+def _library(name: str) -> Any:
+    """A library that tables are given to; what to install where it is not there."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise argument(f"to_{name}() needs {name}, which is not installed", f"pip install {name}") from None
 
 
 def _cell(text: str) -> Any:
@@ -394,10 +405,15 @@ class Collapse(_keys.Collapse, Result):
     """
 
     _main = ("mechanism", "stress", "bridge")
-    _shown = ("status", "method", "headline_kn_per_m", "last_stable_load_kn_per_m", "collapse_load_kn_per_m", "load_factor")
+    _shown = (
+        "status", "method", "headline_kn_per_m", "last_stable_load_kn_per_m", "collapse_load_kn_per_m", "load_factor", "minimum_thickness_m",
+        "minimum_thickness_over_mean_radius", "collapse_movement_m",
+    )  # fmt: skip
 
     def outline_m(self, block: int) -> Numbers:
         """Outline of a block as built, anticlockwise, (corners, 2)."""
+        if block < 0:
+            raise argument(f"block = {block} cannot be used", f"there are {self._answer.count('blocks')} blocks, from 0")
         outline = self._answer.array("outline", block)
         if outline is None:
             raise argument(f"block = {block} cannot be used", f"there are {self._answer.count('blocks')} blocks, from 0")
@@ -654,6 +670,13 @@ class Study(_keys.Study, Result):
 
     _main = ("tornado", "response")
     _shown = ("status", "outcome", "runs", "runs_from_cache")
+
+    def plot(self, quantity: str | None = None, *, ax: Axes | None = None) -> Axes:
+        """Draws the outcome over the values of a quantity, of the first where none is named, on axes of matplotlib, new ones where none are given, and
+        gives them. `to_pandas("runs")` has all runs."""
+        from . import _plots
+
+        return _plots.study(self, quantity, ax)
 
 
 class Assessment(_keys.Assessment, Result):

@@ -4,9 +4,10 @@ import inspect
 import os
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import extrados
+from extrados import bridge
 
 PAGE = "docs/python-reference.md"
 HEAD = """# Python, name by name
@@ -23,6 +24,8 @@ ORDER = [
     "Error", "BridgeError", "FileError", "RecordsError", "SetupError", "ArgumentError", "InternalError", "Interrupted", "Finding",
 ]  # fmt: skip
 MODULES = {"records": extrados.records}
+# Arguments that are one of some words, by the name that they have in the calls.
+WORDS = {"Method": bridge.Method, "Analysis": bridge.Analysis, "Friction": bridge.Friction, "Stage": bridge.Stage}
 
 
 def words(doc: str) -> str:
@@ -75,7 +78,8 @@ def members(cls: type) -> list[tuple[str, Any]]:
     for one in cls.__mro__:
         if one is cls or (one.__module__.startswith("extrados") and one.__name__ not in shown and one.__module__ != "extrados._keys"):
             found = {**found, **{name: value for name, value in vars(one).items() if name not in found and not name.startswith("_")}}
-    return [(name, value) for name, value in found.items() if inspect.getdoc(unwrapped(value))]
+    # A plain value has the words of its type, and none of its own.
+    return [(name, value) for name, value in found.items() if inspect.getdoc(unwrapped(value)) and not isinstance(value, (str, int, float, tuple, dict))]
 
 
 def unwrapped(value: Any) -> Any:
@@ -107,7 +111,8 @@ def first(value: Any) -> str:
 
 
 def page() -> str:
-    parts = [HEAD.strip()]
+    rows = [f"| `{name}` | {', '.join(f'`{word!r}`'.replace(chr(39), chr(34)) for word in get_args(literal))} |" for name, literal in WORDS.items()]
+    parts = [HEAD.strip(), "Arguments of these types are one of these words:", "\n".join(["| Type | Words |", "|---|---|", *rows])]
     for name in ORDER:
         what = getattr(extrados, name)
         if inspect.isclass(what):

@@ -237,3 +237,28 @@ def test_dask():
         bridges = [dask.delayed(tiny())]
         (delayed,) = dask.compute(bridges[0].collapse(method="limit"))
         assert delayed == tiny().collapse(method="limit")
+
+
+def test_results_are_values_and_say_what_they_found():
+    found = extrados.Bridge.example("semicircle").collapse()
+    assert "minimum_thickness_m=1.06" in repr(found)
+    with pytest.raises(AttributeError, match="results are values: `status` cannot be set"):
+        found.status = "x"
+    with pytest.raises(extrados.ArgumentError, match="from 0"):
+        found.outline_m(-1)
+
+
+def test_a_study_draws_itself_and_names_the_runs_that_warn():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    study = extrados.Bridge.example("two-ring").vary({"joint.friction_angle [deg]": [28.0, 30.0, 33.0]}, method="limit")
+    rows = study.to_pandas("runs")
+    told = {one["code"]: one["message"] for one in study.warnings if one["message"].startswith("in ")}
+    for code, message in told.items():
+        runs = [k for k, row in enumerate(study.rows) if code in row["warnings"]]
+        assert 0 < len(runs) < len(rows) and f"({', '.join(map(str, runs))})" in message
+    ax = study.plot()
+    (line,) = ax.get_lines()[:1]
+    assert list(line.get_xdata()) == sorted(row["values"]["joint.friction_angle"] for row in study.rows) and ax.get_ylabel() == "load carried [kN/m]"
+    pyplot.close(ax.figure)
+    with pytest.raises(extrados.ArgumentError, match="there are joint.friction_angle"):
+        study.plot("span")

@@ -87,6 +87,7 @@ impl Answer {
                 ("update", found.status.word(), fields)
             }
             Found::Study(study, tolerance, seed) => {
+                warnings.extend(written::warnings_of_study(study));
                 let known = study.rows.iter().any(|row| study.number(row).is_some());
                 let mut fields = study.object();
                 fields.insert("tolerance".to_owned(), json!(tolerance));

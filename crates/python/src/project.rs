@@ -249,7 +249,8 @@ impl Project {
             let requests =
                 if ranges.is_empty() { file.meaning().vary.clone() } else { extrados::settings(file, &ranges)? };
             if requests.is_empty() {
-                let help = "add [[vary]] tables, or give ranges=[\"joint.friction_angle=30deg..40deg:5\"]";
+                let help =
+                    "add [[vary]] tables to the file, or name a range: vary(\"joint.friction_angle=30deg..40deg:5\")";
                 return Err(vec![Refusal::new("F113", format!("{name} says nothing of what to vary"), help)]);
             }
             let found = extrados::vary(file, &requests, &options, means, watch)?;
