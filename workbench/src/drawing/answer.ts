@@ -277,6 +277,10 @@ export function envelope(
   pen.textAlign = "left";
   pen.textBaseline = "top";
   if (width > 560) pen.fillText("Carried, over the place of the load", Math.max(8, left), bottom + 4);
+  // What the height of the curve is: its upper end, and none at its foot.
+  pen.textAlign = "right";
+  pen.textBaseline = "top";
+  if (width > 560) pen.fillText(say(ceiling * times), Math.min(width - 8, right), top);
   pen.setLineDash([2, 3]);
   line(pen, left, y(least), right, y(least));
   pen.setLineDash([]);

@@ -32,6 +32,7 @@ export class Sheet {
 
   #text = createSignal("");
   #files = createSignal(0);
+  #name = "";
   #past: Past[] = [];
   #future: string[] = [];
   #lastMark = "";
@@ -118,7 +119,10 @@ export class Sheet {
     return this.#files[0]();
   }
   name(): string {
-    return this.reading[0]()?.name || this.path;
+    const name = this.reading[0]()?.name;
+    if (name) this.#name = name;
+    // While a value is wrong, a bridge keeps the name that it had.
+    return name || this.#name || this.path;
   }
 
   put(name: string, bytes: Uint8Array): void {

@@ -1,5 +1,11 @@
 /** Tables of a bridge file as stretches of its text: for adding a span like the last one, or taking a layer out. */
 
+/** What the file's plan seeks: "load" where it says nothing, "thickness", "support-movement". */
+export function sought(text: string): string {
+  const table = tablesOf(text).find((one) => one.name === "analysis" && !one.list);
+  return (table && /^[ \t]*analysis[ \t]*=[ \t]*["']([\w-]+)["']/m.exec(text.slice(table.start, table.end))?.[1]) || "load";
+}
+
 export type Table = { name: string; list: boolean; start: number; end: number };
 
 /** Tables in the order of the text; each reaches to the next header. Comments just above a header belong to it. */

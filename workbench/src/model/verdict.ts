@@ -32,7 +32,7 @@ export function trade(found: Assessed): Trade | null {
   const head = found.head ?? "";
   const ruled = head.startsWith(whole);
   const rest = ruled ? head.slice(whole.length) : head.startsWith(says) ? head.slice(says.length) : head;
-  return { says: ruled ? says + level : says, governs: governs(found), carries: carries(found), with: rest.trim().replace(/^\((.*)\)$/s, "$1").replace(/^./, (c) => c.toUpperCase()) };
+  return { says: ruled ? says + level : says, governs: governs(found), carries: carries(found), with: rest.replace(/^: carries [^(]*/, "").trim().replace(/^\((.*)\)$/s, "$1").replace(/^./, (c) => c.toUpperCase()) };
 }
 
 const titleOf = (found: Assessed, code: string | undefined): string => found.vehicles?.vehicles?.find((one) => one.code === code)?.title ?? code ?? "";

@@ -5,7 +5,7 @@ import type { Quantity, Refusal } from "../engine/types";
 import { setQuantity } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { countOf, inserted, repeated, without } from "../model/structure";
-import { meant, sayKey, shown } from "../units";
+import { inSystem, meant, sayKey, shown } from "../units";
 import { plainly, typeset } from "../wording";
 import { MaterialsOf } from "./Materials";
 import { system } from "../shell/settings";
@@ -74,6 +74,16 @@ function FieldRow(props: { sheet: Sheet; quantity: Quantity; short: string }): J
   // What is typed here and refused makes the answer one of the values before.
   createEffect(() => props.sheet.refuse(props.quantity.path, wrong() !== null));
   onCleanup(() => props.sheet.refuse(props.quantity.path, false));
+  /** Words of which one stands here; yes and no of a truth. */
+  const options = createMemo<{ word: string; doc: string; title?: string }[]>(() =>
+    props.quantity.words.length > 0 ? props.quantity.words : /^(true|false)$/.test(props.quantity.text) ? [{ word: "true", doc: "", title: "yes" }, { word: "false", doc: "", title: "no" }] : [],
+  );
+  // What the file has at this place and cannot be used.
+  const found = createMemo(() => {
+    const { start, end } = props.quantity;
+    if (start === null || end === null) return null;
+    return (props.sheet.reading[0]()?.findings ?? []).find((one) => one.severity === "error" && one.start < end && one.end > start) ?? null;
+  });
   const said = createMemo(() => shown(props.quantity.text, system()));
   const id = () => `f-${props.quantity.path.replace(/[^\w]/g, "-")}`;
   const send = (typed: string): void => {
@@ -82,10 +92,10 @@ function FieldRow(props: { sheet: Sheet; quantity: Quantity; short: string }): J
     setQuantity(props.quantity.path, meant(typed, said().unit), `field ${props.quantity.path}`, (error) => setWrong(error));
   };
   return (
-    <div class="field" classList={{ default: props.quantity.by_default, wrong: wrong() !== null }}>
+    <div class="field" classList={{ default: props.quantity.by_default, wrong: wrong() !== null || found() !== null }}>
       <label for={id()}>{props.short}</label>
       <Show
-        when={props.quantity.words.length > 0}
+        when={options().length > 0}
         fallback={
           <div class="entry">
             <input
@@ -94,7 +104,7 @@ function FieldRow(props: { sheet: Sheet; quantity: Quantity; short: string }): J
               value={said().text}
               inputmode={props.quantity.number === null ? "text" : "decimal"}
               aria-describedby={`${id()}-doc`}
-              aria-invalid={wrong() !== null}
+              aria-invalid={wrong() !== null || found() !== null}
               autocomplete="off"
               spellcheck={false}
               onInput={(event) => {
@@ -114,14 +124,21 @@ function FieldRow(props: { sheet: Sheet; quantity: Quantity; short: string }): J
           </div>
         }
       >
-        <select id={id()} value={props.quantity.text} aria-describedby={`${id()}-doc`} onChange={(event) => setQuantity(props.quantity.path, event.currentTarget.value, "", setWrong)}>
-          <For each={props.quantity.words}>{(word) => <option value={word.word} title={word.doc}>{word.word}</option>}</For>
+        <select id={id()} aria-describedby={`${id()}-doc`} onChange={(event) => setQuantity(props.quantity.path, event.currentTarget.value, "", setWrong)}>
+          <For each={options()}>{(word) => <option value={word.word} title={word.doc} selected={word.word === props.quantity.text}>{word.title ?? word.word}</option>}</For>
         </select>
       </Show>
       <p class="doc" id={`${id()}-doc`}>
         {plainly(props.quantity.doc)}
         <Show when={system() === "imperial" && said().text !== props.quantity.text}> In the file: {typeset(props.quantity.text)}.</Show>
       </p>
+      <Show when={wrong() === null && found()}>
+        {(one) => (
+          <p class="complaint" role="alert">
+            {sentences({ message: inSystem(one().message, system()), help: one().help ?? one().label })}
+          </p>
+        )}
+      </Show>
       <Show when={wrong()}>
         {(error) => (
           <p class="complaint" role="alert">

@@ -6,7 +6,7 @@ import { library } from "../model/library";
 import { poke } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { ASSUMED, loadAt, withContinuum, withPressure } from "../model/variants";
-import { inSystem, lineLoad, place, words } from "../units";
+import { lineLoad, place, words } from "../units";
 import { isVehicle } from "../shell/TitleBlock";
 import { system } from "../shell/settings";
 import { Sliders } from "./Sliders";
@@ -18,6 +18,8 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
   const loads = () => props.sheet.reading[0]()?.sections?.loads ?? 0;
   const model = createMemo(() => library()?.models.find((one) => one.vehicles.some((vehicle) => vehicle.code === props.sheet.vehicle[0]())));
   const rules = createMemo(() => (library()?.rules ?? []).filter((rule) => model()?.rules.includes(rule.code)));
+  const longest = createMemo(() => Math.max(0, ...(props.sheet.picture[0]()?.dimensions ?? []).filter((one) => one.measure === "Span").map((one) => Math.abs(one.to[0] - one.from[0]))));
+  const tooLong = (one: { longest_span: number | null }): boolean => one.longest_span !== null && longest() > one.longest_span + 1e-6;
   const choose = (vehicle: string): void => {
     // The file's own rule where it is made for this vehicle, else the one without factors.
     const model = library()?.models.find((one) => one.vehicles.some((each) => each.code === vehicle));
@@ -40,16 +42,14 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
       <div class="field wide">
         <label for="vehicle">Load</label>
         <select id="vehicle" class="plain" onChange={(event) => choose(event.currentTarget.value)}>
-          <Show when={loads() > 0}>
-            <option value="" selected={props.sheet.vehicle[0]() === ""}>The load of the file</option>
-          </Show>
+          <option value="" selected={props.sheet.vehicle[0]() === ""} disabled={loads() === 0}>{loads() > 0 ? "The load of the file" : "Choose a vehicle …"}</option>
           <For each={library()?.models ?? []}>
             {(model) => (
               <optgroup label={model.title ?? model.code}>
                 <For each={model.vehicles}>
                   {(vehicle) => (
-                    <option value={vehicle.code} selected={props.sheet.vehicle[0]() === vehicle.code}>
-                      {vehicle.title ?? vehicle.code}
+                    <option value={vehicle.code} selected={props.sheet.vehicle[0]() === vehicle.code} disabled={tooLong(model)}>
+                      {vehicle.title ?? vehicle.code}{tooLong(model) ? ` (not for spans above ${words(place(model.longest_span!, system()))})` : ""}
                     </option>
                   )}
                 </For>
@@ -108,7 +108,7 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
               }}
             />
             <p class="soft">
-              Drag the load on the drawing, or focus it and use the arrow keys: {inSystem("0.1 m a step, 0.5 m with Shift, 0.01 m with Alt.", system())}
+              Drag the load on the drawing, or focus it and use the arrow keys: {system() === "metric" ? "0.1 m a step, 0.5 m with Shift, 0.01 m with Alt." : "4 in a step, 20 in with Shift, ⅜ in with Alt."}
             </p>
             <Governing sheet={props.sheet} />
           </>
@@ -182,11 +182,11 @@ type Row = {
 
 const own = (text: string): string => text;
 const METHODS: Omit<Row, "state" | "fraction" | "load" | "words" | "at">[] = [
-  { key: "limit", title: "Rigid blocks", about: "Limit analysis: bounds of the load, joints do not give", choice: '{"method":"limit"}', text: own },
-  { key: "path", title: "Deformable joints", about: "Equilibrium path: the load at which balance ends", choice: '{"method":"path"}', text: own },
-  { key: "dem", title: "Discrete elements", about: "Blocks in motion, loaded step by step", choice: '{"method":"dem"}', text: own },
-  { key: "pressure", title: "Fill that presses sideways", about: `Limit analysis; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit"}', text: withPressure },
-  { key: "continuum", title: "Fill as a continuum", about: `Both bounds; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit"}', text: withContinuum },
+  { key: "limit", title: "Rigid blocks", about: "Limit analysis: bounds of the load, joints do not give", choice: '{"method":"limit","analysis":"load"}', text: own },
+  { key: "path", title: "Deformable joints", about: "Equilibrium path: the load at which balance ends", choice: '{"method":"path","analysis":"load"}', text: own },
+  { key: "dem", title: "Discrete elements", about: "Blocks in motion, loaded step by step", choice: '{"method":"dem","analysis":"load"}', text: own },
+  { key: "pressure", title: "Fill that presses sideways", about: `Limit analysis; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit","analysis":"load"}', text: withPressure },
+  { key: "continuum", title: "Fill as a continuum", about: `Both bounds; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit","analysis":"load"}', text: withContinuum },
 ];
 
 /** Other methods for the load of the file, at the place where it stands. */
@@ -228,7 +228,7 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
     <Show when={!isVehicle(props.sheet) && (props.sheet.reading[0]()?.sections?.loads ?? 0) > 0}>
       <details class="group" open>
         <summary>The same load by other methods</summary>
-        <p class="soft">{single() ? "For the load of the file where it stands now." : "For the loads of the file where the file places them."} The smaller answer leads.</p>
+        <p class="soft">{single() ? "For the load of the file where it stands now." : "For the loads of the file where the file places them."} The smaller answer is the one to use; the headline stays that of rigid blocks, which follow the load.</p>
         <table class="plain">
           <thead>
             <tr>

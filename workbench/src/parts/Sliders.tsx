@@ -52,7 +52,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
     const text = props.sheet.text();
     const settings = list().map(({ quantity, low, high }) => `${quantity.path}=${plain(low)}${space(quantity.unit)}..${plain(high)}${space(quantity.unit)}:3`);
     try {
-      const out = await analyse(props.sheet, "vary", { run: "tornado", settings, choice: '{"method":"limit"}' }, (stage, fraction) => setState({ words: stage, fraction }));
+      const out = await analyse(props.sheet, "vary", { run: "tornado", settings, choice: '{"method":"limit","analysis":"load"}' }, (stage, fraction) => setState({ words: stage, fraction }));
       setBars(barsOf(JSON.parse(out.json)));
       setStale(text);
     } catch (error) {
@@ -100,7 +100,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
             );
           }}
         </For>
-        <div class="row">
+        <div class="row" hidden={!props.sheet.about[0]()}>
           <Show when={state()} fallback={<button type="button" class="btn small" onClick={() => void run()}>How much each one matters</button>}>
             {(now) => (
               <>

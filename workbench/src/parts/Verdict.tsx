@@ -9,6 +9,7 @@ import { analyse, background } from "../model/background";
 import { overItsWidth } from "../model/carried";
 import { judgedBy } from "../model/judged";
 import { library, version } from "../model/library";
+import { sought } from "../model/structure";
 import type { Sheet } from "../model/sheet";
 import { trade, type Assessed } from "../model/verdict";
 import { liveEngine } from "../model/live";
@@ -19,11 +20,13 @@ import { plainly, typeset } from "../wording";
 import { goToText } from "./BridgePanel";
 import { JudgeFile } from "./Judge";
 
-type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
+type Kind = { call: string; title: string; about: string; offered: (reading: Reading, text: string) => boolean; args: Record<string, unknown> };
 
 const KINDS: Kind[] = [
   { call: "assess", title: "Assessment with report", about: "Every check that the file asks for, and the verdict", offered: (r) => r.kind === "bridge", args: {} },
-  { call: "collapse", title: "Collapse load", about: "By the method of the file", offered: (r) => r.kind === "blocks" || (r.sections?.loads ?? 0) > 0, args: { choice: "{}" } },
+  { call: "collapse", title: "Collapse load", about: "By the method of the file", offered: (r, text) => r.kind === "blocks" || ((r.sections?.loads ?? 0) > 0 && sought(text) === "load"), args: { choice: "{}" } },
+  { call: "collapse", title: "Least thickness", about: "Of rings that just stand, with their hinges and line of thrust", offered: (r, text) => r.kind === "bridge" && sought(text) === "thickness", args: { choice: "{}" } },
+  { call: "collapse", title: "Movement of a support", about: "As far as the bridge stands, and the movement that brings it down", offered: (r, text) => r.kind === "bridge" && sought(text) === "support-movement", args: { choice: "{}" } },
   { call: "sweep", title: "Load moved along the bridge", about: "The least load, or vehicles of a rule", offered: (r) => (r.sections?.loads ?? 0) > 0 || r.sections?.sweep === true, args: { choice: "{}", step: NaN } },
   { call: "cases", title: "Named cases side by side", about: "Each case of the file", offered: (r) => (r.sections?.cases ?? 0) > 0, args: { choice: "{}" } },
   { call: "respond", title: "Passage of a train", about: "Displacements, strains and stresses", offered: (r) => r.sections?.passage === true, args: {} },
@@ -295,8 +298,17 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     const found = object()?.["governing"] as { position_m?: number; load_factor?: number; adequacy_factor?: number } | undefined;
     const factor = found?.adequacy_factor ?? found?.load_factor;
     return typeof found?.position_m === "number" && typeof factor === "number"
-      ? { factor, unit: found.adequacy_factor === undefined ? "× the load" : "× the vehicle", at: found.position_m }
+      ? { value: figures(factor, 3), unit: found.adequacy_factor === undefined ? "× the load" : "× the vehicle", says: `the least along the road, at ${words(place(found.position_m, system()))}` }
       : null;
+  };
+  // Of rings of which the least thickness was sought, that thickness.
+  const thinnest = () => {
+    const metres = object()?.["minimum_thickness_m"];
+    const moved = object()?.["collapse_movement_m"];
+    if (typeof moved === "number") return { value: figures(system() === "metric" ? 1e3 * moved : moved / 0.0254, 4), unit: system() === "metric" ? "mm" : "in", says: "the movement at which it falls" };
+    const ratio = object()?.["minimum_thickness_over_mean_radius"];
+    if (typeof metres !== "number") return null;
+    return { value: figures(system() === "metric" ? 1e3 * metres : metres / 0.0254, 4), unit: system() === "metric" ? "mm" : "in", says: typeof ratio === "number" ? `the least thickness that stands, ${figures(ratio, 4)} of the mean radius` : "the least thickness that stands" };
   };
   const told = createMemo(() => (verdict().kind?.call === "assess" && object() ? trade(object() as Assessed) : null));
   const governing = () => {
@@ -308,7 +320,7 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
       <div>
         <span class="cap">{verdict().kind?.title ?? "Verdict"}</span>
         <Show when={load() !== null} fallback={
-          <Show when={least()} fallback={<>
+          <Show when={least() ?? thinnest()} fallback={<>
               <span class="headline words" data-testid="verdict">{told()?.says ?? STATUS[status()] ?? (status() || "–")}</span>
               <Show when={told()}>
                 {(found) => (
@@ -326,10 +338,10 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
             {(found) => (
               <>
                 <span class="headline num" data-testid="verdict">
-                  {figures(found().factor, 3)}
+                  {found().value}
                   <span class="unit">{found().unit}</span>
                 </span>
-                <span class="under">the least along the road, at {words(place(found().at, system()))}</span>
+                <span class="under">{found().says}</span>
               </>
             )}
           </Show>
@@ -389,7 +401,7 @@ export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
     <div class="panel-body" tabindex="-1">
       <h2>Compute</h2>
       <div class="choices spaced">
-        <For each={KINDS.filter((kind) => props.sheet.reading[0]() && kind.offered(props.sheet.reading[0]()!))}>
+        <For each={KINDS.filter((kind) => props.sheet.reading[0]() && kind.offered(props.sheet.reading[0]()!, props.sheet.text()))}>
           {(kind) => (
             <button type="button" disabled={verdict().mode === "runs" || !props.sheet.reading[0]()?.usable} onClick={() => void run(props.sheet, kind)}>
               <b>{kind.title}</b>

@@ -35,6 +35,8 @@ export function Board(props: BoardProps): JSX.Element {
   const [user, setUser] = createSignal<View | null>(null);
   const [dragged, setDragged] = createSignal(false);
   let ink: Ink | null = null;
+  /** Pixels of a picture that is saved for each of the sheet; 0 for the screen's. */
+  let fineness = 0;
   /** When the pointer asked for a place, until its picture is there. */
   const asked = new Map<number, number>();
 
@@ -82,7 +84,7 @@ export function Board(props: BoardProps): JSX.Element {
     const { width, height } = size();
     const now = view();
     if (!now || width === 0) return null;
-    const pen = ready(canvas, width, height, Math.min(2, devicePixelRatio || 1));
+    const pen = ready(canvas, width, height, fineness || Math.min(2, devicePixelRatio || 1));
     if (!pen) return null;
     ink ??= inkOf(box);
     return { pen, view: now, ink, width, height, system: system() };
@@ -138,7 +140,8 @@ export function Board(props: BoardProps): JSX.Element {
       const moved = bodies();
       if (moved && props.reach > 0) answers.mechanism(sheet, moved, answer, props.reach);
     }
-    elevation.dimensions(sheet, placed());
+    // A thickness stands where a mechanism moves.
+    elevation.dimensions(sheet, props.load ? placed().filter((one) => one.dimension.measure === "Span" || one.dimension.measure === "Rise") : placed());
     if (!props.load) return;
     answers.dispersed(sheet, answer.loads);
     answers.thrust(sheet, answer);
@@ -196,7 +199,9 @@ export function Board(props: BoardProps): JSX.Element {
     });
     observer.observe(box);
     onCleanup(() => observer.disconnect());
-    void document.fonts?.ready.then(() => {
+    // A canvas asks for no font by itself.
+    const font = inkOf(box).font;
+    void Promise.all([400, 500, 600].map((weight) => document.fonts?.load(`${weight} 13px ${font}`))).then(() => {
       soonUnder();
       soonOver();
     });
@@ -370,17 +375,40 @@ export function Board(props: BoardProps): JSX.Element {
   });
 
   const stem = () => props.sheet.path.replace(/\.\w+$/, "");
-  /** What is drawn, on the colour of the sheet. */
+  /** What is drawn, twice as fine as on the screen at least, on the colour of the sheet, with what it shows in a line. */
   function savePicture(): void {
+    const ratio = Math.max(2, devicePixelRatio || 1);
+    const { width, height } = size();
+    const shown = [under, over];
+    fineness = ratio;
+    drawUnder();
+    drawOver();
     const canvas = document.createElement("canvas");
-    canvas.width = under.width;
-    canvas.height = under.height;
+    canvas.width = shown[0]!.width;
+    canvas.height = shown[0]!.height;
     const pen = canvas.getContext("2d");
     if (!pen) return;
-    pen.fillStyle = (ink ??= inkOf(box)).sheet;
+    const colours = (ink ??= inkOf(box));
+    pen.fillStyle = colours.sheet;
     pen.fillRect(0, 0, canvas.width, canvas.height);
-    for (const one of [under, over]) pen.drawImage(one, 0, 0);
+    for (const one of shown) pen.drawImage(one, 0, 0);
+    fineness = 0;
+    drawUnder();
+    drawOver();
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.fillStyle = colours.ink;
+    pen.font = `500 14px ${colours.font}`;
+    pen.textAlign = "center";
+    pen.textBaseline = "bottom";
+    pen.fillText(caption(), width / 2, height - 8, width - 16);
     canvas.toBlob((blob) => blob && download(blob, `${stem()}${props.load ? "-load" : ""}.png`));
+  }
+  /** The bridge, and what it carries where its load stands. */
+  function caption(): string {
+    const answer = props.load ? props.sheet.answer[0]() : null;
+    const factor = answer?.words.factor ?? null;
+    const units = system() === "metric" ? "dimensions in mm" : "dimensions in feet and inches";
+    return [props.sheet.name(), ...(answer && factor !== null ? [`${props.sayLoad(factor)} at ${words(place(answer.x, system()))}`] : []), units].join("; ");
   }
   /** The engine's own drawing of the bridge. */
   async function saveDrawing(): Promise<void> {

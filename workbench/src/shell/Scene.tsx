@@ -54,6 +54,8 @@ export function Scene(props: SceneProps): JSX.Element {
     props.canvas?.(canvas);
     const observer = new ResizeObserver(() => setSize({ width: host.clientWidth, height: host.clientHeight }));
     observer.observe(host);
+    const font = inkOf(host).font;
+    void Promise.all([400, 500, 600].map((weight) => document.fonts?.load(`${weight} 13px ${font}`))).then(soon);
     onCleanup(() => observer.disconnect());
   });
   onCleanup(() => cancelAnimationFrame(asked));

@@ -5,6 +5,8 @@ import type { Finding } from "../engine/types";
 import { assumedIn } from "../model/assumed";
 import { overItsWidth } from "../model/carried";
 import type { Sheet } from "../model/sheet";
+import { sought } from "../model/structure";
+import { titleOf } from "../model/survey";
 import { part, setPart } from "../model/workspace";
 import { goToText } from "../parts/BridgePanel";
 import { figures, inSystem, lineLoad, place, words, type System } from "../units";
@@ -47,7 +49,18 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   /** Whether the answer is of values before those that were typed last, which are refused. */
   const old = () => answer() !== null && props.sheet.isOld();
 
+  /** What the file's plan seeks in place of a load, where it has none. */
+  const elsewhere = createMemo(() => {
+    const seeks = sought(props.sheet.text());
+    return (reading()?.sections?.loads ?? 0) > 0 || isVehicle(props.sheet) ? "" : seeks === "thickness" ? "the least thickness of its rings" : seeks === "support-movement" ? "the movement of a support" : "";
+  });
+  /** Which field holds what is refused. */
+  const refusedIn = (): string => {
+    const answers = (props.sheet.refusedAnswers[0]() ?? []).filter((one) => !one.doubtful).map((one) => titleOf(one.key));
+    return answers.length > 0 ? `what was typed as ${[...new Set(answers)].join(", ")} is refused` : "what was typed last is refused";
+  };
   const headline = createMemo(() => {
+    if (about()?.stands === false) return { value: "Does not stand", unit: "", whole: "under its own weight" };
     const found = answer()?.words;
     if (!found) return null;
     if (found.factor === null) return { value: "–", unit: "", whole: "" };
@@ -80,7 +93,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   const findings = () => (reading()?.findings ?? []).filter((one) => one.severity !== "note");
   const warnings = createMemo<Note[]>(() => {
     const list: Note[] = [];
-    const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? props.sheet.placeTrouble[0]();
+    const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? (elsewhere() ? null : props.sheet.placeTrouble[0]());
     if (trouble) list.push({ kind: "err", text: sentences(trouble) });
     for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${plainly(inSystem(one.message, system()))}`, finding: one });
     if (findings().length > MOST_NOTES) list.push({ kind: "warn", text: `and ${findings().length - MOST_NOTES} more: see the findings of the bridge.` });
@@ -125,13 +138,13 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     <section class="block" classList={{ old: old() }} aria-label={old() ? "Answer of the values before: what was typed last is refused" : "Answer"} data-old={old() ? "" : undefined} id="answer" tabindex="-1">
       <div>
         <Show when={old()}>
-          <span class="cap was" role="status" data-testid="old">Of the values before: what was typed last is refused</span>
+          <span class="cap was" role="status" data-testid="old">Of the values before: {refusedIn()}</span>
         </Show>
         <span class="cap">{answer()?.words.open ? "Carried at this place, at most" : "Carried at this place"}{isVehicle(props.sheet) ? "" : system() === "metric" ? ", per metre of width" : ", per foot of width"}</span>
         <Show when={headline()} fallback={<span class="headline" data-none>–</span>}>
           {(head) => (
             <>
-              <span class="headline num" data-testid="headline">
+              <span class="headline num" classList={{ words: /^[A-Z]/.test(head().value) }} data-testid="headline">
                 {head().value}
                 <span class="unit">{head().unit}</span>
               </span>
@@ -154,7 +167,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
       </div>
       <div>
         <span class="cap">By</span>
-        <Show when={about()} fallback={<span>no load</span>}>
+        <Show when={about()} fallback={<Show when={elsewhere()} fallback={<span>no load</span>}>{(what) => <button type="button" class="link" onClick={() => setPart("verdict")}>The file asks for {what()}: find it under Verdict</button>}</Show>}>
           <b>{about()!.name.replace(/^./, (c) => c.toUpperCase())}</b>
           <div class="under">
             at <span class="num" data-testid="place">{words(place(props.sheet.x[0]() ?? 0, system()))}</span>, {how()}
