@@ -28,11 +28,12 @@ analysis = {{ method = "limit" }}
     (found.limit().is_some_and(|own| own.comes_and_goes), found.carried().unwrap() / 1e3)
 }
 
-/// Loads in a row, of which neighbours differ by no more than a share, and none is less than the one before.
+/// Loads in a row, of which neighbours differ by no more than a share, and none is less than the one before by more than a thousandth: which of two
+/// neighbouring states is met last on the way decides that much.
 fn rise_without_a_jump(loads: &[(bool, f64)], share: f64) {
     for pair in loads.windows(2) {
         let [(_, before), (_, after)] = [pair[0], pair[1]];
-        assert!(after > before * (1.0 - 1e-4) && after < before * (1.0 + share), "{loads:?}");
+        assert!(after > before * (1.0 - 1e-3) && after < before * (1.0 + share), "{loads:?}");
     }
     assert!(loads.iter().any(|(snaps, _)| *snaps) && loads.iter().any(|(snaps, _)| !snaps), "{loads:?}");
 }

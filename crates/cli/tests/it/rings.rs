@@ -39,10 +39,10 @@ fn aligned_ring_joints_do_not_lock() {
     }
 }
 
-/// A laboratory arch of three half-brick rings that snap from state to state where they are rough: what is given is the least load after the
-/// largest one, and the largest stands beside it.
+/// A laboratory arch of three half-brick rings that snap from state to state where they are rough: what is given is the largest load on the way,
+/// and how far it falls behind it stands beside it.
 #[test]
-fn rings_that_come_and_go_have_the_least_load_after_the_largest() {
+fn rings_that_come_and_go_carry_the_largest_load_and_say_how_far_it_falls() {
     let stage = Stage::new("rings-lower");
     let case = "../../verification/rings/laboratory-3-m-3-rings/case.toml";
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -58,5 +58,5 @@ fn rings_that_come_and_go_have_the_least_load_after_the_largest() {
     let [load, associated] = ["collapse_load_kn_per_m", "associated_load_kn_per_m"].map(|key| number(&rough, key));
     let spread = rough["non_associated_spread_kn_per_m"].as_array().expect("both ends");
     let [least, most] = [0, 1].map(|k| spread[k].as_f64().expect("a load"));
-    assert!(least == load && 1.01 * load < most && most < associated, "{load} {spread:?} {associated}");
+    assert!((most / load - 1.0).abs() < 1e-6 && 1.01 * least < load && load < associated, "{load} {spread:?} {associated}");
 }
