@@ -72,6 +72,8 @@ pub enum Kind {
     Values,
     /// A support: "left abutment", "pier 1", "right abutment".
     Support,
+    /// A table of numbers with units, each beside the name of a sensor.
+    Readings,
     /// A table.
     Table(&'static Section),
     /// A list of tables.
@@ -92,6 +94,7 @@ impl Kind {
                 | Kind::Points
                 | Kind::Rows(_)
                 | Kind::Values
+                | Kind::Readings
         )
     }
 }
@@ -230,6 +233,7 @@ impl Field {
             Kind::NumberOr(word) => format!("… or \"{word}\""),
             Kind::Numbers | Kind::Rows(_) | Kind::Points | Kind::Values => "[…]".to_owned(),
             Kind::Value => "\"…\"".to_owned(),
+            Kind::Readings => format!("{{ \"sensor\" = \"… {}\" }}", unit()),
         };
         format!("{} = {value}", self.key)
     }

@@ -1,4 +1,4 @@
-//! What a bridge takes from files beside its own: a packing, a train, vehicles and rules.
+//! What a bridge takes from files beside its own: a packing, a train, readings of a load test, vehicles and rules.
 
 use crate::model::Bridge;
 
@@ -20,6 +20,26 @@ impl Bridge {
             match known.passage.as_ref().map(|known| &known.train).filter(|known| known.file == train.file) {
                 Some(known) => train.vehicles.clone_from(&known.vehicles),
                 None => whole = false,
+            }
+        }
+        if let Some(test) = &mut self.load_test {
+            let known = known.load_test.as_ref();
+            if let Some(train) = test.train.as_mut().filter(|train| train.file.is_some()) {
+                let same = known.and_then(|known| known.train.as_ref()).filter(|known| known.file == train.file);
+                match same {
+                    Some(known) => train.vehicles.clone_from(&known.vehicles),
+                    None => whole = false,
+                }
+            }
+            if test.readings.file.is_some() {
+                let same = known.map(|known| &known.readings).filter(|known| known.file == test.readings.file);
+                match same {
+                    Some(known) => {
+                        test.readings.values.clone_from(&known.values);
+                        test.readings.synthetic.clone_from(&known.synthetic);
+                    }
+                    None => whole = false,
+                }
             }
         }
         if let Some(sweep) = &mut self.sweep {

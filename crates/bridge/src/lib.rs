@@ -20,6 +20,7 @@ pub mod fields;
 mod findings;
 pub mod inputs;
 mod library;
+pub mod load_test;
 pub mod material;
 pub mod mixed_units;
 mod model;

@@ -96,7 +96,8 @@ of_keys! {
     /// How a train crosses, and how that is analysed.
     #[derive(Debug, Clone, PartialEq)]
     pub struct PassagePlan {
-        pub speed: f64 = speed("speed of the train or vehicle", "45 km/h").at_least(0.01),
+        /// 0 where nothing crosses.
+        pub speed: f64 = speed("speed of the train or vehicle", "45 km/h").at_least(0.01) => speed_or_rest,
         pub time_step: f64 = time("time from one position to the next", "0.005 s").at_least(1e-5).default("0.005 s"),
         pub from: Option<f64> =
             length("position of the first axle at the start, from the left springing of the first span", "-10 m")
@@ -133,6 +134,11 @@ of_keys! {
         /// Rayleigh damping, where there is some.
         pub damping: Option<Rayleigh> => damping,
     }
+}
+
+/// The speed, which a file must say where something crosses; none where it has no such table.
+fn speed_or_rest(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<f64> {
+    if table.written().is_some() { table.read(key, findings) } else { Some(0.0) }
 }
 
 choice! {

@@ -31,6 +31,8 @@ pub enum Dimension {
     Frequency,
     /// Mass [kg].
     Mass,
+    /// Strain [-].
+    Strain,
 }
 
 /// A unit: how it is written, what it measures, and its size in SI.
@@ -152,6 +154,9 @@ pub const UNITS: &[Unit] = &[
     unit("s", Dimension::Time, 1.0),
     unit("ms", Dimension::Time, 1e-3),
     unit("Hz", Dimension::Frequency, 1.0),
+    unit("microstrain", Dimension::Strain, 1e-6),
+    unit("µm/m", Dimension::Strain, 1e-6),
+    unit("mm/m", Dimension::Strain, 1e-3),
 ];
 
 /// What a mass is where a force is asked for, its weight, and a force where a mass is.
@@ -186,6 +191,7 @@ impl Dimension {
             Dimension::Time => ("a time", 1e4),
             Dimension::Frequency => ("a frequency", 1e6),
             Dimension::Mass => ("a mass", 1e10),
+            Dimension::Strain => ("a strain", 0.1),
         }
     }
 
@@ -361,6 +367,8 @@ const SPELLINGS: &[(&str, &[&str])] = &[
     ("lbf/ft", &["plf"]),
     ("lb/ft^3", &["lb/cuft", "lbs/ft^3", "lbs/ft3"]),
     ("psi", &["lb/in^2", "lb/in2"]),
+    ("microstrain", &["microstrains", "µε", "με", "µstrain", "ustrain"]),
+    ("µm/m", &["μm/m", "um/m"]),
     ("psf", &["lb/ft^2", "lb/ft2"]),
 ];
 

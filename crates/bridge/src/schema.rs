@@ -104,6 +104,10 @@ fn property(field: &Field) -> Value {
         Kind::Slope => json!({ "type": "string", "pattern": r"^\s*[0-9.]+\s*:\s*[0-9.]+\s*$" }),
         Kind::Share => json!({ "type": "string", "pattern":
             r"^\s*(crown|[0-9.]+%?|[0-9.]+/[0-9.]+)(\s*(of\s*)?span(\s*[0-9]+)?)?\s*$" }),
+        Kind::Readings => {
+            let dimensions = [Dimension::Length, Dimension::Strain, Dimension::Stress];
+            json!({ "type": "object", "minProperties": 1, "additionalProperties": quantity(&dimensions) })
+        }
         Kind::Support => {
             json!({ "type": "string", "pattern": r"^\s*(left abutment|right abutment|pier\s*[0-9]+)\s*$" })
         }
@@ -179,6 +183,8 @@ fn example(field: &Field) -> Option<Value> {
 
 /// A value as JSON has it; lists are written alike in TOML and JSON.
 fn literal(field: &Field, text: &str) -> Value {
+    let json = matches!(field.kind, Kind::Readings).then(|| text.replace("\" = \"", "\": \""));
+    let text = json.as_deref().unwrap_or(text);
     if field.kind.is_bare() { serde_json::from_str(text).unwrap_or(Value::Null) } else { json!(text) }
 }
 

@@ -302,6 +302,7 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Kind::Value => "a value as the quantity has it",
         Kind::Values => "a list of values",
         Kind::Support => "the name of a support, in quotes",
+        Kind::Readings => "a table of readings by the names of sensors",
         Kind::Table(_) => "a table",
         Kind::Tables(_) => "a list of tables",
     };

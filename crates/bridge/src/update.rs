@@ -11,8 +11,8 @@ use crate::values::of_keys;
 /// Model updating as a file asks for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Update {
-    /// Where records are.
-    pub records: Records,
+    /// Where records are; none where readings of a load test are compared alone.
+    pub records: Option<Records>,
     /// What is said of single channels.
     pub channels: Vec<Channel>,
     /// What is sought.

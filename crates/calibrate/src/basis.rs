@@ -78,7 +78,10 @@ impl Basis {
         let slices = answer(evaluator, point, &request)?;
         let problem = evaluator.problem;
         let peak = |channel: usize, values: &[f64]| misfit::peak_place(problem, channel, values).map(|at| values[at]);
-        let beyond = |k: usize| Some(peak(k, &full.values[k])? - peak(k, &slices.values[k])?);
+        let beyond = |k: usize| match problem.compare(k) {
+            Compare::Peaks => Some(peak(k, &full.values[k])? - peak(k, &slices.values[k])?),
+            Compare::Histories => None,
+        };
         basis.held.beyond = (0..full.values.len()).map(|k| beyond(k).unwrap_or(0.0)).collect();
         Ok(basis)
     }
@@ -126,6 +129,9 @@ fn samples(evaluator: &Evaluator, response: &Response) -> Samples {
         return Samples::All;
     }
     let neighbours = |(channel, values): (usize, &Vec<f64>)| {
+        if evaluator.problem.compare(channel) == Compare::Histories {
+            return (0..values.len()).collect();
+        }
         let place = misfit::peak_place(evaluator.problem, channel, values);
         let last = evaluator.forward.length(channel).saturating_sub(1);
         place.map_or_else(Vec::new, |place| (place.saturating_sub(1)..=(place + 1).min(last)).collect())

@@ -19,6 +19,9 @@ pub struct Channel {
     /// Values of the history that together tell as much as one whose error is independent: one and twice the sum of the
     /// autocorrelations of the measurement's error. One, where not given.
     pub correlated_over: Option<f64>,
+    /// Whether its history is a list of single readings: each is compared, in units of its uncertainty, and counts as much as a channel's peak,
+    /// whatever is said of other channels. Without an uncertainty, that unit is a hundredth of the largest reading.
+    pub readings: bool,
     /// Weight where weights are given and not found from shapes.
     pub weight: Option<f64>,
     /// Why the channel takes no part in the norm; it is still reported.
@@ -34,6 +37,11 @@ impl Channel {
     /// A channel with its history, in `unit`.
     pub fn history(name: &str, unit: &str, history: Vec<f64>) -> Self {
         Self { name: name.to_owned(), unit: unit.to_owned(), history: Some(history), ..Self::default() }
+    }
+
+    /// A channel of single readings, in `unit`.
+    pub fn readings(name: &str, unit: &str, readings: Vec<f64>) -> Self {
+        Self { readings: true, ..Self::history(name, unit, readings) }
     }
 
     /// The signed measured peak: as given, else the value of largest magnitude.
@@ -62,7 +70,9 @@ impl Channel {
         };
         let left: Vec<f64> = history.iter().zip(response).map(|(v, u)| v - gain * u).collect();
         let square = left.iter().map(|left| left * left).sum::<f64>();
-        let (deviation, over) = ((square / left.len().max(1) as f64).sqrt(), correlated_over(&left));
+        // Readings are taken one by one: their order is no time.
+        let over = if self.readings { 1.0 } else { correlated_over(&left) };
+        let deviation = (square / left.len().max(1) as f64).sqrt();
         let stated = self.uncertainty.map(|noise| noise * noise * self.correlated_over.unwrap_or(1.0).max(1.0));
         if stated.is_some_and(|stated| stated >= deviation * deviation * over) || !(deviation > 0.0) {
             return self.clone();

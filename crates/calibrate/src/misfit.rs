@@ -1,7 +1,7 @@
 //! The misfit of a model (railway paper, section 3.4): errors of peaks by eq. 3, weights from shapes by eq. 4, and the
 //! weighted root mean square norm; beside them whole histories and errors in units of the measurement.
 
-use crate::channel::shape_correlation;
+use crate::channel::{Channel, shape_correlation};
 use crate::forward::Response;
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
@@ -107,13 +107,19 @@ pub fn shape_correlations(problem: &Problem, response: &Response) -> Vec<Option<
     pairs.map(|(channel, values)| channel.history.as_ref().and_then(|h| shape_correlation(values, h))).collect()
 }
 
-/// Weights and factors of a full passage of the start model. A channel whose shape says nothing weighs nothing.
+/// Weights and factors of a full passage of the start model. A channel whose shape says nothing weighs nothing; one of readings weighs as many
+/// times as it has.
 pub fn hold(problem: &Problem, response: &Response) -> Held {
     let shape_correlations = shape_correlations(problem, response);
+    let readings = |k: usize| match &problem.channels()[k] {
+        Channel { readings: true, history: Some(history), .. } => history.len() as f64,
+        _ => 1.0,
+    };
     let weight = |k: usize| match problem.misfit().weights {
         _ if !problem.channels()[k].counts() => 0.0,
+        Weights::Given => readings(k) * problem.channels()[k].weight.unwrap_or(0.0),
+        _ if problem.channels()[k].readings => readings(k),
         Weights::ShapeCorrelation => shape_correlations[k].map_or(0.0, |factor| factor * factor),
-        Weights::Given => problem.channels()[k].weight.unwrap_or(0.0),
         Weights::Equal => 1.0,
     };
     let weights = (0..problem.channels().len()).map(weight).collect();
@@ -131,12 +137,21 @@ pub fn peak_place(problem: &Problem, channel: usize, values: &[f64]) -> Option<u
     (0..values.len()).reduce(|best, k| if size(values[k]) > size(values[best]) { k } else { best })
 }
 
+/// Uncertainty of a channel that states none, as a share of its measured peak.
+pub(crate) const UNSTATED: f64 = 0.01;
+
+/// What one value of a channel that states no uncertainty is taken to be known to [unit of the channel].
+pub(crate) fn unstated(channel: &Channel) -> Option<f64> {
+    channel.measured_peak().map(|peak| UNSTATED * peak.abs())
+}
+
 /// What a channel's differences are divided by; negative where the measured peak is, as eq. 3 has it.
 fn divisor(problem: &Problem, channel: usize) -> f64 {
+    let scaling = problem.scaling(channel);
     let channel = &problem.channels()[channel];
-    let divisor = match problem.misfit().scaling {
+    let divisor = match scaling {
         Scaling::MeasuredPeak => channel.measured_peak(),
-        Scaling::Uncertainty => channel.uncertainty,
+        Scaling::Uncertainty => channel.uncertainty.or_else(|| unstated(channel).filter(|_| channel.readings)),
     };
     divisor.filter(|d| *d != 0.0).unwrap_or(f64::NAN)
 }
@@ -156,7 +171,7 @@ pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
     let mut channels = Vec::with_capacity(response.values.len());
     for (k, values) in response.values.iter().enumerate() {
         let all = differences(problem, held, k, values);
-        let error = match problem.misfit().compare {
+        let error = match problem.compare(k) {
             Compare::Peaks => all.first().map_or(f64::NAN, |(_, difference)| *difference),
             Compare::Histories => (all.iter().map(|(_, d)| d * d).sum::<f64>() / all.len() as f64).sqrt(),
         };
@@ -189,13 +204,12 @@ pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64
 /// How many residuals there are, from the lengths of the channels' histories.
 pub fn residual_count(problem: &Problem, held: &Held, length: impl Fn(usize) -> usize) -> usize {
     let counting = (0..held.weights.len()).filter(|k| held.weights[*k] > 0.0);
-    match problem.misfit().compare {
-        Compare::Peaks => counting.count(),
-        Compare::Histories => {
-            let measured = |k: usize| problem.channels()[k].history.as_ref().map(Vec::len);
-            counting.map(|k| measured(k).unwrap_or_else(|| length(k))).sum()
-        }
-    }
+    let measured = |k: usize| problem.channels()[k].history.as_ref().map(Vec::len);
+    let of = |k: usize| match problem.compare(k) {
+        Compare::Peaks => 1,
+        Compare::Histories => measured(k).unwrap_or_else(|| length(k)),
+    };
+    counting.map(of).sum()
 }
 
 /// What the model gives of each channel that is compared [unit of the channel]: its peak, or its whole history.
@@ -212,7 +226,7 @@ pub(crate) fn compared_of(problem: &Problem, held: &Held, channel: usize, values
 /// What was measured of a channel that is compared: its peak, or its whole history; empty where it has none.
 pub(crate) fn record(problem: &Problem, channel: usize) -> Cow<'_, [f64]> {
     let measured = &problem.channels()[channel];
-    match problem.misfit().compare {
+    match problem.compare(channel) {
         Compare::Peaks => measured.measured_peak().into_iter().collect(),
         Compare::Histories => measured.history.as_deref().unwrap_or_default().into(),
     }
@@ -231,7 +245,7 @@ pub fn compared_derivatives(problem: &Problem, response: &Response) -> Vec<Vec<V
 
 /// Places of the values of a channel that are compared.
 fn places(problem: &Problem, channel: usize, values: &[f64]) -> Vec<usize> {
-    match problem.misfit().compare {
+    match problem.compare(channel) {
         Compare::Peaks => peak_place(problem, channel, values).into_iter().collect(),
         Compare::Histories => (0..values.len()).collect(),
     }
@@ -254,7 +268,6 @@ pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::channel::Channel;
     use crate::parameter::Parameter;
 
     fn response(values: Vec<Vec<f64>>) -> Response {
@@ -296,5 +309,30 @@ mod tests {
         assert_eq!(peak_place(&problem, 0, &[0.5, -0.2, 0.1]), Some(1));
         let largest = Problem::new(parameters, channels, Misfit { sense: Sense::Largest, ..misfit }).unwrap();
         assert_eq!(peak_place(&largest, 0, &[0.5, -0.2, 0.1]), Some(0));
+    }
+
+    /// Readings are compared one by one beside a peak, each as much as that, over what one is known to.
+    #[test]
+    fn readings_count_one_by_one_in_units_of_their_uncertainty() {
+        let crown = Channel { uncertainty: Some(0.02), ..Channel::readings("crown", "mm", vec![-0.3, 0.0, -0.1]) };
+        let silent = Channel::readings("strain", "microstrain", vec![-20.0, 10.0]);
+        let passed = Channel { uncertainty: Some(0.01), ..Channel::peak("passed", "mm", -0.5) };
+        let misfit = Misfit { scaling: Scaling::Uncertainty, weights: Weights::Equal, ..Misfit::default() };
+        let parameters = vec![Parameter::new("E", "GPa", 1.0, 0.0, 2.0)];
+        let problem = Problem::new(parameters.clone(), vec![crown, silent.clone(), passed], misfit).unwrap();
+        let model = response(vec![vec![-0.32, 0.01, -0.1], vec![-20.2, 10.4], vec![0.0, -0.53, 0.2]]);
+        let held = hold(&problem, &model);
+        assert_eq!(held.weights, [3.0, 2.0, 1.0]);
+        let by_hand: [f64; 6] = [-1.0, 0.5, 0.0, -1.0, 2.0, -3.0];
+        let found = residuals(&problem, &held, &model);
+        assert_eq!((found.len(), residual_count(&problem, &held, |_| 0)), (6, 6));
+        for (residual, wanted) in found.iter().zip(by_hand) {
+            assert!((residual - wanted / 6.0_f64.sqrt()).abs() < 1e-12, "{found:?}");
+        }
+        let norm = (by_hand.iter().map(|d| d * d).sum::<f64>() / 6.0).sqrt();
+        assert!((fit(&problem, &held, &model).norm - norm).abs() < 1e-12, "rounding");
+        // Nothing but zeros and no uncertainty: there is no unit to compare in.
+        let zeros = Channel { history: Some(vec![0.0]), ..silent };
+        assert!(Problem::new(parameters, vec![zeros], misfit).is_err());
     }
 }

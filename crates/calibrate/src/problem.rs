@@ -53,6 +53,16 @@ impl Problem {
         &self.misfit
     }
 
+    /// What is compared of a channel.
+    pub fn compare(&self, channel: usize) -> Compare {
+        if self.channels[channel].readings { Compare::Histories } else { self.misfit.compare }
+    }
+
+    /// What its differences are divided by.
+    pub fn scaling(&self, channel: usize) -> Scaling {
+        if self.channels[channel].readings { Scaling::Uncertainty } else { self.misfit.scaling }
+    }
+
     /// The same problem with other uncertainties of the channels, in their order; those that are not above zero stay.
     pub fn with_uncertainties(&self, uncertainties: &[f64]) -> Self {
         let mut problem = self.clone();
@@ -65,16 +75,15 @@ impl Problem {
     }
 
     /// The same problem with noise that is no smaller than what a response leaves of the histories ([`Channel::with_noise_of`]) after the
-    /// gains that the likelihood allows it; unchanged where peaks are compared.
+    /// gains that the likelihood allows it; channels of which the peak is compared stay.
     pub fn with_noise_of(&self, response: &Response, likelihood: &Likelihood) -> Self {
         let mut problem = self.clone();
-        if self.misfit.compare == Compare::Histories {
-            let common = if likelihood.common_gain > 0.0 { self.common_gain(response) } else { 1.0 };
-            for (channel, values) in problem.channels.iter_mut().zip(&response.values) {
-                let own = likelihood.model_error != ModelError::None;
-                let gain = if own { channel.gain_over(values) } else { common };
-                *channel = channel.with_noise_of(values, gain);
-            }
+        let common = if likelihood.common_gain > 0.0 { self.common_gain(response) } else { 1.0 };
+        let own = likelihood.model_error != ModelError::None;
+        let pairs = problem.channels.iter_mut().zip(&response.values).enumerate();
+        for (_, (channel, values)) in pairs.filter(|(k, _)| self.compare(*k) == Compare::Histories) {
+            let gain = if own { channel.gain_over(values) } else { common };
+            *channel = channel.with_noise_of(values, gain);
         }
         problem
     }
@@ -145,6 +154,10 @@ fn check_channels(channels: &[Channel], misfit: &Misfit, findings: &mut Vec<Flaw
         if !channel.counts() {
             continue;
         }
+        if channel.readings {
+            check_readings(channel, misfit, &mut say);
+            continue;
+        }
         match channel.measured_peak() {
             None => say(name, "nothing was measured", "give a peak or a history, or leave the channel out"),
             Some(peak) if peak == 0.0 && misfit.scaling == Scaling::MeasuredPeak => say(
@@ -169,5 +182,22 @@ fn check_channels(channels: &[Channel], misfit: &Misfit, findings: &mut Vec<Flaw
         if wanted && !channel.uncertainty.is_some_and(|u| u.is_finite() && u > 0.0) {
             say(name, "it has no uncertainty above zero", "give the standard deviation of one value");
         }
+    }
+}
+
+/// A list of readings needs one at least, and a unit to compare them in.
+fn check_readings(channel: &Channel, misfit: &Misfit, say: &mut impl FnMut(&str, &str, &str)) {
+    let name = &channel.name;
+    let largest = channel.history.iter().flatten().fold(0.0_f64, |most, reading| most.max(reading.abs()));
+    if channel.history.as_ref().is_none_or(Vec::is_empty) {
+        say(name, "nothing was read", "give a reading, or leave the channel out");
+    }
+    match channel.uncertainty {
+        Some(uncertainty) if uncertainty.is_finite() && uncertainty > 0.0 => {}
+        None if largest > 0.0 => {}
+        _ => say(name, "it has no uncertainty above zero", "give the standard deviation of one reading"),
+    }
+    if misfit.weights == Weights::Given && !channel.weight.is_some_and(|w| w.is_finite() && w > 0.0) {
+        say(name, "it has no weight above zero", "give one, or leave the channel out");
     }
 }

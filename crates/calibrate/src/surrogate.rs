@@ -48,7 +48,7 @@ pub struct Surrogate {
 impl Surrogate {
     /// The problem with the polynomial's own error joined to the uncertainties of the channels, for a posterior by it.
     pub fn widen(&self, problem: &Problem) -> Problem {
-        let error = |k: usize| match problem.misfit().compare {
+        let error = |k: usize| match problem.compare(k) {
             Compare::Peaks => self.mean_error[k] * problem.channels()[k].measured_peak().unwrap_or(0.0).abs(),
             Compare::Histories => self.value_error[k],
         };

@@ -101,9 +101,10 @@ findings::cards! {
                materials; without a name each lists them all. Your own vehicles and rules are in files that the bridge file names \
                (`vehicle_files` and `rule_file` in [sweep]); your own values stand in the bridge file.";
     "F130", "nothing can be updated",
-        "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] \
-               with `place`, a table or a folder beside the file) and at least one [[parameter]] with a range. At \
-               least one channel of the records must be usable: the message lists what was found in them. Columns are \
+        "Updating needs at least one [[parameter]] with a range, and something that was measured: records of a passage ([records] \
+               with `place`, a table or a folder beside the file, of a train ([train], [track]) or a road vehicle ([vehicle]) that crosses by \
+               [passage]), or readings of loads at rest ([load_test], in its positions or in a table beside the file), or both. At \
+               least one channel must be usable: the message lists what was found. Columns are \
                named after sensors, or assigned to them by `column` in [[channel]].";
     "F131", "no field tests found",
         "`extrados validate FOLDER` needs a folder with priors.toml and a folder for each test. Without FOLDER it looks in validation/ of \

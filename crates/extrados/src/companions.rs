@@ -1,4 +1,4 @@
-//! Files that a bridge file names: packings, trains, vehicles and rules, records. Their paths are relative to the bridge file.
+//! Files that a bridge file names: packings, trains, vehicles and rules, records, readings of a load test. Their paths are relative to the bridge file.
 
 use crate::files::{Files, LONGEST, LONGEST_PHOTOGRAPH, LONGEST_TEXT};
 use crate::refusal::{Refusal, reason};
@@ -20,7 +20,30 @@ pub(crate) fn take(read: &mut Read, path: &Path, files: &dyn Files) -> Result<()
     if let Some(passage) = &mut bridge.passage {
         take_train(&mut passage.train, path, files)?;
     }
+    if let Some(train) = bridge.load_test.as_mut().and_then(|test| test.train.as_mut()) {
+        take_train(train, path, files)?;
+    }
     Ok(())
+}
+
+/// Reads the table of readings that a load test names. A bridge can be loaded before anybody has read anything: without its table the file is used, and
+/// only updating needs it.
+pub(crate) fn readings(read: &mut Read, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
+    let Some(test) = read.bridge.as_mut().and_then(|bridge| bridge.load_test.as_mut()) else { return Ok(()) };
+    let Some(name) = &test.readings.file else { return Ok(()) };
+    let path = beside(path, name);
+    let text = text("readings", name, &path, files)?;
+    test.take_table(&String::from_utf8_lossy(&text)).map_err(|wrong| {
+        const SHOWN: usize = 10;
+        let more = wrong.len().saturating_sub(SHOWN);
+        let mut said = wrong.into_iter().take(SHOWN).collect::<Vec<_>>().join("; ");
+        if more > 0 {
+            said += &format!("; and {more} more");
+        }
+        let message = format!("cannot use the readings {}: {said}", path.display());
+        let help = "write a row for each position and a column for each sensor with its unit: position,crown displacement [mm]";
+        Refusal::new("F130", message, help)
+    })
 }
 
 /// Every file that is read beside a bridge file, and every record that is going to be.
@@ -29,12 +52,16 @@ pub(crate) fn inputs(read: &Read, path: &Path, files: &dyn Files) -> Vec<PathBuf
     let mut names: Vec<&str> = Vec::new();
     names.extend(bridge.particles.as_ref().and_then(|particles| particles.file.as_deref()));
     names.extend(bridge.passage.as_ref().and_then(|passage| passage.train.file.as_deref()));
+    let test = bridge.load_test.as_ref();
+    names.extend(test.and_then(|test| test.train.as_ref()).and_then(|train| train.file.as_deref()));
+    names.extend(test.and_then(|test| test.readings.file.as_deref()));
     names.extend(
         bridge.sweep.iter().flat_map(|sweep| sweep.rule_file.iter().chain(&sweep.vehicle_files)).map(String::as_str),
     );
     let mut all: Vec<PathBuf> = names.into_iter().map(|name| beside(path, name)).collect();
     // A folder of records is every file in it.
-    if let Some(place) = read.update.as_ref().map(|update| beside(path, &update.records.place)) {
+    let records = read.update.as_ref().and_then(|update| update.records.as_ref());
+    if let Some(place) = records.map(|records| beside(path, &records.place)) {
         all.extend(files.list(&place).ok().flatten().unwrap_or_default());
         all.push(place);
     }

@@ -39,10 +39,12 @@ impl Project {
         companions::take(&mut read, path, files)?;
         names::look_up(&mut read, &text);
         let inputs = companions::inputs(&read, path, files).into();
-        let records = match &read.update {
-            Some(asked) => companions::records(path, &asked.records.place, files),
+        let readings = companions::readings(&mut read, path, files);
+        let records = match read.update.as_ref().and_then(|asked| asked.records.as_ref()) {
+            Some(records) => companions::records(path, &records.place, files),
             None => Ok(Vec::new()),
         };
+        let records = readings.and(records);
         let photographs = companions::photographs(&read, path, files).into();
         Ok(Project { name: path.display().to_string(), text, read, inputs, records: Arc::new(records), photographs })
     }
@@ -95,7 +97,7 @@ impl Project {
     /// The records that the file names; empty where it names none.
     ///
     /// # Errors
-    /// Records that are missing or cannot be read (F101, F130).
+    /// Records or readings of a load test that are missing or cannot be read (F101, F130).
     pub fn records(&self) -> Result<&[RecordFile], Refusal> {
         self.records.as_ref().as_ref().map(Vec::as_slice).map_err(Clone::clone)
     }

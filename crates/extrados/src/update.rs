@@ -66,7 +66,11 @@ fn with_task<T>(
     let bridge = project.bridge()?;
     let Some(mut asked) = project.meaning().update.clone() else {
         let message = format!("{} says nothing of what to seek", project.name());
-        return Err(Refusal::new("F130", message, "add [records] and [[parameter]] tables; extrados explain F130"));
+        return Err(Refusal::new(
+            "F130",
+            message,
+            "add [[parameter]] tables, and [records] or readings in [load_test]; extrados explain F130",
+        ));
     };
     asked.plan.search = options.search.unwrap_or(asked.plan.search);
     asked.plan.variant = options.variant.unwrap_or(asked.plan.variant);

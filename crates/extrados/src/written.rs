@@ -81,6 +81,7 @@ pub fn passage(found: &Passage) -> Written {
     files.extend(tables([
         ("influence", published::influence_table(found)),
         ("channels", published::channels_table(found)),
+        ("positions", published::positions_table(found)),
         ("log", published::passage_log(found)),
         ("joints", published::joint_states(found)),
         ("thrust-lines", published::thrust_lines(found)),
@@ -92,6 +93,7 @@ pub fn passage(found: &Passage) -> Written {
 pub fn update(found: &Update) -> Written {
     let files = tables([
         ("histories", published::histories_table(found)),
+        ("readings", published::readings_table(found)),
         ("sweeps", published::sweeps_table(found)),
         ("samples", published::samples_table(found)),
     ]);

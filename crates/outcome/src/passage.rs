@@ -3,7 +3,7 @@
 use crate::mesh::MeshPicture;
 use crate::note::Note;
 use crate::picture::{Point, ThrustPoint};
-use crate::published::{list, object};
+use crate::published::{Object, list, object};
 use crate::warning::Warning;
 use crate::wire::published;
 use crate::words::words;
@@ -110,6 +110,24 @@ impl SensorRecord {
     /// That value [SI].
     pub fn peak_value(&self) -> f64 {
         self.peak().map_or(0.0, |k| self.values[k])
+    }
+}
+
+published! {
+    /// A position of a load test, and what sensors read in it.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub struct PositionAtRest |position, of: &Passage| {
+        /// Its name.
+        pub name: String,
+        /// Value of every sensor by its name, in its unit, self-weight taken off.
+        = channels: Object = of.by_sensor(|k| position.values.get(k).copied()),
+        /// Value of each sensor in the order of `channels`, self-weight taken off [SI]; empty where no equilibrium was found.
+        pub values: Vec<f64> [kept],
+        /// What was read, by the names of the sensors; none where nothing was.
+        = readings?: Option<Object> =
+            Some(of.by_sensor(|k| position.readings.get(k).copied().flatten())).filter(|readings| !readings.is_empty()),
+        /// Reading of each sensor in the order of `channels` [SI], where there is one.
+        pub readings: Vec<Option<f64>> [kept],
     }
 }
 
@@ -266,14 +284,16 @@ published! {
         pub times: Vec<f64> [kept],
         /// Position of the first axle at these times [m].
         pub positions: Vec<f64> [kept],
-        /// Records of the sensors.
+        /// Records of the sensors; where nothing crosses, their values in the positions of the load test.
         pub channels: Vec<SensorRecord> = list(&passage.channels, |one| one.object(passage)),
+        /// Positions of the load test: `name`, `channels`, in its order.
+        pub positions_at_rest: Vec<PositionAtRest> as positions = list(&passage.positions_at_rest, |one| one.object(passage)),
         /// Unknowns of the model, before anything is condensed.
         pub degrees_of_freedom: usize,
         /// Unknowns that iterate, where linear parts are condensed.
         pub condensed_degrees_of_freedom: Option<usize>,
         /// Positions at which equilibrium was sought.
-        = load_positions: usize = passage.times.len(),
+        = load_positions: usize = passage.times.len() + passage.positions_at_rest.len(),
         /// Iterations of all steps.
         pub iterations_total: u64,
         /// Most joints that were open somewhere at the same time.
@@ -310,6 +330,16 @@ published! {
         pub log: Vec<StepLog> [kept],
         /// Influence lines, where they were computed.
         pub influence: Option<Influence> [kept],
+    }
+}
+
+impl Passage {
+    /// Values of the sensors [SI] by their names, in their units; those that have none are left out.
+    fn by_sensor(&self, value: impl Fn(usize) -> Option<f64>) -> Object {
+        let channels = self.channels.iter().enumerate();
+        let named = channels
+            .filter_map(|(k, channel)| Some((channel.name.clone(), (channel.quantity.scale() * value(k)?).into())));
+        named.collect()
     }
 }
 

@@ -4,7 +4,7 @@
 use crate::note::Note;
 use crate::passage::{Measurand, PassageStatus};
 use crate::published::object;
-use crate::published::update::{channels, parameters, records, sensitivity, stages, told};
+use crate::published::update::{channels, parameters, positions, records, sensitivity, stages, told};
 use crate::warning::Warning;
 use crate::wire::published;
 use crate::words::words;
@@ -36,6 +36,23 @@ pub struct Histories {
     pub updated: Vec<f64>,
     /// Why it takes no part, if it does not.
     pub left_out: Option<String>,
+}
+
+/// What a sensor read in the positions of a load test, and what the model gives there [unit of the channel].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReadAtRest {
+    /// Name of the sensor.
+    pub sensor: String,
+    /// What it records.
+    pub quantity: Measurand,
+    /// Names of the positions in which it was read.
+    pub positions: Vec<String>,
+    /// What it read there.
+    pub measured: Vec<f64>,
+    /// The start model there.
+    pub start: Vec<f64>,
+    /// The updated model there; empty where no search found an end.
+    pub updated: Vec<f64>,
 }
 
 /// The paper's search by one reading of its rules, from one start.
@@ -230,8 +247,12 @@ published! {
         pub computed: usize as evaluations_computed,
         /// Every channel: `name`, `unit`, `measured_peak`, `model_peak`, `shape_correlation`, `weight`, `error` and so on.
         = channels: Vec<Object> = channels(update),
-        /// Histories by channel, in the order of `problem`.
+        /// Histories by channel, in the order of `problem`, whose last channels are those of `read_at_rest`.
         pub channels: Vec<Histories> [kept],
+        /// Positions of the load test: `name`, and `channels` with what each sensor read (`measured`) and the model gives (`start`, `updated`).
+        = positions: Vec<Object> = positions(update),
+        /// Readings of the load test by sensor.
+        pub read_at_rest: Vec<ReadAtRest> [kept],
         /// All searches, in the order in which they were made.
         pub searches: Vec<SearchLine>,
         /// Sweeps of the model about the start, or of its straight line about the answer: `parameter`, `range`, `rank` and so on.

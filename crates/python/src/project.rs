@@ -102,7 +102,7 @@ impl Project {
 
     /// Path of the table or folder of records that it names, as it stands in the file.
     fn records_place(&self) -> Option<String> {
-        self.file.meaning().update.as_ref().map(|asked| asked.records.place.clone())
+        Some(self.file.meaning().update.as_ref()?.records.as_ref()?.place.clone())
     }
 
     /// Names of the cases that it has.

@@ -90,7 +90,12 @@ fn updated(file: &File, twin: Option<&toml::Table>) -> Result<Json, String> {
                 File::read(&truth).and_then(|twin| twin.crossed()).map_err(|reason| format!("twin: {reason}"))?;
             outcome::records::write(&record(&found, "twin", "a verification case", &Logger::NONE)).into_bytes()
         }
-        None => crate::read_bytes(asked.records.place.as_ref()).map_err(|e| format!("{}: {e}", asked.records.place))?,
+        None => match &asked.records {
+            Some(records) => {
+                crate::read_bytes(records.place.as_ref()).map_err(|e| format!("{}: {e}", records.place))?
+            }
+            None => Vec::new(),
+        },
     };
     let files = [RecordFile { name: "records.csv".to_owned(), bytes: records }];
     let task = Task { bridge: &file.bridge, document: &document, asked, files: &files };

@@ -100,7 +100,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
             );
           }}
         </For>
-        <div class="row" hidden={!props.sheet.about[0]()}>
+        <Show when={props.sheet.about[0]()}><div class="row">
           <Show when={state()} fallback={<button type="button" class="btn small" onClick={() => void run()}>How much each one matters</button>}>
             {(now) => (
               <>
@@ -109,7 +109,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
               </>
             )}
           </Show>
-        </div>
+        </div></Show>
         <Show when={trouble()}>
           <p class="complaint" role="alert">{trouble()}</p>
         </Show>

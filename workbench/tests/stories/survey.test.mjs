@@ -172,7 +172,7 @@ test("vehicles are ticked: all of the rule, several, none; the file has the code
     const { page, complaints, context } = await visit({ width, theme, height: width === 390 ? 844 : 800 });
     const field = await survey(page);
     await judged(page, field, ["road", "cs-454"]);
-    await until("the rule alone", async () => /\[sweep\]\nrule = "cs-454"\n# every vehicle of the library that goes with the rule\n/.test(await textOf(page)));
+    await until("the rule alone", async () => /\[sweep\]\nrule = "cs-454"\n# every vehicle of the library that goes with the rule[^\n]*\n/.test(await textOf(page)));
     assert.ok(await page.getByRole("checkbox", { name: /^CS 454 axles, all 6/ }).isChecked(), "what the rule brings is ticked");
     assert.ok(!(await page.getByRole("checkbox", { name: /^HB, all 4/ }).isChecked()), "abnormal loads are moved where they are named");
     assert.ok(!(await page.getByRole("checkbox", { name: /^British weight restrictions, all/ }).isChecked()), "and what it does not bring is not");

@@ -28,7 +28,7 @@ test("the least thickness of a ring is found where the file asks for it", async 
 test("a bridge that does not stand says so in the place of its load, and a wrong value is told at its field", async () => {
   const { page, complaints, context } = await visit();
   await openExample(page, "tiny");
-  const field = page.locator('[data-path="span[1].thickness"]');
+  const field = page.locator('input[data-path="span[1].thickness"]');
   await field.fill("20 mm");
   await field.blur();
   await until("the headline says so", async () => /does not stand/i.test(await page.getByTestId("headline").innerText().catch(() => "")), 60);

@@ -74,7 +74,7 @@ pub(super) fn edges(bridge: &Bridge) -> Edges {
 /// Whether trains run on the bridge.
 pub(super) fn carries_trains(bridge: &Bridge) -> bool {
     let moved = bridge.sweep.as_ref().and_then(|plan| chosen(bridge, plan).ok());
-    let crossed = bridge.passage.as_ref().is_some_and(|asked| matches!(asked.way, Way::Rails(_)));
+    let crossed = bridge.way().is_some_and(|way| matches!(way, Way::Rails(_)));
     crossed || moved.is_some_and(|(_, vehicles)| vehicles.iter().any(|one| one.ways == Ways::Rail))
 }
 

@@ -114,7 +114,7 @@ fn apart(bridge: &Bridge) -> Vec<Apart> {
         )
     }));
     if ground::carries_trains(bridge) {
-        let track = bridge.passage.as_ref().map(|passage| passage.way.dead_load());
+        let track = bridge.way().map(bridge::passage::Way::dead_load);
         let why = match track {
             Some(_) => "in the passage of the train, and not at collapse",
             None => "the file does not weigh them: a layer of ballast in [[cover]] may hold them in its density",

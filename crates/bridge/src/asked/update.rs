@@ -17,11 +17,26 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
     if !UPDATE_SECTIONS.iter().any(|section| file.has(section)) {
         return None;
     }
-    for key in ["records", "parameter"].into_iter().filter(|key| !file.has(key)) {
-        file.need::<()>(key, findings);
+    let read = bridge.and_then(|bridge| bridge.load_test.as_ref()).map(|test| &test.readings);
+    // Of a file with another mistake nobody knows what it reads.
+    let at_rest = match bridge {
+        Some(_) => read.is_some_and(|readings| readings.any() || readings.file.is_some()),
+        None => file.has("load_test"),
+    };
+    if !file.has("parameter") {
+        file.need::<()>("parameter", findings);
+    }
+    if !file.has("records") && !at_rest {
+        file.need::<()>("records", findings);
+    }
+    if file.has("records") && file.has("load_test") && !file.has("passage") {
+        file.need::<()>("passage", findings);
     }
     let sensors = sensors(bridge);
-    let records = records(file, sensors.as_deref(), findings);
+    let records = match file.has("records") {
+        true => records(file, sensors.as_deref(), findings).map(Some),
+        false => at_rest.then_some(None),
+    };
     let channels = channels(file, sensors.as_deref(), findings);
     let document = Document::parse(text).map(|mut document| {
         UPDATE_SECTIONS.iter().for_each(|section| document.remove(section));
@@ -35,7 +50,8 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
 /// Names of the sensors; nothing where the bridge or its passage is not known.
 fn sensors(bridge: Option<&Bridge>) -> Option<Vec<String>> {
     let bridge = bridge?;
-    let sensors = bridge.passage.as_ref().map(|passage| passage.sensors.clone())?;
+    let at_rest = || bridge.load_test.as_ref().map(|test| test.sensors.clone());
+    let sensors = bridge.passage.as_ref().map(|passage| passage.sensors.clone()).or_else(at_rest)?;
     let sensors = if sensors.is_empty() { default_sensors(bridge.spans.len()) } else { sensors };
     Some(sensors.into_iter().map(|sensor| sensor.name).collect())
 }

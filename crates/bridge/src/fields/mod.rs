@@ -7,6 +7,7 @@ pub(crate) mod continuum;
 pub(crate) mod cover;
 pub(crate) mod defect;
 pub(crate) mod edge;
+pub(crate) mod load_test;
 pub(crate) mod loading;
 pub(crate) mod material;
 pub(crate) mod particles;
@@ -119,6 +120,8 @@ pub static FILE: Section = Section {
         tables("sensor", &crate::sensor::SENSOR, "What is measured while the train or the vehicle crosses.").optional(
             "crown, pier springing and abutment springing of the first span: displacement and strain of each",
         ),
+        table("load_test", &load_test::LOAD_TEST, "Loads at rest on the bridge, and what was read.")
+            .optional("no load stands still on the bridge"),
         tables("vary", &vary::VARY, "What `extrados vary` changes, and over which values.")
             .optional("nothing is varied"),
         table("records", &crate::update::RECORDS, "Records that `extrados update` compares with.")

@@ -38,6 +38,10 @@ pub(crate) fn passage(
     layout: Option<&Layout>,
     findings: &mut Findings,
 ) -> Option<Option<Passage>> {
+    // What else there is then belongs to loads at rest.
+    if file.has("load_test") && !file.has("passage") {
+        return Some(None);
+    }
     let on_road = file.has("vehicle");
     let keys: &[&str] = if on_road { &["vehicle", "passage"] } else { &["train", "track", "passage"] };
     if !keys.iter().chain(&["sensor"]).any(|key| file.has(key)) {

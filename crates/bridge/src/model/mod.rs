@@ -70,6 +70,16 @@ pub struct Bridge {
     pub sweep: Option<SweepPlan>,
     /// The train that crosses, and what is measured meanwhile, where the file says so.
     pub passage: Option<crate::passage::Passage>,
+    /// Loads at rest, and what is measured then, where the file says so.
+    pub load_test: Option<crate::load_test::LoadTest>,
     /// What the file takes from the library by the name of a material, each as "masonry.density 2250 kg/m^3 (sandstone)".
     pub from_library: Vec<String>,
+}
+
+impl Bridge {
+    /// What trains or vehicles of this file roll on or stand on.
+    pub fn way(&self) -> Option<&crate::passage::Way> {
+        let at_rest = || self.load_test.as_ref().and_then(|test| test.way.as_ref());
+        self.passage.as_ref().map(|passage| &passage.way).or_else(at_rest)
+    }
 }

@@ -41,6 +41,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let load = |table: &Table<'_>, findings: &mut Findings| loading::load(table, widths, lengths.as_ref(), findings);
     let loads = file.all("load", findings, load);
     let passage = passage::passage(file, strip, spans.as_deref(), lengths.as_ref(), findings);
+    let places = (spans.as_deref(), lengths.as_ref());
+    let load_test = load_test::load_test(file, passage.as_ref(), strip, places, findings);
     let fill_pressure = file.optional("fill_pressure", findings, crate::model::FillPressure::of);
     let sweep = file.optional("sweep", findings, sweep::sweep);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
@@ -91,6 +93,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         sweep: sweep?,
         service: service?,
         passage: passage?,
+        load_test: load_test?,
     })
 }
 

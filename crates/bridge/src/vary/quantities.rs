@@ -74,7 +74,7 @@ fn visit(section: &'static Section, table: Option<&dyn TableLike>, prefix: &str,
                     visit(inner, one, &format!("{path}[{number}]."), found);
                 }
             }
-            Kind::Text => {}
+            Kind::Text | Kind::Readings => {}
             _ => match (item.and_then(Item::as_value), field.need) {
                 (Some(value), _) => {
                     found.push(Known { path, value: literal(value), by_default: false, doc: field.doc });
@@ -125,7 +125,7 @@ pub fn find(document: &Document, text: &str) -> Result<Variable, Slip> {
         let item = table.and_then(|table| table.get(&step.key));
         let inner = match field.kind {
             Kind::Table(inner) | Kind::Tables(inner) => inner,
-            Kind::Text if last => return Err(no_quantity(document, text)),
+            Kind::Text | Kind::Readings if last => return Err(no_quantity(document, text)),
             _ if last => {
                 let default = by_name(section, field, table);
                 return quantity(document, whole, step, (field, default), item, text);

@@ -31,6 +31,10 @@ pub(crate) const TRAIN: &str = include_str!("files/train.toml");
 pub(crate) const LORRY: &str = include_str!("files/lorry.toml");
 /// A single axle of a known force.
 pub(crate) const AXLE: &str = include_str!("files/axle.toml");
+/// A lorry, vehicles of the library and jacks at rest, with their readings.
+pub(crate) const LOAD_TEST: &str = include_str!("files/load-test.toml");
+/// A jack at rest, with a table of readings.
+pub(crate) const LOAD_TABLE: &str = include_str!("files/load-table.toml");
 /// A train from a file.
 pub(crate) const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 
@@ -56,7 +60,7 @@ pub(crate) const CONDITION: &str = include_str!("files/condition.toml");
 pub(crate) const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub(crate) const GOOD: [&str; 22] = [
+pub(crate) const GOOD: [&str; 24] = [
     CASE_1,
     GRADIENT,
     NAMED,
@@ -78,6 +82,8 @@ pub(crate) const GOOD: [&str; 22] = [
     TRAIN_FILE,
     LORRY,
     AXLE,
+    LOAD_TEST,
+    LOAD_TABLE,
     ASSESS,
 ];
 

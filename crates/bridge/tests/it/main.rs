@@ -4,6 +4,7 @@ mod blocks;
 mod cards;
 mod files;
 mod help;
+mod load_test;
 mod materials;
 mod messages;
 mod mutation;

@@ -188,6 +188,20 @@ fn judge(file: &[u8]) -> Result<(), String> {
             passage.train.vehicles.iter_mut().for_each(|vehicle| vehicle.name.clear());
             passage.sensors.iter_mut().for_each(|sensor| sensor.name.clear());
         }
+        if let Some(test) = &mut bridge.load_test {
+            if let Some(train) = &mut test.train {
+                train.name.clear();
+                train.file = None;
+            }
+            let vehicles = test.train.iter_mut().flat_map(|train| &mut train.vehicles);
+            vehicles.for_each(|vehicle| vehicle.name.clear());
+            test.sensors.iter_mut().for_each(|sensor| sensor.name.clear());
+            for position in &mut test.positions {
+                position.name.clear();
+                position.vehicles.iter_mut().for_each(|one| one.vehicle = None);
+            }
+            test.readings.file = None;
+        }
         let numbers = format!("{bridge:?}");
         if numbers.contains("NaN") || numbers.contains("inf") {
             return Err(numbers);

@@ -12,7 +12,7 @@ use crate::basis::{Basis, Halt, answer};
 use crate::evaluator::Evaluator;
 use crate::forward::{Evaluation, Forward, Request, Response, Samples, Serial};
 use crate::identify::columns;
-use crate::misfit::{Compare, Held, compared, compared_derivatives};
+use crate::misfit::{Held, UNSTATED, compared, compared_derivatives, unstated};
 use crate::parameter::{Parameter, shares, values};
 use crate::posterior::likelihood::Likelihood;
 use crate::posterior::summary::{self, Summary};
@@ -102,10 +102,8 @@ impl Linearised {
 
     /// Every parameter varied alone over its range, all others as at the point: sensitivities by the straight line.
     pub fn sweeps(&self, problem: &Problem, held: &Held, start: &crate::misfit::Fit, count: usize) -> Vec<Sweep> {
-        let samples = match problem.misfit().compare {
-            Compare::Peaks => Samples::At(vec![vec![0]; self.values.len()]),
-            Compare::Histories => Samples::All,
-        };
+        // Places of the values that are compared, which are all that the line has.
+        let samples = Samples::At(self.values.iter().map(|values| (0..values.len()).collect()).collect());
         let basis = Basis { held: Held { beyond: Vec::new(), ..held.clone() }, samples, start: start.clone() };
         let mut watch = Unwatched;
         let mut evaluator = Evaluator::without_log(problem, self, &Serial, &mut watch);
@@ -116,9 +114,6 @@ impl Linearised {
     }
 }
 
-/// Uncertainty of a channel that states none, as a share of its measured peak.
-const UNSTATED: f64 = 0.01;
-
 /// The problem with an uncertainty for every channel that counts, and which were not stated.
 fn stated(problem: &Problem) -> (Problem, Vec<String>) {
     let mut silent = Vec::new();
@@ -127,7 +122,7 @@ fn stated(problem: &Problem) -> (Problem, Vec<String>) {
             if channel.counts() {
                 silent.push(channel.name.clone());
             }
-            UNSTATED * channel.measured_peak().unwrap_or(0.0).abs()
+            unstated(channel).unwrap_or(0.0)
         })
     };
     let all: Vec<f64> = problem.channels().iter().map(uncertainty).collect();

@@ -112,7 +112,7 @@ impl Likelihood {
             let model = compared_of(problem, held, k, values);
             let differences: Vec<f64> = model.iter().zip(&*record(problem, k)).map(|(u, v)| u - v).collect();
             let peak = || peak_place(problem, k, values).map_or(f64::NAN, |place| model[place]);
-            let local = match (problem.misfit().compare, self.block) {
+            let local = match (problem.compare(k), self.block) {
                 (Compare::Histories, Some(_)) => scale * peak(),
                 _ => 0.0,
             };
@@ -135,9 +135,10 @@ pub(crate) struct Noise {
 impl Noise {
     /// As the channel states it, a peak being one value alone; not a number where it does not.
     pub(crate) fn of(problem: &Problem, channel: usize) -> Self {
+        let compare = problem.compare(channel);
         let channel = &problem.channels()[channel];
         let deviation = channel.uncertainty.unwrap_or(f64::NAN);
-        let over = match problem.misfit().compare {
+        let over = match compare {
             Compare::Peaks => 1.0,
             Compare::Histories => channel.correlated_over.unwrap_or(1.0).max(1.0),
         };

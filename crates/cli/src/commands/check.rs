@@ -76,7 +76,7 @@ fn planned(bridge: &Bridge) -> Result<(), Refusal> {
     if bridge.calibration.wanted_modulus.is_some() {
         calibrate::planned(bridge)?;
     }
-    if bridge.passage.is_none() {
+    if bridge.passage.is_none() && bridge.load_test.is_none() {
         return Ok(());
     }
     match structure::discretise::mesh::mesh_with(bridge, options(bridge)) {
@@ -86,7 +86,15 @@ fn planned(bridge: &Bridge) -> Result<(), Refusal> {
             let error = MeshError::TooFine { nodes, most: MOST_NODES };
             Err(Refusal::new("F124", error.to_string(), "give a larger `size` in [mesh]"))
         }
-        _ => Ok(passage::setup(bridge).map(|_| ())?),
+        _ => {
+            if bridge.passage.is_some() {
+                passage::setup(bridge)?;
+            }
+            if bridge.load_test.is_some() {
+                passage::at_rest::setup(bridge)?;
+            }
+            Ok(())
+        }
     }
 }
 
@@ -204,6 +212,16 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
             weight / 1e3,
             3.6 * passage.plan.speed,
             counted(if passage.sensors.is_empty() { 6 } else { passage.sensors.len() }, "sensor")
+        );
+    }
+    if let Some(test) = &bridge.load_test {
+        let read = test.readings.values.iter().flatten().flatten().count();
+        let _ = writeln!(
+            page,
+            "  load test: {}, {}, {}",
+            counted(test.positions.len(), "position"),
+            counted(test.sensors.len(), "sensor"),
+            if read > 0 { counted(read, "reading") } else { "no readings yet".to_owned() }
         );
     }
     match meshed {

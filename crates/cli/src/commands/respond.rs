@@ -41,6 +41,10 @@ pub(super) fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Refu
 
 /// Writes the record of a train that has crossed; half a passage would pass for a whole one.
 fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(), Refusal> {
+    if found.times.is_empty() {
+        report.summary += "  no synthetic record was written: nothing crosses; positions.csv has the values at rest\n";
+        return Ok(());
+    }
     if found.status != PassageStatus::Completed {
         report.summary += "  no synthetic record was written: the train did not cross\n";
         return Ok(());

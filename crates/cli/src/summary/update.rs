@@ -6,7 +6,10 @@ use std::fmt::Write;
 
 /// Parameters, channels, searches beside one another, what the records tell, what was found in them.
 pub(crate) fn update(found: &Update, out: &str) -> String {
-    let mut page = format!("{}: updated by the passage of {}\n\n", found.bridge, found.train);
+    let crossed = (!found.times.is_empty()).then(|| format!("the passage of {}", found.train));
+    let stood = (!found.read_at_rest.is_empty()).then(|| "readings of loads at rest".to_owned());
+    let by: Vec<String> = crossed.into_iter().chain(stood).collect();
+    let mut page = format!("{}: updated by {}\n\n", found.bridge, by.join(" and "));
     if found.status == UpdateStatus::NotConverged {
         let _ = writeln!(page, "  NOT CONVERGED: {}\n", found.reason.as_deref().unwrap_or("a search found no end"));
     }

@@ -23,6 +23,7 @@ mod interruption;
 mod keeping;
 mod ladder;
 mod library;
+mod load_test;
 mod loads;
 mod materials;
 mod messages;

@@ -58,5 +58,8 @@ fn rings_that_come_and_go_carry_the_largest_load_and_say_how_far_it_falls() {
     let [load, associated] = ["collapse_load_kn_per_m", "associated_load_kn_per_m"].map(|key| number(&rough, key));
     let spread = rough["non_associated_spread_kn_per_m"].as_array().expect("both ends");
     let [least, most] = [0, 1].map(|k| spread[k].as_f64().expect("a load"));
-    assert!((most / load - 1.0).abs() < 1e-6 && 1.01 * least < load && load < associated, "{load} {spread:?} {associated}");
+    assert!(
+        (most / load - 1.0).abs() < 1e-6 && 1.01 * least < load && load < associated,
+        "{load} {spread:?} {associated}"
+    );
 }

@@ -77,7 +77,10 @@ fn walls_carry_by_limit_analysis_what_their_page_prints() {
     assert!(page.contains(&format!("| none: `case-4.toml` | 578.31 | | {least:.1} |")), "{least}");
     let [fill, _, behind] = limit_loads(&stage, "top = \"0.203 m\"");
     assert!(page.contains(&format!("| none | 421.69 | {behind:.1} |")), "{behind}");
-    assert!(page.contains(&format!("the example {road:.1}, and {fill:.1} with its wall up to 0.203 m")), "{road} {fill}");
+    assert!(
+        page.contains(&format!("the example {road:.1}, and {fill:.1} with its wall up to 0.203 m")),
+        "{road} {fill}"
+    );
     assert!((road - 716.70).abs() < 0.05 && (fill - 505.35).abs() < 0.05, "{road} {fill}");
 }
 

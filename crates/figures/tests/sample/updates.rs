@@ -166,6 +166,7 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
         times: (0..SAMPLES).map(|k| STEP * k as f64).collect(),
         positions: (0..SAMPLES).map(|k| 12.5 * STEP * k as f64).collect(),
         channels: histories.collect(),
+        read_at_rest: Vec::new(),
         searches: vec![line],
         paper: vec![PaperSearch { variant: Variant::Printed, start: Start::Stated, outcome }],
         identifiability,

@@ -1,6 +1,7 @@
 //! What a result assumes, as data: each kind of note has its numbers [SI] and, beside them, the one sentence that says it. Files keep the
 //! data; the published formats and the reports print the sentence, and nothing reads it back.
 
+mod at_rest;
 mod barrel;
 mod blocks;
 mod defect;
@@ -11,6 +12,7 @@ mod state;
 mod update;
 mod vehicles;
 
+pub use at_rest::AtRest;
 pub use barrel::Barrel;
 pub use blocks::{Blocks, Bond, FiniteStones};
 pub use defect::{DefectNote, place_of_defect, words_of_defect};
@@ -30,6 +32,8 @@ subjects! {
     /// An assumption or a caveat of a result.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     pub enum Note {
+        /// Loads at rest.
+        AtRest,
         /// Supports, spans, cracks, walls and what a plane model leaves out.
         Barrel,
         /// Blocks and joints, by the method.

@@ -1,6 +1,6 @@
 //! Model updating.
 
-use crate::sentences::notes;
+use crate::sentences::{listed, notes};
 
 notes! {
     /// What an update assumes.
@@ -9,6 +9,12 @@ notes! {
         /// Peaks, by slices.
         PeaksBySlices => "Peaks are compared. Searches look for the model's at the places where a full passage has them, and at both \
                           neighbours, by static slices; where a search ends is verified by a full passage.";
+        Readings => "Readings of loads at rest are compared one by one, each over its uncertainty, and each counts as much as the peak of a record.";
+        /// Sensors of a load test of which nobody says how well they are known.
+        UnstatedReadings { sensors: Vec<String> } =>
+            "No uncertainty is stated for the readings of {}: a hundredth of the largest is taken in the norm, and what the model leaves of them in \
+             intervals.",
+            listed(sensors);
         /// Peaks, by full passages.
         Peaks => "Peaks are compared, by full passages throughout.";
         Weights => "Weights are found once, at the start model, and held. A parameter on a bound is never called converged.";

@@ -1,11 +1,23 @@
 //! Tables of `extrados.respond/1`.
 
 use super::rows::row;
-use crate::passage::{Passage, RowKind, StepLog};
+use crate::passage::{Passage, RowKind, SensorRecord, StepLog};
 
 /// `channels.csv`: a time, and a column for each channel, headed by its name and unit; self-weight taken off.
 pub fn channels_table(passage: &Passage) -> String {
     columns(passage, "time_s", &passage.times, passage.channels.iter().map(|channel| &channel.values))
+}
+
+/// `positions.csv`: a row for each position of the load test, a column for each channel; self-weight taken off. A load test reads such a table.
+pub fn positions_table(passage: &Passage) -> String {
+    let mut csv = String::new();
+    row!(&mut csv, "position", headings(passage));
+    for position in &passage.positions_at_rest {
+        let cells = passage.channels.iter().enumerate();
+        let cells = cells.map(|(k, channel)| Some(channel.quantity.scale() * position.values.get(k)?));
+        row!(&mut csv, position.name, cells.collect::<Vec<_>>());
+    }
+    csv
 }
 
 /// Influence lines: the place of the axle, and a column for each channel.
@@ -22,17 +34,22 @@ fn columns<'a>(
     values: impl IntoIterator<Item = &'a Vec<f64>> + Clone,
 ) -> String {
     let mut csv = String::new();
-    let names = passage.channels.iter().map(|channel| {
-        let name: String = channel.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
-        format!("{name}_{}", channel.quantity.unit().to_lowercase())
-    });
-    row!(&mut csv, first, names.collect::<Vec<_>>());
+    row!(&mut csv, first, headings(passage));
     for (k, at) in at.iter().enumerate() {
         let cells = passage.channels.iter().zip(values.clone());
         let cells = cells.map(|(channel, values)| Some(channel.quantity.scale() * values.get(k)?));
         row!(&mut csv, at, cells.collect::<Vec<_>>());
     }
     csv
+}
+
+/// Names of the channels with their units.
+fn headings(passage: &Passage) -> Vec<String> {
+    let heading = |channel: &SensorRecord| {
+        let name: String = channel.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+        format!("{name}_{}", channel.quantity.unit().to_lowercase())
+    };
+    passage.channels.iter().map(heading).collect()
 }
 
 /// Every step of the run: what it was, where, and what it took.

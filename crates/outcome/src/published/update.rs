@@ -57,6 +57,47 @@ pub(crate) fn channels(update: &Update) -> Vec<Object> {
     })
 }
 
+/// Positions of the load test in which something was read, in the order in which they come.
+pub(crate) fn positions(update: &Update) -> Vec<Object> {
+    list(names_of_positions(update), |name| {
+        let mut channels = Object::new();
+        for read in &update.read_at_rest {
+            let Some(k) = read.positions.iter().position(|position| position == name) else { continue };
+            let one = object! { measured: read.measured[k], start: read.start.get(k), updated: read.updated.get(k), };
+            channels.insert(read.sensor.clone(), one.into());
+        }
+        object! { name: name, channels: channels, }
+    })
+}
+
+fn names_of_positions(update: &Update) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for name in update.read_at_rest.iter().flat_map(|read| &read.positions) {
+        if !names.contains(&name.as_str()) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Readings and model in the positions of a load test: position, then three columns a sensor.
+pub fn readings_table(update: &Update) -> String {
+    let head = update.read_at_rest.iter().flat_map(|read| {
+        let (name, unit) = (read.sensor.replace(' ', "_").to_lowercase(), read.quantity.unit().to_lowercase());
+        ["measured", "start", "updated"].map(|kind| format!("{name}_{kind}_{unit}"))
+    });
+    let mut csv = String::new();
+    row!(&mut csv, "position", head.collect::<Vec<_>>());
+    for name in names_of_positions(update) {
+        let cells = update.read_at_rest.iter().map(|read| {
+            let place = read.positions.iter().position(|position| position == name);
+            [&read.measured, &read.start, &read.updated].map(|values| values.get(place?).copied())
+        });
+        row!(&mut csv, name, cells.collect::<Vec<_>>());
+    }
+    csv
+}
+
 /// Sweeps of the model about the start, or of its straight line about the answer.
 pub(crate) fn sensitivity(update: &Update) -> Vec<Object> {
     let (from, sweeps, ranking) = match (update.first_pass(), &update.linearised) {

@@ -32,6 +32,32 @@ pub enum PassageError {
         /// End [m].
         to: f64,
     },
+    /// The file has no load test.
+    #[error(
+        "no load stands still on the bridge of this file: describe positions with [load_test] and [[load_test.position]]"
+    )]
+    NoLoadTest,
+    /// Nothing of a position stands on what is modelled.
+    #[error(
+        "position \"{position}\" of [load_test]: nothing of it stands on the bridge, whose surface reaches from {from:.2} m to {to:.2} m of the left springing: \
+         correct `front_axle` or `x`"
+    )]
+    BesideBridge {
+        /// The position.
+        position: String,
+        /// Where the surface begins [m].
+        from: f64,
+        /// Where it ends [m].
+        to: f64,
+    },
+    /// A vehicle that the library does not have, or that cannot stand here.
+    #[error("position \"{position}\" of [load_test]: {why}")]
+    NoSuchVehicle {
+        /// The position.
+        position: String,
+        /// Why not, and what to write.
+        why: String,
+    },
     /// Nothing is where a sensor is to sit.
     #[error("sensor \"{name}\" lies at x = {:.3} m, y = {:.3} m, outside of the bridge and its fill", at[0], at[1])]
     Outside {

@@ -2,7 +2,8 @@
 //!
 //! Whatever stands on the bridge, the load is `sum r_s q_s`: `q_s` are nodal forces of a unit force and `r_s` its size [N/m]. On a track `q_s` is
 //! the pressure below a sleeper and `r_s` its reaction; on a road `q_s` is a force on one node of the surface, and `r_s` what the wheels bring onto it.
-//! The patterns never change, so that a linear part of the bridge answers each once.
+//! The patterns never change, so that a linear part of the bridge answers each once. Of loads at rest `q_s` is all that stands in position `s`, and `r_s`
+//! is one there and zero elsewhere.
 
 use super::rail::Rail;
 use bridge::passage::{Heading, Track, Wheels};
@@ -41,6 +42,8 @@ enum On {
     },
     /// The nodes of the surface [m].
     Road(Vec<Point>),
+    /// Loads at rest, a pattern for each position: names of the positions.
+    Rest(Vec<String>),
 }
 
 /// The axles of what crosses.
@@ -79,6 +82,14 @@ impl MovingLoads {
         MovingLoads::of(On::Road(surface.to_vec()), crossing, reach, patterns, pressed)
     }
 
+    /// Loads at rest: the name of each position, and nodal forces of all that stands on the surface then [N per metre of width]. In place of a first axle's
+    /// place stands the number of the position, counted from one; between two numbers is a share of the loads of the next, and at 0 nothing stands.
+    pub fn at_rest(positions: Vec<(String, Pattern)>) -> MovingLoads {
+        let (names, patterns): (Vec<String>, Vec<Pattern>) = positions.into_iter().unzip();
+        let reach = [0.0, names.len() as f64];
+        MovingLoads { on: On::Rest(names), axles: Vec::new(), sign: 1.0, width: 1.0, reach, patterns, pressed: 0.0 }
+    }
+
     fn of(on: On, crossing: Crossing<'_>, reach: [f64; 2], patterns: Vec<Pattern>, pressed: f64) -> MovingLoads {
         let Crossing { axles, heading, width } = crossing;
         MovingLoads { on, axles: axles.to_vec(), sign: heading.sign(), width, reach, patterns, pressed }
@@ -92,6 +103,11 @@ impl MovingLoads {
     /// Amplitude of each pattern [N per metre of width] while the first axle stands at `front` [m].
     pub fn amplitudes(&self, front: f64) -> Vec<f64> {
         let mut amplitudes = vec![0.0; self.patterns.len()];
+        if matches!(self.on, On::Rest(_))
+            && let Some(amplitude) = (front.ceil() as usize).checked_sub(1).and_then(|k| amplitudes.get_mut(k))
+        {
+            *amplitude = 1.0 - (front.ceil() - front);
+        }
         for axle in &self.axles {
             let (x, force) = (self.place(axle, front), axle.force / self.width);
             match &self.on {
@@ -107,6 +123,7 @@ impl MovingLoads {
                         amplitudes[node] += share * force;
                     }
                 }
+                On::Rest(_) => {}
             }
         }
         amplitudes
@@ -121,6 +138,18 @@ impl MovingLoads {
             }
         }
         forces
+    }
+
+    /// Where the loads stand, in words.
+    pub fn place_words(&self, front: f64) -> String {
+        match &self.on {
+            On::Rest(names) => match (front.ceil() as usize).checked_sub(1).and_then(|k| names.get(k)) {
+                Some(name) if front == front.ceil() => format!("in position \"{name}\""),
+                Some(name) => format!("with the loads of position \"{name}\" taken off in part"),
+                None => "with the loads taken off again".to_owned(),
+            },
+            On::Track { .. } | On::Road(_) => format!("with the first axle at {front:.3} m"),
+        }
     }
 
     /// Places and forces [N] of the axles above `from` to `to` [m].

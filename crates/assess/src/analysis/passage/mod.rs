@@ -1,5 +1,6 @@
 //! A train crosses the bridge: mesh, loads and sensors are set up here, the positions are solved in `solve.rs`.
 
+pub mod at_rest;
 mod error;
 pub mod loads;
 mod model;
@@ -9,9 +10,11 @@ pub mod sensors;
 mod setup;
 mod solve;
 
+pub use at_rest::AtRest;
 pub use error::PassageError;
 pub use record::record;
 pub use setup::{Setup, setup};
+use solve::condenses;
 pub use solve::{Passing, Scope, Solution, WantedSlices, slices, solve};
 
 use super::AnalysisError;
@@ -20,7 +23,7 @@ use bridge::passage::PassagePath;
 use mechanics::watch::Watch;
 use outcome::note::{InPassage, Note};
 use outcome::passage::SensorRecord;
-use outcome::passage::{Part, Passage, PassageStatus};
+use outcome::passage::{Part, Passage, PassageStatus, PositionAtRest};
 use outcome::warning::{self, Warning};
 
 /// A tolerance above this is worth a word: peaks then differ in their third digit.
@@ -34,6 +37,60 @@ pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, Analys
     let setup = setup(bridge)?;
     let solution = solve(bridge, &setup, Scope::Everything, &[], watch)?;
     Ok(report(bridge, &setup, solution))
+}
+
+/// The load test that the file describes, where nothing crosses.
+///
+/// # Errors
+/// Those of [`at_rest::setup`] and [`AtRest::solve`].
+pub fn load_test(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, AnalysisError> {
+    let test = at_rest::setup(bridge)?;
+    let solution = test.solve(bridge, WantedSlices::default(), watch)?;
+    let rows = positions(bridge, &test, &solution);
+    // Nothing crossed: there is no time and no place of a first axle.
+    let none = Setup { times: Vec::new(), positions: Vec::new(), ..test.setup };
+    let values = solution.values.clone();
+    let mut found = report(bridge, &none, Solution { values: vec![Vec::new(); values.len()], ..solution });
+    found.channels.iter_mut().zip(values).for_each(|(channel, values)| channel.values = values);
+    Ok(Passage { positions_at_rest: rows, ..found })
+}
+
+/// Adds the positions of the file's load test to a passage that has come to its end.
+///
+/// # Errors
+/// Those of [`at_rest::setup`] and [`AtRest::solve`].
+pub fn with_load_test(bridge: &Bridge, found: &mut Passage, watch: &mut dyn Watch) -> Result<(), AnalysisError> {
+    let test = at_rest::setup(bridge)?;
+    let solution = test.solve(bridge, WantedSlices::default(), watch)?;
+    found.positions_at_rest = positions(bridge, &test, &solution);
+    let own = test.setup.assumptions.iter().filter(|note| !found.assumptions.contains(note));
+    let own: Vec<Note> = own.cloned().collect();
+    found.assumptions.extend(own);
+    found.iterations_total += solution.log.iter().map(|step| step.iterations as u64).sum::<u64>();
+    if solution.status != PassageStatus::Completed {
+        found.status = solution.status;
+        found.warnings.extend(broken(&solution));
+        found.reason = solution.reason;
+    }
+    Ok(())
+}
+
+/// The positions that were solved, and what was read in them.
+fn positions(bridge: &Bridge, test: &AtRest, solution: &Solution) -> Vec<PositionAtRest> {
+    let solved = solution.values.first().map_or(0, Vec::len);
+    let read = bridge.load_test.as_ref().map(|test| &test.readings.values[..]).unwrap_or_default();
+    let of = |(k, name): (usize, &String)| PositionAtRest {
+        name: name.clone(),
+        values: solution.values.iter().map(|values| values[k]).collect(),
+        readings: read.iter().map(|row| row.get(k).copied().flatten()).collect(),
+    };
+    test.names.iter().take(solved).enumerate().map(of).collect()
+}
+
+/// What a solution that broke off warns of.
+fn broken(solution: &Solution) -> Option<Warning> {
+    let reason = solution.reason.clone().filter(|_| solution.status == PassageStatus::NotConverged)?;
+    Some(warning::Service::BrokenPassage { reason }.into())
 }
 
 /// Steps that were balanced; those of the self-weight know of open joints at their end alone.
@@ -67,10 +124,7 @@ fn coarse(setup: &Setup, values: &[Vec<f64>], positions: &[f64]) -> Option<Warni
 /// The solution in an engineer's words.
 pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let plan = &setup.plan;
-    let mut warnings: Vec<Warning> = Vec::new();
-    if let (PassageStatus::NotConverged, Some(reason)) = (solution.status, &solution.reason) {
-        warnings.push(warning::Service::BrokenPassage { reason: reason.clone() }.into());
-    }
+    let mut warnings: Vec<Warning> = broken(&solution).into_iter().collect();
     if plan.tolerance > LOOSE {
         warnings.push(warning::Service::Loose { tolerance: plan.tolerance }.into());
     }
@@ -111,6 +165,7 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         times: setup.times[..solved].to_vec(),
         positions: setup.positions[..solved].to_vec(),
         channels: channels.collect(),
+        positions_at_rest: Vec::new(),
         degrees_of_freedom: solution.degrees_of_freedom,
         condensed_degrees_of_freedom: solution.condensed_degrees_of_freedom,
         iterations_total: solution.log.iter().map(|step| step.iterations as u64).sum(),
@@ -129,6 +184,8 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
 }
 
 #[cfg(test)]
-mod road_tests;
+mod at_rest_tests;
+#[cfg(test)]
+pub(super) mod road_tests;
 #[cfg(test)]
 mod tests;

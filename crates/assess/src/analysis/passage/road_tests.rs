@@ -8,23 +8,27 @@ use outcome::note::{InPassage, Note};
 use outcome::passage::PassageStatus;
 
 /// Two spans of the railway arch with a lorry in place of the train, on a coarse mesh.
-fn road(more: &str) -> Bridge {
+pub(super) fn road(more: &str) -> Bridge {
+    let read = bridge::read(road_text(more).as_bytes());
+    read.bridge.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+}
+
+/// The text of its file, with more in [passage].
+pub(crate) fn road_text(more: &str) -> String {
     let text = include_str!("../../../../../examples/railway-arch/passage.toml");
     let (bridge, rest) = text.split_once("[train]").unwrap();
     let (_, passage) = rest.split_once("[passage]").unwrap();
     let vehicle = "[vehicle]\naxle_loads = [\"6 t\", \"9.5 t\"]\naxle_spacings = [\"3.6 m\"]\n";
     let whole = format!("{bridge}{vehicle}\n[passage]\n{more}{passage}");
-    let whole = whole
+    whole
         .replace("repeat = 4 ", "repeat = 2 ")
         .replace("size = \"0.15 m\"", "size = \"0.30 m\"")
         .replace("layer = \"ballast\"", "layer = \"surfacing\"")
-        .replace("time_step = \"0.005 s\"", "time_step = \"0.04 s\"");
-    let read = bridge::read(whole.as_bytes());
-    read.bridge.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+        .replace("time_step = \"0.005 s\"", "time_step = \"0.04 s\"")
 }
 
 /// Displacements up and along at the same place of both spans, seen from either end.
-fn sensors(share: f64) -> Vec<Sensor> {
+pub(super) fn sensors(share: f64) -> Vec<Sensor> {
     let one = |span, share, direction, name: &str| Sensor {
         name: name.into(),
         kind: SensorKind::Displacement(direction),
@@ -40,7 +44,7 @@ fn sensors(share: f64) -> Vec<Sensor> {
     ]
 }
 
-fn passed(bridge: &Bridge) -> (Setup, Solution) {
+pub(super) fn passed(bridge: &Bridge) -> (Setup, Solution) {
     let set = setup(bridge).unwrap();
     let found = solve(bridge, &set, Scope::Sensors, &[], &mut Unwatched).unwrap();
     assert_eq!(found.status, PassageStatus::Completed, "{:?}", found.reason);

@@ -6,7 +6,7 @@ use super::sensors::{Placed, RingNodes, place};
 use crate::analysis::AnalysisError;
 use crate::analysis::geometry::point;
 use bridge::Bridge;
-use bridge::passage::{Heading, MOST_POSITIONS, Passage, PassagePlan, Way, default_sensors};
+use bridge::passage::{Heading, MOST_POSITIONS, Passage, PassagePlan, Sensor, Way, default_sensors};
 use mechanics::fem::Mesh;
 use outcome::note::{InPassage, Note};
 use structure::discretise::mesh::{Meshed, SpanSets, mesh};
@@ -59,14 +59,18 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
     };
     let pressure = asked.way.dead_load() + meshed.ballast_pressure;
     let dead_load = even(&surface, pressure);
-    let rings: Vec<RingNodes> = meshed.sets.spans.iter().map(|span| ring_nodes(&meshed.mesh, span)).collect();
     let wanted = if asked.sensors.is_empty() { default_sensors(bridge.spans.len()) } else { asked.sensors.clone() };
-    let placed = wanted.iter().map(|sensor| place(sensor, &meshed.mesh, &rings));
-    let sensors = placed.collect::<Result<Vec<Placed>, _>>()?;
+    let sensors = sensors(&meshed, &wanted)?;
     let (times, positions) = positions(&asked.plan, &surface, loads.wheelbase())?;
     let assumptions = assumptions(bridge, asked, &loads, effective_width, pressure);
     let (train, plan) = (asked.train.name.clone(), asked.plan.clone());
     Ok(Setup { meshed, train, plan, loads, dead_load, sensors, times, positions, effective_width, assumptions })
+}
+
+/// Sensors on a mesh.
+pub(super) fn sensors(meshed: &Meshed, wanted: &[Sensor]) -> Result<Vec<Placed>, PassageError> {
+    let rings: Vec<RingNodes> = meshed.sets.spans.iter().map(|span| ring_nodes(&meshed.mesh, span)).collect();
+    wanted.iter().map(|sensor| place(sensor, &meshed.mesh, &rings)).collect()
 }
 
 /// Distance of the wheels of an axle on a road [m].
@@ -74,17 +78,26 @@ const WHEELS_APART: f64 = 1.8;
 
 /// Width that carries an axle where the file does not say it [m]: the widest part of the barrel that carries as a whole; on a road no more than two
 /// wheels spread over, 1:2 to either side through the cover over the crown.
-fn carrying(bridge: &Bridge, way: &Way) -> f64 {
-    let cracks = bridge.carriageway.as_ref().map_or(&[][..], |asked| &asked.cracks);
-    let whole = bridge::widest_strip(bridge.width, cracks);
+pub(super) fn carrying(bridge: &Bridge, way: &Way) -> f64 {
     match way {
-        Way::Rails(_) => whole,
-        Way::Road(_) => whole.min(WHEELS_APART + bridge.cover.depth),
+        Way::Rails(_) => whole(bridge),
+        Way::Road(_) => spread(bridge, WHEELS_APART),
     }
 }
 
+/// The widest part of the barrel that carries as a whole [m].
+pub(super) fn whole(bridge: &Bridge) -> f64 {
+    let cracks = bridge.carriageway.as_ref().map_or(&[][..], |asked| &asked.cracks);
+    bridge::widest_strip(bridge.width, cracks)
+}
+
+/// What carries a load of this width [m]: spread 1:2 to either side through the cover over the crown, not wider than the barrel [m].
+pub(super) fn spread(bridge: &Bridge, across: f64) -> f64 {
+    whole(bridge).min(across + bridge.cover.depth)
+}
+
 /// Nodal forces of an even pressure [Pa] on a surface.
-fn even(surface: &[[f64; 2]], pressure: f64) -> Vec<f64> {
+pub(super) fn even(surface: &[[f64; 2]], pressure: f64) -> Vec<f64> {
     let mut forces = vec![0.0; surface.len()];
     for (k, pair) in surface.windows(2).enumerate() {
         let half = 0.5 * pressure * (pair[1][0] - pair[0][0]);

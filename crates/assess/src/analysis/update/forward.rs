@@ -1,11 +1,14 @@
-//! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
-//! and what stands on it is made once, where no parameter moves it.
+//! The finite element model as a function of the parameters: the file is edited, read again, crossed by its train and loaded as in its load test. The
+//! mesh and what stands on it is made once, where no parameter moves it.
 
-use crate::analysis::passage::{PassageError, Scope, Setup, Solution, WantedSlices, setup, slices, solve};
+use super::readings::Standing;
+use crate::analysis::passage::{
+    AtRest, PassageError, Scope, Setup, Solution, WantedSlices, at_rest, setup, slices, solve,
+};
 use crate::analysis::{AnalysisError, parallel};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
-use bridge::update::Parameter;
+use bridge::update::{Parameter, Update};
 use bridge::{Bridge, Severity};
 use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
 use mechanics::watch::CancelToken;
@@ -22,8 +25,10 @@ pub struct Model<'a> {
     own: &'a Bridge,
     document: &'a Document,
     parameters: &'a [Parameter],
-    /// Mesh, positions and sensors at the start.
-    pub setup: Setup,
+    /// Mesh, positions and sensors of the passage at the start; none where no records of one are compared.
+    pub crossing: Option<Setup>,
+    /// The positions at rest whose readings are compared.
+    pub standing: Option<Standing>,
     /// Whether a parameter moves the mesh, the loads or the sensors, so that they are made anew for every evaluation.
     pub moves: bool,
     /// What the answers of some models let expect of all others, by the positions that were asked for; `None` for all of them.
@@ -56,14 +61,17 @@ impl<'a> Model<'a> {
     /// The model of a file: `document` is its text without the sections of updating.
     ///
     /// # Errors
-    /// A passage that cannot be set up, as the file has it or with a parameter at its end.
-    pub fn new(own: &'a Bridge, document: &'a Document, parameters: &'a [Parameter]) -> Result<Self, AnalysisError> {
-        let setup = setup(own)?;
+    /// A passage or a load test that cannot be set up, as the file has it or with a parameter at its end.
+    pub fn new(own: &'a Bridge, document: &'a Document, asked: &'a Update) -> Result<Self, AnalysisError> {
+        let parameters = &asked.parameters;
+        let crossing = asked.records.as_ref().map(|_| setup(own)).transpose()?;
+        let standing = Standing::of(own)?;
         let mut model = Self {
             own,
             document,
             parameters,
-            setup,
+            crossing,
+            standing,
             moves: false,
             usual: Mutex::default(),
             token: CancelToken::default(),
@@ -72,7 +80,12 @@ impl<'a> Model<'a> {
             let mut point: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
             point[k] = if point[k] == parameters[k].lower { parameters[k].upper } else { parameters[k].lower };
             let there = model.bridge_at(&point).map_err(|failure| PassageError::Missing(failure.message))?;
-            model.moves |= crate::analysis::passage::setup(&there)? != model.setup;
+            if let Some(own) = &model.crossing {
+                model.moves |= setup(&there)? != *own;
+            }
+            if let Some(own) = &model.standing {
+                model.moves |= at_rest::setup(&there)? != own.test;
+            }
         }
         Ok(model)
     }
@@ -173,14 +186,83 @@ impl<'a> Model<'a> {
         self.parameters.iter().enumerate().map(one).collect()
     }
 
-    fn setup_of(&self, bridge: &Bridge) -> Result<Cow<'_, Setup>, Failure> {
+    /// The passage on a bridge, at the times of the start model.
+    fn setup_of<'s>(&self, known: &'s Setup, bridge: &Bridge) -> Result<Cow<'s, Setup>, Failure> {
         if !self.moves {
-            return Ok(Cow::Borrowed(&self.setup));
+            return Ok(Cow::Borrowed(known));
         }
         let own = setup(bridge).map_err(not_set_up)?;
-        let (times, positions) = (self.setup.times.clone(), self.setup.positions.clone());
+        let (times, positions) = (known.times.clone(), known.positions.clone());
         Ok(Cow::Owned(Setup { times, positions, ..own }))
     }
+
+    /// Answers of the passage by channel, and their derivatives, at some places in its histories or at all.
+    fn crossed(
+        &self,
+        point: &[f64],
+        (bridge, known): (&Bridge, &Setup),
+        places: Option<&[Vec<usize>]>,
+        neighbours: &[(Bridge, f64)],
+    ) -> Result<Response, Failure> {
+        let setup = self.setup_of(known, bridge)?;
+        let by_channel = |table| scaled(&setup, table);
+        let Some(places) = places else {
+            let found = self.answer(point, bridge, &setup, None, &[])?;
+            return Ok(Response { values: by_channel(found.values), derivatives: Vec::new() });
+        };
+        let mut all: Vec<usize> = places.concat();
+        all.sort_unstable();
+        all.dedup();
+        let found = self.answer(point, bridge, &setup, Some(all.clone()), neighbours)?;
+        let at = |k: &usize| all.binary_search(k).unwrap_or_default();
+        let of = |(wanted, values): (&Vec<usize>, Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
+        let asked_for = |table: Vec<Vec<f64>>| by_channel(places.iter().zip(table).map(of).collect());
+        Ok(Response {
+            values: asked_for(found.values),
+            derivatives: found.derivatives.into_iter().map(asked_for).collect(),
+        })
+    }
+
+    /// Answers of the loads at rest where something was read, by channel, and their derivatives.
+    fn stood(&self, bridge: &Bridge, standing: &Standing, neighbours: &[(Bridge, f64)]) -> Result<Response, Failure> {
+        let expecting = |test: &AtRest, bridge: &Bridge, expected: &[usize], neighbours: &[(Bridge, f64)]| {
+            let wanted = WantedSlices { expected, neighbours, ..WantedSlices::default() };
+            completed(test.solve(bridge, wanted, &mut self.token.clone()).map_err(not_set_up)?)
+        };
+        let found = if self.moves {
+            expecting(&at_rest::setup(bridge).map_err(not_set_up)?, bridge, &[], neighbours)?
+        } else {
+            let first = || {
+                let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
+                let found = self.bridge_at(&start).and_then(|bridge| expecting(&standing.test, &bridge, &[], &[]));
+                found.map_or_else(|_| Vec::new(), |found| found.taking_part)
+            };
+            expecting(&standing.test, bridge, standing.expected.get_or_init(first), neighbours)?
+        };
+        let read = |table: Vec<Vec<f64>>| {
+            let table = scaled(&standing.test.setup, table);
+            let of = |(sensor, positions): &(usize, Vec<usize>)| positions.iter().map(|k| table[*sensor][*k]).collect();
+            standing.read.iter().map(of).collect::<Vec<Vec<f64>>>()
+        };
+        Ok(Response { values: read(found.values), derivatives: found.derivatives.into_iter().map(read).collect() })
+    }
+
+    /// The passage, or the load test where there is none; none where nothing is compared.
+    pub fn base(&self) -> Option<&Setup> {
+        self.crossing.as_ref().or_else(|| self.standing.as_ref().map(|standing| &standing.test.setup))
+    }
+
+    /// How many channels are those of the passage.
+    fn crossing_channels(&self) -> usize {
+        self.crossing.as_ref().map_or(0, |setup| setup.sensors.len())
+    }
+}
+
+/// A table by sensor in the units of the channels.
+fn scaled(setup: &Setup, table: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let scales = setup.sensors.iter().map(|sensor| sensor.quantity.scale());
+    let of = |(values, scale): (Vec<f64>, f64)| values.into_iter().map(|value| scale * value).collect();
+    table.into_iter().zip(scales).map(of).collect()
 }
 
 fn not_set_up(error: AnalysisError) -> Failure {
@@ -229,40 +311,42 @@ fn completed(answers: Solution) -> Result<Solution, Failure> {
 impl Forward for Model<'_> {
     fn evaluate(&self, point: &[f64], request: &Request) -> Evaluation {
         let bridge = self.bridge_at(point)?;
-        let setup = self.setup_of(&bridge)?;
-        let scales: Vec<f64> = setup.sensors.iter().map(|sensor| sensor.quantity.scale()).collect();
-        let scaled = |(values, scale): (Vec<f64>, &f64)| values.into_iter().map(|value| scale * value).collect();
-        let by_channel =
-            |table: Vec<Vec<f64>>| -> Vec<Vec<f64>> { table.into_iter().zip(&scales).map(scaled).collect() };
-        let Samples::At(places) = &request.samples else {
-            let found = self.answer(point, &bridge, &setup, None, &[])?;
-            return Ok(Response { values: by_channel(found.values), derivatives: Vec::new() });
-        };
-        let mut all: Vec<usize> = places.concat();
-        all.sort_unstable();
-        all.dedup();
         let neighbours = if request.sensitivities { self.neighbours(point)? } else { Vec::new() };
-        let found = self.answer(point, &bridge, &setup, Some(all.clone()), &neighbours)?;
-        let at = |k: &usize| all.binary_search(k).unwrap_or_default();
-        let of = |(wanted, values): (&Vec<usize>, Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
-        let asked_for = |table: Vec<Vec<f64>>| by_channel(places.iter().zip(table).map(of).collect());
-        Ok(Response {
-            values: asked_for(found.values),
-            derivatives: found.derivatives.into_iter().map(asked_for).collect(),
-        })
+        let mut all = Response::default();
+        if let Some(setup) = &self.crossing {
+            let places = match &request.samples {
+                Samples::All => None,
+                Samples::At(places) => Some(&places[..setup.sensors.len().min(places.len())]),
+            };
+            all = self.crossed(point, (&bridge, setup), places, &neighbours)?;
+        }
+        if let Some(standing) = &self.standing {
+            let own = self.stood(&bridge, standing, &neighbours)?;
+            all.values.extend(own.values);
+            match all.derivatives.is_empty() {
+                true => all.derivatives = own.derivatives,
+                false => all.derivatives.iter_mut().zip(own.derivatives).for_each(|(all, own)| all.extend(own)),
+            }
+        }
+        Ok(all)
     }
 
-    /// Slices go with their derivatives, unless a parameter moves the mesh or a stress is among the sensors.
+    /// Slices go with their derivatives, unless a parameter moves the mesh or a stress is among the sensors; loads at rest where none depends on another.
     fn has_sensitivities(&self, samples: &Samples) -> bool {
-        *samples != Samples::All && !self.moves && !has_stress(&self.setup)
+        let crossing = |setup: &Setup| *samples != Samples::All && !has_stress(setup);
+        let standing = |standing: &Standing| standing.test.has_derivatives();
+        !self.moves && self.crossing.as_ref().is_none_or(crossing) && self.standing.as_ref().is_none_or(standing)
     }
 
     fn stop(&self) {
         self.token.cancel();
     }
 
-    fn length(&self, _channel: usize) -> usize {
-        self.setup.times.len()
+    fn length(&self, channel: usize) -> usize {
+        match (channel.checked_sub(self.crossing_channels()), &self.standing, &self.crossing) {
+            (Some(k), Some(standing), _) => standing.read.get(k).map_or(0, |(_, positions)| positions.len()),
+            (_, _, crossing) => crossing.as_ref().map_or(0, |setup| setup.times.len()),
+        }
     }
 }
 

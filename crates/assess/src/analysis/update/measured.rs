@@ -4,7 +4,7 @@ use super::Task;
 use crate::analysis::passage::Setup;
 use bridge::Bridge;
 use bridge::passage::{SensorPosition, default_sensors};
-use bridge::update::{Channel as Said, Update as Asked};
+use bridge::update::{Channel as Said, Records, Update as Asked};
 use calibrate::Channel;
 use findings::Severity;
 use outcome::update::{RecordsUsed, RunUsed, Verdict};
@@ -68,10 +68,15 @@ pub(super) fn worth_a_passage(asked: &Asked, setup: &Setup, files: &[RecordFile]
 }
 
 /// Channels in the order of the sensors, in the units in which they are shown, and how they came about.
-pub(super) fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
+pub(super) fn measured(
+    task: &Task<'_>,
+    (setup, records): (&Setup, &Records),
+    start: &[Vec<f64>],
+) -> (Vec<Channel>, RecordsUsed) {
     let asked = task.asked;
     let Tables { runs, named, mut findings } = tables(asked, setup, task.files);
-    let series = prepare(examine(runs, &scrutiny(asked, setup, start)), &preparation(task, setup, start));
+    let series =
+        prepare(examine(runs, &scrutiny(asked, setup, start)), &preparation(task.bridge, (setup, records), start));
     // Runs keep their order; those of one name were given numbers.
     let file_of = |finding: &Finding| {
         let run = series.runs.iter().position(|run| run.name == finding.place.run);
@@ -86,7 +91,7 @@ pub(super) fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (V
         channels: run.used().filter(|channel| is_sensor(setup, &channel.name)).count(),
     };
     let runs = series.runs.iter().zip(&named).map(used).collect();
-    let channels = (0..setup.sensors.len()).map(|k| channel(asked, setup, &series, k)).collect();
+    let channels = (0..setup.sensors.len()).map(|k| channel(asked, (setup, records), &series, k)).collect();
     let verdict = verdict(&series);
     let (places, findings) = findings.into_iter().unzip();
     (channels, RecordsUsed { runs, done: series.done, findings, places, verdict })
@@ -99,7 +104,8 @@ fn verdict(series: &Series) -> Option<Verdict> {
     (!peaks.peaks.is_empty()).then(|| told(peaks))
 }
 
-fn said<'a>(asked: &'a Asked, name: &str) -> Option<&'a Said> {
+/// What the file says of the channel of a sensor.
+pub(super) fn said<'a>(asked: &'a Asked, name: &str) -> Option<&'a Said> {
     asked.channels.iter().find(|channel| channel.sensor == name)
 }
 
@@ -170,10 +176,9 @@ fn scrutiny(asked: &Asked, setup: &Setup, start: &[Vec<f64>]) -> Scrutiny {
     Scrutiny { expected: expected.collect(), leave_out, ..Scrutiny::default() }
 }
 
-fn preparation(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> Preparation {
-    let records = &task.asked.records;
+fn preparation(bridge: &Bridge, (setup, records): (&Setup, &Records), start: &[Vec<f64>]) -> Preparation {
     let align = records.align.as_ref().and_then(|name| match records.by_axles {
-        true => by_axles(task.bridge, setup, name),
+        true => by_axles(bridge, setup, name),
         false => by_model(setup, start, name),
     });
     Preparation {
@@ -223,7 +228,7 @@ fn by_axles(bridge: &Bridge, setup: &Setup, name: &str) -> Option<Align> {
 }
 
 /// The mean over runs and lines of one sensor's records.
-fn channel(asked: &Asked, setup: &Setup, series: &Series, k: usize) -> Channel {
+fn channel(asked: &Asked, (setup, records): (&Setup, &Records), series: &Series, k: usize) -> Channel {
     let sensor = &setup.sensors[k];
     let said = said(asked, &sensor.name);
     let wanted = sensor.quantity.recorded();
@@ -256,12 +261,13 @@ fn channel(asked: &Asked, setup: &Setup, series: &Series, k: usize) -> Channel {
         peak: (!peaks.is_empty()).then(|| peaks.iter().sum::<f64>() / count),
         history: (!peaks.is_empty()).then(|| (0..setup.times.len()).map(mean).collect()),
         uncertainty: said.and_then(|said| said.uncertainty),
-        correlated_over: asked.records.low_pass.map(|cutoff| {
+        correlated_over: records.low_pass.map(|cutoff| {
             // Noise of that bandwidth, seen at the times of the model on the clock of the fastest run.
             let pace =
                 series.runs.iter().filter_map(|run| run.speed).fold(setup.plan.speed, f64::max) / setup.plan.speed;
-            pace / (2.0 * records::noise_bandwidth(cutoff) * setup.plan.time_step)
+            pace / (2.0 * ::records::noise_bandwidth(cutoff) * setup.plan.time_step)
         }),
+        readings: false,
         weight: said.and_then(|said| said.weight),
         left_out: said.and_then(|said| said.left_out.clone()).or(missing),
     }

@@ -1,14 +1,17 @@
-//! Model updating: the moduli of a bridge from the records of a train's passage.
+//! Model updating: the moduli of a bridge from the records of a train's passage, from readings of loads at rest, or from both.
 
 mod forward;
 mod measured;
+mod readings;
+#[cfg(test)]
+mod readings_tests;
 mod searches;
 
 pub use forward::{Model, Threads};
 pub use measured::RecordFile;
 
 use super::AnalysisError;
-use super::passage::Setup;
+use super::passage::sensors::Placed;
 use crate::checkpoint;
 use bridge::Bridge;
 use bridge::edit::Document;
@@ -21,6 +24,7 @@ use outcome::note::{InUpdate, Note};
 use outcome::update::{Histories, RecordsUsed, Update, UpdateStatus};
 use outcome::warning::{self, Warning};
 use searches::Searches;
+use std::borrow::Cow;
 use thiserror::Error;
 
 /// Why nothing can be updated.
@@ -54,7 +58,15 @@ impl Task<'_> {
     /// What decides the answers of the model beside the point: the first line of a log.
     pub fn identity(&self) -> String {
         let paths: Vec<String> = self.asked.parameters.iter().map(|p| format!("{} [{}]", p.path, p.unit)).collect();
-        format!("extrados {} {:016x}", env!("CARGO_PKG_VERSION"), checkpoint::fingerprint(&(self.bridge, paths)))
+        // Which sensors were read where decides what the model is asked for, and what they read does not.
+        let mut bridge = Cow::Borrowed(self.bridge);
+        if self.bridge.load_test.is_some()
+            && let Some(test) = &mut bridge.to_mut().load_test
+        {
+            test.readings.values.iter_mut().flatten().flatten().for_each(|value| *value = 0.0);
+            test.readings.uncertainty.clear();
+        }
+        format!("extrados {} {:016x}", env!("CARGO_PKG_VERSION"), checkpoint::fingerprint(&(&*bridge, paths)))
     }
 }
 
@@ -73,28 +85,29 @@ pub struct Means<'a> {
 /// # Errors
 /// A passage that cannot be set up, a start model without an answer, or records and parameters that make no problem.
 pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, UpdateError> {
-    let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
-    let setup = &model.setup;
-    measured::worth_a_passage(task.asked, setup, task.files).map_err(UpdateError::NoProblem)?;
-    let blind = blind(task, setup)?;
+    let model = Model::new(task.bridge, task.document, task.asked)?;
+    if let Some(setup) = &model.crossing {
+        measured::worth_a_passage(task.asked, setup, task.files).map_err(UpdateError::NoProblem)?;
+    }
+    let blind = blind(task, &model)?;
 
     let mut evaluator = Evaluator::new(&blind, &model, means.map, &mut *means.watch, log);
     let first = started(&mut evaluator)?;
     let (log, already) = (evaluator.log, evaluator.computed);
-    let Some(first) = first else { return Ok(cancelled(task, setup, blind)) };
+    let Some(first) = first else { return Ok(cancelled(task, &model, blind)) };
 
-    let (channels, used) = measured::measured(task, setup, &first.values);
+    let (channels, used) = compared(task, &model, &first.values);
     let of_records = || used.findings.iter().map(records::Finding::words);
-    let problem = Problem::new(blind.parameters().to_vec(), channels, misfit(task.asked))
+    let problem = Problem::new(blind.parameters().to_vec(), channels, misfit(task.asked, &model))
         .map_err(|flaws| UpdateError::NoProblem(flaws.iter().map(of_flaw).chain(of_records()).collect()))?;
     let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
     let basis = match Basis::at(&mut evaluator, &blind.start()) {
         Ok(basis) => basis,
-        Err(Halt::Stopped) => return Ok(Update { records: used, ..cancelled(task, setup, problem.clone()) }),
+        Err(Halt::Stopped) => return Ok(Update { records: used, ..cancelled(task, &model, problem.clone()) }),
         Err(Halt::Failed(failure)) => return Err(UpdateError::StartModel(words(&failure))),
     };
 
-    let mut found = Update { records: used, ..cancelled(task, setup, problem.clone()) };
+    let mut found = Update { records: used, ..cancelled(task, &model, problem.clone()) };
     found.status = UpdateStatus::Completed;
     Searches { plan: &task.asked.plan, basis: &basis, clock: means.clock, found: &mut found }.make(&mut evaluator);
     let mut updated = None;
@@ -108,11 +121,13 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
         updated = evaluator.respond(&[point], &Request::all()).ok();
     }
     let updated = updated.and_then(|answers| answers[0].as_ref().as_ref().ok().cloned());
-    found.channels = histories(setup, &problem, &first.values, updated.as_ref().map(|response| &response.values[..]));
+    let updated = updated.as_ref().map(|response| &response.values[..]);
+    found.channels = histories(&model, &problem, &first.values, updated);
+    found.read_at_rest = readings::compared(&model, &problem, &first.values, updated);
     (found.evaluations, found.computed) = (evaluator.log.len(), evaluator.computed + already);
     found.assumptions = assumptions(&model, &problem, &task.asked.plan);
     found.basis = Some(basis);
-    warn(&mut found);
+    warn(&mut found, task.bridge);
     Ok(found)
 }
 
@@ -121,20 +136,20 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
 /// # Errors
 /// A passage that cannot be set up, a start model without an answer, parameters that make no problem, or no record that can be used.
 pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
-    let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
-    let setup = &model.setup;
-    let blind = blind(task, setup)?;
+    let model = Model::new(task.bridge, task.document, task.asked)?;
+    let blind = blind(task, &model)?;
     let mut evaluator = Evaluator::new(&blind, &model, means.map, &mut *means.watch, Log::new(&task.identity()));
     let first = started(&mut evaluator)?;
     let log = evaluator.log;
-    let Some(first) = first else { return Ok(cancelled(task, setup, blind)) };
-    let (channels, used) = measured::measured(task, setup, &first.values);
-    if used.runs.is_empty() {
+    let Some(first) = first else { return Ok(cancelled(task, &model, blind)) };
+    let (channels, used) = compared(task, &model, &first.values);
+    if used.runs.is_empty() && model.crossing.is_some() {
         return Err(UpdateError::NoProblem(used.findings.iter().map(records::Finding::words).collect()));
     }
     // Where no channel can be compared, the verdict on the records is the answer all the same.
-    let (posed, start) = (Problem::new(blind.parameters().to_vec(), channels, misfit(task.asked)), blind.start());
-    let mut found = Update { records: used, ..cancelled(task, setup, blind) };
+    let (posed, start) =
+        (Problem::new(blind.parameters().to_vec(), channels, misfit(task.asked, &model)), blind.start());
+    let mut found = Update { records: used, ..cancelled(task, &model, blind) };
     found.status = UpdateStatus::Completed;
     match posed {
         Ok(problem) => {
@@ -144,7 +159,8 @@ pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
                 Err(Halt::Stopped) => found.status = UpdateStatus::Cancelled,
                 Err(Halt::Failed(failure)) => found.warnings.push(untold(warning::Asked::StartFit, words(&failure))),
             }
-            found.channels = histories(setup, &problem, &first.values, None);
+            found.channels = histories(&model, &problem, &first.values, None);
+            found.read_at_rest = readings::compared(&model, &problem, &first.values, None);
             found.problem = problem;
         }
         Err(findings) => {
@@ -153,7 +169,7 @@ pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
         }
     }
     (found.evaluations, found.computed) = (1, 1);
-    warn(&mut found);
+    warn(&mut found, task.bridge);
     Ok(found)
 }
 
@@ -219,30 +235,53 @@ fn parameter(asked: &bridge::update::Parameter) -> Parameter {
     if asked.logarithmic { Parameter { scale: Scale::Logarithmic, ..plain } } else { plain }
 }
 
-fn misfit(asked: &Asked) -> Misfit {
+/// How misfit is measured. Beside readings, records are compared in units of their uncertainty too: shares of a peak and multiples of an uncertainty make
+/// no sum. Readings alone are compared as peaks are, in what a search asks for.
+fn misfit(asked: &Asked, model: &Model<'_>) -> Misfit {
     let plan = &asked.plan;
+    if model.crossing.is_none() {
+        return Misfit { scaling: Scaling::Uncertainty, weights: weights(plan), slices: true, ..Misfit::default() };
+    }
+    let by_uncertainty = plan.by_uncertainty || model.standing.is_some();
     Misfit {
         compare: match plan.compare {
             Compared::Peaks => Compare::Peaks,
             Compared::Histories => Compare::Histories,
         },
-        scaling: if plan.by_uncertainty { Scaling::Uncertainty } else { Scaling::MeasuredPeak },
-        weights: match plan.weights {
-            update::Weights::Shapes => Weights::ShapeCorrelation,
-            update::Weights::Equal => Weights::Equal,
-            update::Weights::Given => Weights::Given,
-        },
+        scaling: if by_uncertainty { Scaling::Uncertainty } else { Scaling::MeasuredPeak },
+        weights: weights(plan),
         slices: plan.slices,
         ..Misfit::default()
     }
 }
 
+fn weights(plan: &update::Plan) -> Weights {
+    match plan.weights {
+        update::Weights::Shapes => Weights::ShapeCorrelation,
+        update::Weights::Equal => Weights::Equal,
+        update::Weights::Given => Weights::Given,
+    }
+}
+
+/// Channels of the records, then those of the readings, and what was made of the records.
+fn compared(task: &Task<'_>, model: &Model<'_>, start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
+    let of_records = model.crossing.as_ref().zip(task.asked.records.as_ref());
+    let found = of_records.map(|(setup, records)| measured::measured(task, (setup, records), start));
+    let (mut channels, used) = found.unwrap_or_default();
+    channels.extend(model.standing.iter().flat_map(|standing| standing.channels(task)));
+    (channels, used)
+}
+
 /// The problem before records are looked at: it has the shape of the answers and nothing else.
-fn blind(task: &Task<'_>, setup: &Setup) -> Result<Problem, UpdateError> {
+fn blind(task: &Task<'_>, model: &Model<'_>) -> Result<Problem, UpdateError> {
     let parameters = task.asked.parameters.iter().map(parameter).collect();
-    let channels = setup.sensors.iter().map(|sensor| Channel::peak(&sensor.name, sensor.quantity.unit(), 1.0));
+    let sensors = model.crossing.iter().flat_map(|setup| &setup.sensors);
+    let channels = sensors.map(|sensor| Channel::peak(&sensor.name, sensor.quantity.unit(), 1.0));
+    let read = model.standing.iter().flat_map(|standing| standing.channels(task));
+    // Whether anything is left out is looked at with the records.
+    let read = read.map(|channel| Channel { left_out: None, ..channel });
     let misfit = Misfit { weights: Weights::Equal, ..Misfit::default() };
-    Problem::new(parameters, channels.collect(), misfit)
+    Problem::new(parameters, channels.chain(read).collect(), misfit)
         .map_err(|flaws| UpdateError::NoProblem(flaws.iter().map(of_flaw).collect()))
 }
 
@@ -258,19 +297,21 @@ fn started(evaluator: &mut Evaluator) -> Result<Option<Response>, UpdateError> {
 }
 
 /// An update of which nothing is known yet but what was asked.
-fn cancelled(task: &Task<'_>, setup: &Setup, problem: Problem) -> Update {
+fn cancelled(task: &Task<'_>, model: &Model<'_>, problem: Problem) -> Update {
+    let crossing = model.crossing.as_ref();
     Update {
         bridge: task.bridge.name.clone(),
-        train: setup.train.clone(),
+        train: model.base().map_or_else(String::new, |setup| setup.train.clone()),
         status: UpdateStatus::Cancelled,
         reason: None,
         answer: None,
         paths: task.asked.parameters.iter().map(|asked| asked.path.to_string()).collect(),
         problem,
         basis: None,
-        times: setup.times.clone(),
-        positions: setup.positions.clone(),
+        times: crossing.map_or_else(Vec::new, |setup| setup.times.clone()),
+        positions: crossing.map_or_else(Vec::new, |setup| setup.positions.clone()),
         channels: Vec::new(),
+        read_at_rest: Vec::new(),
         searches: Vec::new(),
         paper: Vec::new(),
         identifiability: None,
@@ -284,20 +325,21 @@ fn cancelled(task: &Task<'_>, setup: &Setup, problem: Problem) -> Update {
     }
 }
 
-fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Option<&[Vec<f64>]>) -> Vec<Histories> {
-    let one = |(k, channel): (usize, &Channel)| Histories {
+fn histories(model: &Model<'_>, problem: &Problem, start: &[Vec<f64>], updated: Option<&[Vec<f64>]>) -> Vec<Histories> {
+    let sensors = model.crossing.iter().flat_map(|setup| &setup.sensors);
+    let one = |(k, (channel, sensor)): (usize, (&Channel, &Placed))| Histories {
         name: channel.name.clone(),
-        quantity: setup.sensors[k].quantity,
+        quantity: sensor.quantity,
         measured: channel.history.clone().unwrap_or_default(),
         start: start[k].clone(),
         updated: updated.map_or_else(Vec::new, |updated| updated[k].clone()),
         left_out: channel.left_out.clone(),
     };
-    problem.channels().iter().enumerate().map(one).collect()
+    problem.channels().iter().zip(sensors).enumerate().map(one).collect()
 }
 
 fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<Note> {
-    let setup = &model.setup;
+    let Some(setup) = model.base() else { return Vec::new() };
     let compared = match (problem.misfit().compare, problem.misfit().slices) {
         (Compare::Histories, _) => InUpdate::Histories,
         (Compare::Peaks, true) => InUpdate::PeaksBySlices,
@@ -307,16 +349,31 @@ fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec
         0.0 => InUpdate::NoCommonGain,
         deviation => InUpdate::CommonGain { deviation },
     };
-    let said = [compared, InUpdate::Weights, InUpdate::Width { width: setup.effective_width }, gain];
+    let compared = model.crossing.as_ref().map(|_| compared);
+    let readings = model.standing.as_ref().map(|_| InUpdate::Readings);
+    let silent = problem.channels().iter().filter(|one| one.readings && one.counts() && one.uncertainty.is_none());
+    let sensors: Vec<String> = silent.map(|channel| channel.name.clone()).collect();
+    let silent = (!sensors.is_empty()).then_some(InUpdate::UnstatedReadings { sensors });
+    let said = [InUpdate::Weights, InUpdate::Width { width: setup.effective_width }, gain];
     let anew = model.moves.then_some(InUpdate::MadeAnew);
-    said.into_iter().chain(anew).map(Note::from).chain(setup.assumptions.iter().cloned()).collect()
+    let own = compared.into_iter().chain(readings).chain(silent).chain(said).chain(anew).map(Note::from);
+    let setups = model.crossing.iter().chain(model.standing.iter().map(|standing| &standing.test.setup));
+    let mut all: Vec<Note> = own.collect();
+    for note in setups.flat_map(|setup| &setup.assumptions) {
+        if !all.contains(note) {
+            all.push(note.clone());
+        }
+    }
+    all
 }
 
 /// What a reader should look at before using the numbers.
-fn warn(found: &mut Update) {
+fn warn(found: &mut Update, bridge: &Bridge) {
     let mut said = Vec::new();
     let synthetic = found.records.runs.iter().filter(|run| run.synthetic.is_some());
-    let records: Vec<String> = synthetic.map(|run| run.name.clone()).collect();
+    let readings = bridge.load_test.as_ref().map(|test| &test.readings).filter(|one| one.synthetic.is_some());
+    let readings = readings.and_then(|readings| readings.file.clone());
+    let records: Vec<String> = synthetic.map(|run| run.name.clone()).chain(readings).collect();
     if !records.is_empty() {
         said.push(warning::Service::Synthetic { records });
     }

@@ -86,9 +86,9 @@ impl Way {
             solution.status = PassageStatus::Cancelled;
             if !run.passage.cancelled {
                 solution.status = PassageStatus::NotConverged;
+                let place = setup.loads.place_words(setup.positions[k]);
                 solution.reason = Some(format!(
-                    "with the first axle at {:.3} m no balance was found, however small the step: the bridge may be at its limit",
-                    setup.positions[k]
+                    "{place} no balance was found, however small the step: the bridge may be at its limit"
                 ));
             }
             return Ok(());

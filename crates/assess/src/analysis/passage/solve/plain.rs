@@ -115,7 +115,7 @@ impl Way {
             });
         }
         if outcome.status != Status::Completed {
-            end(solution, &outcome, &format!("with the first axle at {position:.3} m"));
+            end(solution, &outcome, &setup.loads.place_words(position));
             return Ok(());
         }
         for (s, sensor) in setup.sensors.iter().enumerate() {

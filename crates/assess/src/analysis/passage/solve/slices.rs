@@ -67,7 +67,7 @@ pub fn slices(
     for (visited, place) in visited.iter().zip(wanted.positions) {
         found.log.push(of_visited(visited));
         if visited.position.reached != Reached::Balanced {
-            return Ok(unbalanced(found, format!("with the first axle at {place:.3} m no balance was found")));
+            return Ok(unbalanced(found, format!("{} no balance was found", setup.loads.place_words(*place))));
         }
         for ((values, now), own) in found.values.iter_mut().zip(&visited.observed).zip(&found.self_weight) {
             values.push(now - own);

@@ -1,0 +1,107 @@
+//! A load test as its users meet it: what to expect, a table of readings, the moduli, what cannot be used.
+
+use crate::stage::{Stage, number};
+use crate::tiny::BRIDGE;
+
+/// The tiny bridge as a road with a lorry at rest; readings are in a table that nobody has written yet.
+fn road() -> String {
+    let (before, rest) = BRIDGE.split_once("[train]").expect("a train");
+    let (_, after) = rest.split_once("[passage]").expect("a passage");
+    let sensors = after.split_once("[[sensor]]").map_or(String::new(), |(_, sensors)| format!("[[sensor]]{sensors}"));
+    let lorry = "[vehicle]\nname = \"lorry\"\naxle_loads = [\"8 t\", \"18 t\"]\naxle_spacings = [\"3.6 m\"]\n";
+    let mut text = format!("{before}{lorry}\n[load_test]\nreadings = \"readings.csv\"\n");
+    for (name, front) in [("one", 0.6), ("two", 1.4), ("three", 2.2), ("four", 3.0), ("five", 3.8), ("six", 5.0)] {
+        text += &format!("[[load_test.position]]\nname = \"{name}\"\nvehicle = {{ front_axle = \"{front} m\" }}\n");
+    }
+    text + &sensors
+}
+
+const SOUGHT: &str = r#"
+[[parameter]]
+quantity = "masonry.elastic_modulus"
+name = "stone"
+lower = "5 GPa"
+upper = "20 GPa"
+
+[[parameter]]
+quantity = "fill.elastic_modulus"
+name = "fill"
+lower = "20 MPa"
+upper = "300 MPa"
+
+[update]
+starts = 2
+"#;
+
+fn parameter(answer: &serde_json::Value, name: &str) -> f64 {
+    let list = answer["parameters"].as_array().expect("parameters");
+    list.iter().find(|one| one["name"] == name).and_then(|one| one["value"].as_f64()).expect("a value")
+}
+
+/// What is expected before anybody has read anything is a table that a load test reads; the moduli behind it are found again.
+#[test]
+fn moduli_are_found_from_a_table_of_readings() {
+    let stage = Stage::new("load-test-twin");
+    let bridge = road();
+    stage.write("truth.toml", bridge.replace("\"10 GPa\"", "\"13 GPa\"").replace("\"100 MPa\"", "\"170 MPa\""));
+    let (expected, ending) = stage.object(&["respond", "truth.toml", "--out", "truth"]);
+    assert_eq!(ending.code, Some(0), "{expected}");
+    let positions = expected["positions"].as_array().expect("positions");
+    assert_eq!((positions.len(), positions[1]["name"].as_str()), (6, Some("two")));
+    let first = expected["channels"][0]["name"].as_str().expect("a name");
+    let values: Vec<f64> = positions.iter().filter_map(|one| one["channels"][first].as_f64()).collect();
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(values.len() == 6 && (least - number(&expected["channels"][0], "minimum")).abs() < 1e-12, "{values:?}");
+    assert!(positions[0].get("readings").is_none() && expected["channels"][0]["time_of_peak_s"].is_null());
+    let table = stage.read("truth/positions.csv");
+    assert!(
+        table.starts_with("position,crown_mm,quarter_mm,strain_microstrain") && table.lines().count() == 7,
+        "{table}"
+    );
+    assert!(!stage.folder.join("truth/channels.csv").exists(), "nothing crossed");
+
+    stage.write("bridge.toml", format!("{bridge}{SOUGHT}"));
+    let (missing, ending) = stage.object(&["update", "bridge.toml"]);
+    assert_eq!((ending.code, missing["errors"][0]["code"].as_str()), (Some(2), Some("F101")), "{missing}");
+    stage.write("readings.csv", format!("# synthetic: twin\n{table}"));
+    let (found, ending) = stage.object(&["update", "bridge.toml", "--out", "found"]);
+    assert_eq!(ending.code, Some(0), "{found}");
+    assert!((parameter(&found, "stone") / 13.0 - 1.0).abs() < 5e-3, "{}", found["parameters"]);
+    assert!((parameter(&found, "fill") / 170.0 - 1.0).abs() < 5e-3, "{}", found["parameters"]);
+    assert!(found["warnings"].to_string().contains("computed and not measured: readings.csv"), "{}", found["warnings"]);
+    assert_eq!(found["positions"].as_array().map(Vec::len), Some(6));
+    assert!(stage.read("found/readings.csv").lines().count() == 7);
+    // The summary of what to expect has what was read below it.
+    let shown = stage.run(&["respond", "bridge.toml", "--out", "shown"]);
+    assert!(shown.stdout.contains("6 positions at rest") && shown.stdout.contains("  read"), "{}", shown.stdout);
+    let (checked, ending) = stage.object(&["check", "bridge.toml"]);
+    assert_eq!(ending.code, Some(0), "{checked}");
+}
+
+#[test]
+fn a_table_of_readings_is_refused_with_its_lines_where_it_is_needed() {
+    let stage = Stage::new("load-test-table");
+    stage.write("bridge.toml", format!("{}{SOUGHT}", road()));
+    stage.write("readings.csv", "position,crown [mm],crown strain [microstrain]\none,-0.1,2\nseven,-0.1,3\ntwo,x,\n");
+    let (refused, ending) = stage.object(&["update", "bridge.toml"]);
+    assert_eq!((ending.code, refused["errors"][0]["code"].as_str()), (Some(2), Some("F130")), "{refused}");
+    let words = refused["errors"][0]["message"].as_str().expect("a message");
+    for part in [
+        "line 1: \"crown strain [microstrain]\" is no sensor",
+        "line 3: there is no position \"seven\"",
+        "line 4, crown: ",
+    ] {
+        assert!(words.contains(part), "{words}");
+    }
+    let (expected, ending) = stage.object(&["respond", "bridge.toml"]);
+    assert_eq!(ending.code, Some(0), "what to expect needs no readings: {expected}");
+    stage.write("beside.toml", road().replace("front_axle = \"5 m\"", "front_axle = \"500 m\""));
+    for command in ["respond", "check"] {
+        let (refused, ending) = stage.object(&[command, "beside.toml"]);
+        assert_eq!((ending.code, refused["errors"][0]["code"].as_str()), (Some(2), Some("F108")), "{refused}");
+        assert!(
+            refused["errors"][0]["message"].to_string().contains("position \\\"six\\\" of [load_test]"),
+            "{refused}"
+        );
+    }
+}
