@@ -96,7 +96,7 @@ class Collapse:
     full_fill_pressure_load_kn_per_m: float | None
     """Load with all of the fill's passive pressure, where it presses [kN/m]."""
     non_associated_spread_kn_per_m: list[float] | None
-    """The non-associated load, and the largest on the way to it [kN/m]."""
+    """The load in the mechanism without dilation, or the least behind the largest where loads come and go, and the largest [kN/m]."""
     unlimited_strength_load_kn_per_m: float | None
     """Collapse load of joints that never crush; the same as the collapse load where the file gives no strength [kN/m]."""
     equilibrium_residual: float | None
@@ -241,7 +241,9 @@ class Passage:
     reason: str | None
     """Why it ended early, where it did not complete."""
     channels: list[dict[str, Any]]
-    """Records of the sensors."""
+    """Records of the sensors; where nothing crosses, their values in the positions of the load test."""
+    positions: list[str]
+    """Positions of the load test: `name`, `channels`, in its order."""
     degrees_of_freedom: int
     """Unknowns of the model, before anything is condensed."""
     condensed_degrees_of_freedom: int | None
@@ -303,6 +305,8 @@ class Update:
     """Of these, evaluations that this run did itself."""
     channels: list[dict[str, Any]]
     """Every channel: `name`, `unit`, `measured_peak`, `model_peak`, `shape_correlation`, `weight`, `error` and so on."""
+    positions: list[dict[str, Any]]
+    """Positions of the load test: `name`, and `channels` with what each sensor read (`measured`) and the model gives (`start`, `updated`)."""
     searches: list[dict[str, Any]]
     """All searches, in the order in which they were made."""
     sensitivity: list[dict[str, Any]]
