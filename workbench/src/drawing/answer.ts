@@ -278,9 +278,10 @@ export function envelope(
   pen.textBaseline = "top";
   if (width > 560) pen.fillText("Carried, over the place of the load", Math.max(8, left), bottom + 4);
   // What the height of the curve is: its upper end, and none at its foot.
-  pen.textAlign = "right";
+  const upper = say(ceiling * times);
+  pen.textAlign = "left";
   pen.textBaseline = "top";
-  if (width > 560) pen.fillText(say(ceiling * times), Math.min(width - 8, right), top);
+  if (width > right + 14 + pen.measureText(upper).width) pen.fillText(upper, right + 6, top);
   pen.setLineDash([2, 3]);
   line(pen, left, y(least), right, y(least));
   pen.setLineDash([]);

@@ -109,7 +109,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
       const less = found.slides ? "Joints slide here: less may be carried without dilation." : "Other axles may carry less here.";
       list.push({ kind: "warn", text: `${less} The answer settles when the load rests.` });
     }
-    if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
+    if (about()?.fast === false && about()?.stands !== false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text: plainly(inSystem(text, system())) });
     const assumed = assumedIn(props.sheet.text());
     if (assumed.length > 0) list.push({ kind: "", text: typeset(inSystem(`Assumed by the file: ${assumed.join("; ")}.`, system())) });

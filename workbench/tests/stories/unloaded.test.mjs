@@ -29,7 +29,10 @@ test("a bridge that does not stand says so in the place of its load, and a wrong
   const { page, complaints, context } = await visit();
   await openExample(page, "tiny");
   const field = page.locator('input[data-path="span[1].thickness"]');
-  await field.fill("20 mm");
+  const rise = page.locator('input[data-path="span[1].rise"]');
+  await rise.fill("1.9 m");
+  await rise.blur();
+  await field.fill("100 mm");
   await field.blur();
   await until("the headline says so", async () => /does not stand/i.test(await page.getByTestId("headline").innerText().catch(() => "")), 60);
   await shot(page, "falls-1280-light");
