@@ -51,7 +51,7 @@ def load_displacement(found: Collapse, ax: Any) -> Any:
     if stable is not None:
         ax.axhline(stable, color=_BUILT, linestyle="--", label=f"last stable: {stable:.4g} kN/m")
     ax.legend()
-    return _titled(ax, found, "vertical displacement, down [mm]", "load [kN/m]")
+    return _titled(ax, found, "vertical displacement, down positive [mm]", "load [kN/m]")
 
 
 def thrust_line(found: Collapse, ax: Any) -> Any:
@@ -259,7 +259,7 @@ def study(found: Study, quantity: str | None, ax: Any) -> Any:
         place = own["values"].get(quantity)
         ax.plot([place], [own["outcomes"][found.outcome]], linestyle="none", marker="o", markerfacecolor="white", markeredgecolor=_EDGE, label="the file")
         ax.legend()
-    across = f"{quantity} [{unit}]" if unit else quantity
+    across = f"{quantity} [{unit}]" if unit else str(quantity)
     return _titled(ax, found, across, _LEADING.get(found.outcome, found.outcome))
 
 

@@ -158,7 +158,7 @@ def test_records(small_passage, ax):
     found.plot([name], ax=ax)
     (curve,) = ax.get_lines()
     assert numpy.array_equal(curve.get_ydata(), record.values) and numpy.array_equal(curve.get_xdata(), found.positions_m)
-    assert ax.get_ylabel() == f"value of the record [{record.unit}]"
+    assert (record.unit, ax.get_ylabel()) == ("mm", "displacement [mm]")
     other = next((one.name for one in found.records.values() if one.unit != record.unit), None)
     if other is not None:
         with pytest.raises(extrados.ArgumentError, match="same axes"):

@@ -250,7 +250,7 @@ def test_results_are_values_and_say_what_they_found():
 
 def test_a_study_draws_itself_and_names_the_runs_that_warn():
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    study = extrados.Bridge.example("two-ring").vary({"joint.friction_angle [deg]": [28.0, 30.0, 33.0]}, method="limit")
+    study = extrados.Bridge.example("tiny").vary({"joint.friction_angle [deg]": [28.0, 30.0, 33.0]}, method="limit")
     rows = study.to_pandas("runs")
     told = {one["code"]: one["message"] for one in study.warnings if one["message"].startswith("in ")}
     for code, message in told.items():
