@@ -79,7 +79,6 @@ fn a_crawling_vehicle_is_one_at_rest_in_every_place() {
             let apart = pairs
                 .flat_map(|(rested, crawled)| rested.iter().zip(&places).map(|(value, k)| (value - crawled[*k]).abs()));
             let apart = apart.fold(0.0, f64::max);
-            println!("crawl {heading:?} {sequence:?}: {:e}", apart / most);
             assert!(apart < 1e-9 * most, "{apart} of {most}");
         }
     }
