@@ -2,6 +2,7 @@
 
 use crate::stage::{Stage, number};
 use crate::tiny::BRIDGE;
+use crate::update::{SOUGHT, parameter};
 
 /// The tiny bridge as a road with a lorry at rest; readings are in a table that nobody has written yet.
 fn road() -> String {
@@ -16,26 +17,10 @@ fn road() -> String {
     text + &sensors
 }
 
-const SOUGHT: &str = r#"
-[[parameter]]
-quantity = "masonry.elastic_modulus"
-name = "stone"
-lower = "5 GPa"
-upper = "20 GPa"
-
-[[parameter]]
-quantity = "fill.elastic_modulus"
-name = "fill"
-lower = "20 MPa"
-upper = "300 MPa"
-
-[update]
-starts = 2
-"#;
-
-fn parameter(answer: &serde_json::Value, name: &str) -> f64 {
-    let list = answer["parameters"].as_array().expect("parameters");
-    list.iter().find(|one| one["name"] == name).and_then(|one| one["value"].as_f64()).expect("a value")
+/// What the twin of a passage seeks, without its records.
+fn sought() -> String {
+    let (_, parameters) = SOUGHT.split_once("[[parameter]]").expect("parameters");
+    format!("\n[[parameter]]{parameters}")
 }
 
 /// What is expected before anybody has read anything is a table that a load test reads; the moduli behind it are found again.
@@ -60,7 +45,7 @@ fn moduli_are_found_from_a_table_of_readings() {
     );
     assert!(!stage.folder.join("truth/channels.csv").exists(), "nothing crossed");
 
-    stage.write("bridge.toml", format!("{bridge}{SOUGHT}"));
+    stage.write("bridge.toml", format!("{bridge}{}", sought()));
     let (missing, ending) = stage.object(&["update", "bridge.toml"]);
     assert_eq!((ending.code, missing["errors"][0]["code"].as_str()), (Some(2), Some("F101")), "{missing}");
     stage.write("readings.csv", format!("# synthetic: twin\n{table}"));
@@ -81,7 +66,7 @@ fn moduli_are_found_from_a_table_of_readings() {
 #[test]
 fn a_table_of_readings_is_refused_with_its_lines_where_it_is_needed() {
     let stage = Stage::new("load-test-table");
-    stage.write("bridge.toml", format!("{}{SOUGHT}", road()));
+    stage.write("bridge.toml", format!("{}{}", road(), sought()));
     stage.write("readings.csv", "position,crown [mm],crown strain [microstrain]\none,-0.1,2\nseven,-0.1,3\ntwo,x,\n");
     let (refused, ending) = stage.object(&["update", "bridge.toml"]);
     assert_eq!((ending.code, refused["errors"][0]["code"].as_str()), (Some(2), Some("F130")), "{refused}");

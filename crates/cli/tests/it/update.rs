@@ -47,7 +47,7 @@ fn evaluations(stage: &Stage, out: &str) -> usize {
     std::fs::read_to_string(log).unwrap_or_default().lines().count()
 }
 
-fn parameter(answer: &Value, name: &str) -> f64 {
+pub(crate) fn parameter(answer: &Value, name: &str) -> f64 {
     let list = answer["parameters"].as_array().expect("parameters");
     list.iter().find(|one| one["name"] == name).and_then(|one| one["value"].as_f64()).expect("a value")
 }

@@ -15,21 +15,7 @@ pub(super) fn of_vehicles(
     beyond: &[TooLong],
 ) -> Vec<Warning> {
     let mut list = Vec::new();
-    // Vehicles with the same source together.
-    let mut sources: Vec<(Vec<String>, Source)> = Vec::new();
-    for chosen in vehicles.iter().filter(|chosen| chosen.source.confidence != Confidence::Read) {
-        let (code, source) = (chosen.vehicle.code.clone(), &chosen.source);
-        let same = |known: &Source| {
-            (known.confidence, &known.text, &known.note) == (source.confidence, &source.text, &source.note)
-        };
-        match sources.iter_mut().find(|(_, known)| same(known)) {
-            Some((codes, _)) => codes.push(code),
-            None => sources.push((vec![code], source.clone())),
-        }
-    }
-    if !sources.is_empty() {
-        list.push(warning::Vehicles::NotRead { sources }.into());
-    }
+    list.extend(not_read(vehicles));
     let values: Vec<String> = crate::plan_facts::doubtful_files(bridge).iter().map(ToString::to_string).collect();
     if !values.is_empty() {
         list.push(warning::Vehicles::DoubtfulFile { values }.into());
@@ -56,6 +42,22 @@ pub(super) fn of_vehicles(
     };
     list.push(warning::Vehicles::NoLongitudinal { braking, sideways: across::sideways(bridge) }.into());
     list
+}
+
+/// Vehicles whose loads or distances nobody read, those with the same source together.
+pub(super) fn not_read(vehicles: &[Chosen]) -> Option<Warning> {
+    let mut sources: Vec<(Vec<String>, Source)> = Vec::new();
+    for chosen in vehicles.iter().filter(|chosen| chosen.source.confidence != Confidence::Read) {
+        let (code, source) = (chosen.vehicle.code.clone(), &chosen.source);
+        let same = |known: &Source| {
+            (known.confidence, &known.text, &known.note) == (source.confidence, &source.text, &source.note)
+        };
+        match sources.iter_mut().find(|(_, known)| same(known)) {
+            Some((codes, _)) => codes.push(code),
+            None => sources.push((vec![code], source.clone())),
+        }
+    }
+    (!sources.is_empty()).then(|| warning::Vehicles::NotRead { sources }.into())
 }
 
 /// What was assumed of lanes and edges.

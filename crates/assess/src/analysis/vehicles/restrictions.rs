@@ -3,7 +3,7 @@
 
 use super::super::AnalysisError;
 use super::super::parallel::portion;
-use super::vehicle_sweep;
+use super::{limits, vehicle_sweep};
 use crate::vehicles::{Chosen, chosen, of_model};
 use bridge::Bridge;
 use mechanics::watch::Watch;
@@ -35,6 +35,7 @@ pub fn vehicle_sweep_with_restrictions(bridge: &Bridge, watch: &mut dyn Watch) -
                 break;
             }
         }
+        found.warnings.extend(limits::not_read(&grades.vehicles[..found.restrictions.len()]));
     }
     Ok(found)
 }

@@ -140,6 +140,14 @@ fn a_weight_limit_is_looked_up_where_normal_traffic_is_not_carried() {
     assert_eq!((found.headline(), found.vehicles.len()), (plain.headline(), plain.vehicles.len()));
     let (own, asked) = (found.grades(), swept(&with(0.40, &["gb-restrictions"])).grades());
     assert_eq!((own.len(), &own[0].highest, &own[0].carried), (1, &asked[0].highest, &asked[0].carried));
+    // Axles that nobody read are told of the limit as of any vehicle, of those that were moved alone.
+    let told: Vec<String> = found
+        .warnings
+        .iter()
+        .filter(|one| one.code() == outcome::warning::VEHICLE_NOT_READ)
+        .map(|one| one.message())
+        .collect();
+    assert!(told.iter().any(|words| words.contains("gb-3t") && !words.contains("gb-44t")), "{told:?}");
     assert!(
         own[0].highest.is_some() && own[0].not_carried.len() == 1 && own[0].not_carried[0] == asked[0].not_carried[0]
     );
