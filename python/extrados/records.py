@@ -107,7 +107,11 @@ def as_files(bridge: Bridge, records: Records) -> Project:
 def _runs(records: Records) -> dict[str, str]:
     if isinstance(records, (str, Path)):
         path = Path(records)
-        return {path.stem: path.read_text(encoding="utf-8")}
+        try:
+            return {path.stem: path.read_text(encoding="utf-8")}
+        except (OSError, UnicodeDecodeError) as error:
+            why = getattr(error, "strerror", None) or "it is no text"
+            raise argument(f"records = {str(records)!r} cannot be read: {why}", "give a table, or the path of a table of records (.csv)") from None
     several = isinstance(records, Mapping) and all(
         isinstance(one, Mapping) or hasattr(one, "columns") for one in records.values()
     )

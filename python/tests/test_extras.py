@@ -5,7 +5,7 @@ import re
 import pytest
 
 HEAVY = {"jupyter", "dask", "distributed", "pyarrow", "polars", "scipy", "pyright", "emcee", "ipykernel", "h5py"}
-IMPORTED_AS = {"scipy.io": "scipy", "dask.distributed": "dask", "matplotlib.figure": "matplotlib", "matplotlib.image": "matplotlib"}
+IMPORTED_AS = {"scipy.io": "scipy", "dask.distributed": "dask", "matplotlib.figure": "matplotlib", "matplotlib.image": "matplotlib", "matplotlib.pyplot": "matplotlib"}
 
 
 @pytest.fixture

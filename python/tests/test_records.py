@@ -1,6 +1,7 @@
 """Records as frames, arrays and files of other programs: the same answer as from the file of the example."""
 
 import io
+import re
 
 import extrados
 import numpy
@@ -112,3 +113,14 @@ def test_tdms(tmp_path, frame):
     same(records.read_tdms(tmp_path / "run.tdms", NAMES, time=None), frame)
     with pytest.raises(extrados.ArgumentError, match="no clock"):
         records.read_tdms(tmp_path / "run.tdms", {"w": NAMES["w"]})
+
+
+def test_records_in_memory_need_no_place_in_the_file(bridge, frame):
+    without = re.sub(r"(?ms)^\[records\].*?(?=^\[)", "", bridge.text)
+    assert "[records]" not in without
+    alone = extrados.Bridge.parse(without).update(frame, records_only=True)
+    # Without the table its other keys have their defaults.
+    named = extrados.Bridge.parse(bridge.text.replace("zero = false", "zero = true"))
+    assert len(peaks(alone)) > 3 and peaks(alone) == peaks(named.update(frame, records_only=True))
+    with pytest.raises(extrados.ArgumentError, match="cannot be read: No such file"):
+        extrados.Bridge.parse(without).update("nowhere.csv")
