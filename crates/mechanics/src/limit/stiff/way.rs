@@ -120,6 +120,8 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         oriented: None,
         moved: Vec::new(),
         passed: None,
+        by_motion: false,
+        turned: None,
         room: vec![0.0; system.elements.len()],
         speeds: vec![0.0; system.elements.len()],
         steps: 0,
@@ -142,6 +144,10 @@ pub(super) fn follow(system: &System, state: State, load: &Load, token: &CancelT
         let goal = load.goal.map(|goal| (goal - this.state.factor) * direction).filter(|left| *left >= 0.0);
         let most = goal.map_or(far, |goal| goal.min(far));
         let next = this.next(&rates, most);
+        if next.as_ref().is_some_and(|(element, event)| this.returns(*element, event.to)) {
+            this.turned = Some(-direction);
+            continue;
+        }
         let after = next.as_ref().map_or(most, |(_, event)| event.after);
         if !after.is_finite() {
             return this.ends(End::Lost);
@@ -187,13 +193,24 @@ struct Follower<'a> {
     oriented: Option<f64>,
     /// Displacements along the way before the last limit.
     moved: Vec<f64>,
-    /// The element that has passed a limit, and what grows beyond it.
-    passed: Option<(usize, [f64; 3])>,
+    passed: Option<Passed>,
+    /// Whether motion alone told the direction.
+    by_motion: bool,
+    /// The direction after motion has told the wrong one.
+    turned: Option<f64>,
     /// How far the elastic forces of each element may surely go before its piece changes.
     room: Vec<f64>,
     /// How fast they go.
     speeds: Vec<f64>,
     steps: usize,
+}
+
+/// The last limit.
+struct Passed {
+    element: usize,
+    from: Piece,
+    /// What grows beyond it.
+    onward: [f64; 3],
 }
 
 impl Follower<'_> {
@@ -221,7 +238,9 @@ impl Follower<'_> {
                 let along: f64 = self.moved.iter().zip(&rate.displacements).map(|(a, b)| a * b).sum();
                 if along < 0.0 { -1.0 } else { 1.0 }
             };
-            let direction = by_limit.or(by_sign).unwrap_or_else(by_motion);
+            let told = by_limit.or(by_sign).or(self.turned.take());
+            self.by_motion = told.is_none();
+            let direction = told.unwrap_or_else(by_motion);
             break (rate, direction);
         };
         rate.displacements.iter_mut().for_each(|x| *x *= direction);
@@ -232,7 +251,7 @@ impl Follower<'_> {
 
     /// The direction in which the element that has passed a limit goes on beyond it; none where it hardly moves.
     fn by_limit(&self, displacements: &[f64], most: f64) -> Option<f64> {
-        let (element, onward) = self.passed?;
+        let Passed { element, onward, .. } = *self.passed.as_ref()?;
         let mut rates = self.system.elements[element].elastic(displacements);
         if let Some(bond) = self.load.bond.get(element) {
             (0..3).for_each(|k| rates[k] += bond[k]);
@@ -240,6 +259,11 @@ impl Follower<'_> {
         let speed = dot(onward, rates);
         let size = dot(onward.map(f64::abs), self.system.elements[element].stiffness) * most;
         (speed.abs() > SLOW * size).then(|| speed.signum())
+    }
+
+    /// Whether an element goes back through the limit that it has just passed, where motion alone told the direction: it was the other one.
+    fn returns(&self, element: usize, to: Piece) -> bool {
+        self.by_motion && self.passed.as_ref().is_some_and(|passed| passed.element == element && passed.from == to)
     }
 
     /// The first element that passes a limit. Those with room are not looked at: 28 % of the time of five rings went by with them.
@@ -275,10 +299,10 @@ impl Follower<'_> {
     }
 
     fn pass(&mut self, element: usize, event: Event) {
-        self.state.pieces[element] = event.to;
+        let from = std::mem::replace(&mut self.state.pieces[element], event.to);
         self.tangent.pass(&self.state.pieces, element);
         self.room[element] = 0.0;
-        self.passed = Some((element, event.onward));
+        self.passed = Some(Passed { element, from, onward: event.onward });
         self.steps += 1;
         if self.steps.is_multiple_of(LOOKED_AT) {
             self.balance();
