@@ -358,6 +358,14 @@ class Bridge:
         options = _given(search=search, variant=variant, start=start, records_only=records_only or None)
         return _made(Update, progress, lambda tell: project.update(options, program(), tell, resume))
 
+    def plan_load_test(self) -> dict[str, Any]:
+        """What each position and each sensor of the file's `[load_test]` would tell of its `[[parameter]]` tables, before anything is read: `positions` and
+        `sensors` in the order in which each adds most, with `information_bit` and `interval_95`, and the same of the whole test."""
+        plan = self._project.plan_load_test()
+        if plan is None:
+            raise argument("the file has no load test to plan", "it needs [load_test] and [[parameter]] tables")
+        return plan
+
     def vary(
         self,
         *ranges: str | Mapping[str, Any],

@@ -39,6 +39,7 @@ pub use channel::Channel;
 pub use evaluator::Evaluator;
 pub use forward::{Evaluation, Failure, Forward, Map, Request, Response, STOPPED, Samples, Serial};
 pub use linearised::Linearised;
+pub use linearised::design::{Design, Expected};
 pub use log::Log;
 pub use misfit::Misfit;
 pub use parameter::{Parameter, Scale, Start};

@@ -2,6 +2,7 @@
 
 mod assess;
 mod passage;
+mod plan;
 mod records;
 mod update;
 mod validation;
@@ -10,6 +11,7 @@ mod vehicles;
 
 pub(crate) use self::assess::assessment;
 pub(crate) use passage::passage;
+pub(crate) use plan::plan;
 pub(crate) use records::records;
 pub(crate) use update::update;
 pub(crate) use validation::validation;

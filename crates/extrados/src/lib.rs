@@ -26,6 +26,7 @@
 //! | [`sweep`] | the same for loads or vehicles at every position |
 //! | [`respond`] | displacements, strains and stresses as a train passes |
 //! | [`update`], [`judge`] | parameters from records of a passage; the records alone |
+//! | [`plan_load_test`] | which positions and sensors of a load test tell most of the parameters |
 //! | [`vary`] | an analysis over ranges of the file's quantities |
 //! | [`calibrate_fill`] | contacts of particles for a wanted fill |
 //! | [`assess`] | the bridge against the limits of its file, with a report |
@@ -86,7 +87,7 @@ pub use crate::respond::{RespondOptions, respond};
 pub use crate::shown::{Excerpt, finding_in_words};
 pub use crate::stepping::Stepping;
 pub use crate::sweep::{SweepOptions, Swept, sweep, sweeps};
-pub use crate::update::{UpdateOptions, can_update, judge, update};
+pub use crate::update::{UpdateOptions, can_update, judge, plan_load_test, update};
 pub use crate::vary::{Portion, Studied, VaryOptions, VaryPlan, settings, vary};
 pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};
 

@@ -6,6 +6,7 @@ use crate::refusal::Refusal;
 use crate::watch::{Seeking, Watch};
 use assess::analysis::update::{self, Task, Threads, UpdateError};
 use bridge::update::{Search, Start, Variant};
+use outcome::plan::LoadTestPlan;
 use outcome::update::Update;
 
 /// How parameters are sought, where not as the file says.
@@ -49,6 +50,21 @@ pub fn judge(project: &Project, means: &Means<'_>, watch: &mut dyn Watch) -> Res
     })
 }
 
+/// What the load test of the file would tell of its parameters, whether anything was read or not; none where the file has no load test or no
+/// parameters, or where somebody wished to stop.
+///
+/// # Errors
+/// A file that cannot be used, a load test that cannot be set up (F108), a start model without an answer (F130).
+pub fn plan_load_test(project: &Project, watch: &mut dyn Watch) -> Result<Option<LoadTestPlan>, Refusal> {
+    let bridge = project.bridge()?;
+    let Some(asked) = project.meaning().update.as_ref().filter(|_| bridge.load_test.is_some()) else { return Ok(None) };
+    let document = document(project)?;
+    let task = Task { bridge, document: &document, asked, files: &[] };
+    let mut watch = Seeking { watch, shelf: &crate::shelf::Unkept };
+    let means = update::Means { map: &Threads, watch: &mut watch, clock: &|| 0.0 };
+    update::plan(&task, means).map_err(|error| refused(&error))
+}
+
 /// Whether the file says what to seek and its records can be read.
 ///
 /// # Errors
@@ -75,8 +91,13 @@ fn with_task<T>(
     asked.plan.search = options.search.unwrap_or(asked.plan.search);
     asked.plan.variant = options.variant.unwrap_or(asked.plan.variant);
     asked.plan.start = options.start.unwrap_or(asked.plan.start);
-    let document = document(project)?;
-    run(&Task { bridge, document: &document, asked: &asked, files: project.records()? })
+    let (document, files) = (document(project)?, project.records()?);
+    if asked.records.is_none() && bridge.load_test.as_ref().is_none_or(|test| !test.readings.any()) {
+        let message = format!("nothing was read yet in the load test of {}", project.name());
+        let help = "write `readings` in [load_test] or in its positions; extrados check tells what each position and each sensor would tell";
+        return Err(Refusal::new("F130", message, help));
+    }
+    run(&Task { bridge, document: &document, asked: &asked, files })
 }
 
 /// The file's text as a tree that can be edited, without what it says of updating.

@@ -14,6 +14,7 @@ pub mod mesh;
 pub mod note;
 pub mod passage;
 pub mod picture;
+pub mod plan;
 pub mod published;
 pub mod section;
 mod sentences;

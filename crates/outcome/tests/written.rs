@@ -3,7 +3,7 @@
 use bridge::Method;
 use outcome::wire::Key;
 use outcome::{
-    assessment, calibration, checked, collapse, condition, help, passage, picture, study, sweep, update, validation,
+    assessment, calibration, checked, collapse, condition, help, passage, picture, plan, study, sweep, update, validation,
     vehicles,
 };
 
@@ -27,7 +27,7 @@ const WITHIN: &[Told] = told! {
     help::WithHelp, picture::Hinge, picture::ThrustPoint, assessment::Step, picture::Step = "Load step", collapse::AskedAxles, collapse::Permissible,
     collapse::PackingReport, collapse::Combination, collapse::Component, sweep::SweepPoint, vehicles::Swept, vehicles::Case,
     vehicles::Weights, vehicles::EnvelopePoint, vehicles::PermissibleFactor, vehicles::SectionEnvelope, vehicles::Extreme, vehicles::Graded,
-    vehicles::ByDiscreteElements, passage::SensorRecord, passage::Moment, update::SearchLine, update::RunUsed, checked::Comparison,
+    vehicles::ByDiscreteElements, passage::SensorRecord, passage::Moment, update::SearchLine, update::RunUsed, plan::LoadTestPlan = "Load test plan", plan::Telling, checked::Comparison,
     condition::Condition, validation::Tested, validation::Prediction, validation::Bias, validation::LeftOut, calibration::At,
     calibration::Measured, calibration::Sheared,
 };

@@ -221,6 +221,15 @@ impl Project {
         })
     }
 
+    /// What the load test would tell; nothing where the file has none, or seeks nothing.
+    fn plan_load_test<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        self.usable(py)?;
+        let file = Arc::clone(&self.file);
+        let found = run::guarded(py, || py.detach(move || extrados::plan_load_test(&file, &mut extrados::Unwatched)))?;
+        let found = found.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        found.map(|plan| object::object(py, &plan.object())).transpose()
+    }
+
     #[pyo3(signature = (options, program, progress = None, resume = None))]
     fn vary(
         &self,

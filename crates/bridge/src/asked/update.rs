@@ -17,12 +17,8 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
     if !UPDATE_SECTIONS.iter().any(|section| file.has(section)) {
         return None;
     }
-    let read = bridge.and_then(|bridge| bridge.load_test.as_ref()).map(|test| &test.readings);
-    // Of a file with another mistake nobody knows what it reads.
-    let at_rest = match bridge {
-        Some(_) => read.is_some_and(|readings| readings.any() || readings.file.is_some()),
-        None => file.has("load_test"),
-    };
+    // A load test that nobody has read yet can be planned.
+    let at_rest = file.has("load_test");
     if !file.has("parameter") {
         file.need::<()>("parameter", findings);
     }

@@ -5,6 +5,7 @@
 //! the point. For every size $g$ of the model's error what is left is a normal distribution, cut off at the ranges; their mixture over $g$
 //! is drawn from by Gibbs steps, with no model behind them.
 
+pub mod design;
 mod draws;
 mod quadratic;
 

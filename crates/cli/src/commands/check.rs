@@ -1,4 +1,4 @@
-//! `extrados check`: reads, reports, draws; computes nothing.
+//! `extrados check`: reads, reports, draws; computes nothing but what a load test would tell of the parameters that are sought by it.
 
 use super::model;
 use super::source::{Source, read_text};
@@ -8,6 +8,8 @@ use crate::folder;
 use crate::report::Report;
 use crate::results::{self, Written};
 use crate::status::Status;
+use crate::summary;
+use crate::watcher::watched;
 use assess::analysis::{self, calibrate, passage};
 use bridge::{Bridge, Strip};
 use extrados::Refusal;
@@ -62,6 +64,13 @@ pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Refusal>
     };
     for one in assess::plan_facts::doubtful_files(bridge) {
         report.warn(&mut desk.screen, &one.code, &format!("{}, {}: {}", one.file, one.at, one.told));
+    }
+    match watched(desk.screen.quiet, |spectator| extrados::plan_load_test(&source.project, spectator)) {
+        Ok(Some(plan)) => report = report.with("plan", plan.object()).adding(&summary::plan(&plan)),
+        Ok(None) => {}
+        Err(refusal) => {
+            report.warn(&mut desk.screen, refusal.code, &format!("the load test cannot be planned yet: {}", refusal.message));
+        }
     }
     // Records come after their file has been written, so that missing ones are a doubt.
     if let Err(refusal) = source.project.records() {

@@ -63,6 +63,39 @@ fn moduli_are_found_from_a_table_of_readings() {
     assert_eq!(ending.code, Some(0), "{checked}");
 }
 
+/// Before anyone goes out `check` tells which positions and sensors tell most; nothing can be found yet.
+#[test]
+fn a_load_test_that_nobody_has_read_is_planned() {
+    let stage = Stage::new("load-test-plan");
+    let unread = road().replace("readings = \"readings.csv\"\n", "uncertainty = { \"crown\" = \"0.01 mm\" }\n") + &sought();
+    stage.write("bridge.toml", &unread);
+    let (checked, ending) = stage.object(&["check", "bridge.toml"]);
+    assert_eq!(ending.code, Some(0), "{checked}");
+    let plan = &checked["plan"];
+    let ordered = |list: &str| {
+        let bits: Vec<f64> = plan[list].as_array().expect("a list").iter().map(|one| number(one, "information_bit")).collect();
+        assert!(bits.len() > 1 && bits.iter().sum::<f64>() < number(plan, "information_bit") + 1e-6, "{plan}");
+        bits
+    };
+    assert!(ordered("positions").is_sorted_by(|a, b| a >= b) && ordered("sensors")[0] > 1.0, "{plan}");
+    let sought = plan["parameters"].as_array().expect("parameters");
+    for one in sought {
+        let interval = &plan["interval_95"][one["name"].as_str().expect("a name")];
+        let end = |of: &serde_json::Value, k: usize| of[k].as_f64().expect("a number");
+        let width = |of: &serde_json::Value| end(of, 1) - end(of, 0);
+        assert!(width(interval) < width(&one["range"]) && end(interval, 0) <= number(one, "start"), "{plan}");
+    }
+    let words = stage.run(&["check", "bridge.toml"]).stdout;
+    for part in ["What the load test would tell", "before the test", "the whole test", "No uncertainty is stated for quarter"] {
+        assert!(words.contains(part), "{words}");
+    }
+    let (refused, ending) = stage.object(&["update", "bridge.toml"]);
+    assert_eq!((ending.code, refused["errors"][0]["code"].as_str()), (Some(2), Some("F130")), "{refused}");
+    assert!(refused["errors"][0]["message"].to_string().contains("nothing was read yet"), "{refused}");
+    let (expected, ending) = stage.object(&["respond", "bridge.toml"]);
+    assert_eq!(ending.code, Some(0), "{expected}");
+}
+
 #[test]
 fn a_table_of_readings_is_refused_with_its_lines_where_it_is_needed() {
     let stage = Stage::new("load-test-table");

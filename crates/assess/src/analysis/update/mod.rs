@@ -2,6 +2,9 @@
 
 mod forward;
 mod measured;
+mod plan;
+#[cfg(test)]
+mod plan_tests;
 mod readings;
 #[cfg(test)]
 mod readings_tests;
@@ -9,6 +12,7 @@ mod searches;
 
 pub use forward::{Model, Threads};
 pub use measured::RecordFile;
+pub use plan::plan;
 
 use super::AnalysisError;
 use super::passage::sensors::Placed;

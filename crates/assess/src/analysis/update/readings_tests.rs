@@ -13,18 +13,23 @@ use std::fmt::Write;
 /// First axles of the lorry in its six places [m].
 const FRONTS: [f64; 6] = [1.0, 2.2, 3.4, 4.6, 7.6, 9.4];
 /// Moduli of the truth: of the fill [MPa] and of the masonry [GPa].
-const TRUTH: [f64; 2] = [160.0, 11.0];
+pub(super) const TRUTH: [f64; 2] = [160.0, 11.0];
 /// Standard deviation of a reading [mm, microstrain].
 const NOISE: [f64; 2] = [0.002, 0.25];
 
 /// The road without anything that crosses, its lorry in six places; `readings` of each, if any.
 fn text(more: &str, readings: &[String]) -> String {
+    text_of(more, &FRONTS, readings)
+}
+
+/// The same with its first axle in these places [m].
+pub(super) fn text_of(more: &str, fronts: &[f64], readings: &[String]) -> String {
     let whole = road_text("");
     let (before, rest) = whole.split_once("[passage]").unwrap();
     let (_, sensors) = rest.split_once("[[sensor]]").unwrap();
     let before = before.replace("[\"6 t\", \"9.5 t\"]", "[\"8 t\", \"18 t\"]");
     let mut text = format!("{before}\n[load_test]\n{more}\n");
-    for (k, front) in FRONTS.iter().enumerate() {
+    for (k, front) in fronts.iter().enumerate() {
         let _ = writeln!(text, "[[load_test.position]]\nname = \"P{k}\"\nvehicle = {{ front_axle = \"{front} m\" }}");
         if let Some(readings) = readings.get(k) {
             let _ = writeln!(text, "readings = {{ {readings} }}");
@@ -34,7 +39,7 @@ fn text(more: &str, readings: &[String]) -> String {
 }
 
 /// The same with the moduli of the truth in place of those of the start.
-fn truth(text: &str) -> String {
+pub(super) fn truth(text: &str) -> String {
     let (fill, masonry) = ("elastic_modulus = \"110 MPa\"", "elastic_modulus = \"16 GPa\"");
     assert!(text.contains(fill) && text.contains(masonry), "{text}");
     let [of_fill, of_masonry] = TRUTH;
@@ -62,7 +67,12 @@ fn read(by: f64, seed: u64) -> Vec<String> {
 
 /// The same of a test that goes on in another way.
 fn read_in(sequence: &str, by: f64, seed: u64) -> Vec<String> {
-    let bridge = bridge::read(truth(&text(sequence, &[])).as_bytes()).bridge.unwrap();
+    read_of(&truth(&text(sequence, &[])), by, seed)
+}
+
+/// The same of a bridge as its file has it.
+pub(super) fn read_of(text: &str, by: f64, seed: u64) -> Vec<String> {
+    let bridge = bridge::read(text.as_bytes()).bridge.unwrap();
     let test = at_rest::setup(&bridge).unwrap();
     let found = test.solve(&bridge, WantedSlices::default(), &mut Unseen).unwrap();
     let mut noise = noise(seed);
@@ -72,12 +82,12 @@ fn read_in(sequence: &str, by: f64, seed: u64) -> Vec<String> {
         let value = sensor.quantity.scale() * found.values[k][position] + by * deviation * noise();
         format!("\"{}\" = \"{value} {}\"", sensor.name, sensor.quantity.unit())
     };
-    (0..FRONTS.len())
+    (0..test.names.len())
         .map(|p| (0..test.setup.sensors.len()).map(|k| reading(k, p)).collect::<Vec<_>>().join(", "))
         .collect()
 }
 
-const SOUGHT: &str = r#"
+pub(super) const SOUGHT: &str = r#"
 [[parameter]]
 quantity = "fill.elastic_modulus"
 name = "fill"
@@ -98,13 +108,13 @@ model_error = 0.0
 common_gain_deviation = 0.0
 "#;
 
-fn uncertainty() -> String {
+pub(super) fn uncertainty() -> String {
     let [mm, micro] = NOISE;
     let of = |name: &str| format!("\"{name} displacement\" = \"{mm} mm\", \"{name} strain\" = \"{micro} microstrain\"");
     format!("uncertainty = {{ {} }}", ["crown", "pier springing", "abutment springing"].map(of).join(", "))
 }
 
-fn with<T>(text: &str, files: &[RecordFile], run: impl FnOnce(&Task<'_>, Means<'_>) -> T) -> T {
+pub(super) fn with<T>(text: &str, files: &[RecordFile], run: impl FnOnce(&Task<'_>, Means<'_>) -> T) -> T {
     let read = bridge::read(text.as_bytes());
     let bridge = read.bridge.unwrap_or_else(|| panic!("{:?}", read.diagnostics));
     let asked = read.update.unwrap();
@@ -114,7 +124,7 @@ fn with<T>(text: &str, files: &[RecordFile], run: impl FnOnce(&Task<'_>, Means<'
     run(&task, Means { map: &Threads, watch: &mut Unwatched, clock: &|| 0.0 })
 }
 
-fn updated(text: &str, files: &[RecordFile]) -> Update {
+pub(super) fn updated(text: &str, files: &[RecordFile]) -> Update {
     with(text, files, |task, means| update(task, Log::new(&task.identity()), means).unwrap())
 }
 
