@@ -407,13 +407,14 @@ fn a_load_test_goes_as_its_page_tells() {
 fn a_load_test_that_is_planned_otherwise_tells_what_its_page_says() {
     let stage = Stage::with_example("tutorials-load-test-planned", "road-bridge");
     let text = stage.read("bridge/bridge.toml");
-    let told = |name: &str, text: String| {
+    let found = |name: &str, text: String| {
         stage.write(&format!("bridge/{name}.toml"), text);
         let (answer, ending) = stage.object(&["update", &format!("bridge/{name}.toml")]);
         assert_eq!(ending.code, Some(0), "{}", ending.stderr);
-        let list = answer["parameters"].as_array().expect("parameters").clone();
-        list.iter().map(|one| one["identifiable"] == true).collect::<Vec<_>>()
+        answer["parameters"].as_array().expect("parameters").clone()
     };
+    let told =
+        |name: &str, text: String| found(name, text).iter().map(|one| one["identifiable"] == true).collect::<Vec<_>>();
     // Of stone, mortar and fill.
     let level = text.replace("deflection\" = \"0.01 mm\"", "deflection\" = \"0.1 mm\"");
     assert_eq!(told("level", level), [true, false, false]);
@@ -422,6 +423,9 @@ fn a_load_test_that_is_planned_otherwise_tells_what_its_page_says() {
     let unweighed = text.replace("common_gain_deviation = 0.05", "common_gain_deviation = 0.1");
     let unweighed = told("unweighed", unweighed);
     assert!(!unweighed[0] && !unweighed[2], "{unweighed:?}");
+    let wide = text.replace("[\"3.80 m\"]", "[\"3.80 m\"]\neffective_width = \"3.3 m\"");
+    let wide: Vec<f64> = found("wide", wide).iter().map(|one| number(one, "value")).collect();
+    assert!(wide.iter().zip([8.7, 0.41, 88.0]).all(|(a, b)| (a / b - 1.0).abs() < 0.02), "{wide:?}");
 }
 
 /// A page that gains a command is run by a test above, or by that of `vary`.
