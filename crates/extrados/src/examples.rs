@@ -33,11 +33,12 @@ impl File {
 }
 
 impl Example {
-    /// The command to start with: a bridge that a train crosses responds, cases are compared, every other one is brought to collapse.
+    /// The command to start with: a bridge that a train crosses or a load test loads responds, cases are compared, every other one is
+    /// brought to collapse.
     pub fn command(&self) -> &'static str {
         let main = self.files.iter().find(|file| file.name == self.main);
         let has = |section: &str| main.is_some_and(|file| file.text.lines().any(|line| line.starts_with(section)));
-        match (has("[passage]"), has("[[case]]")) {
+        match (has("[passage]") || has("[load_test]"), has("[[case]]")) {
             (true, _) => "respond",
             (false, true) => "cases",
             (false, false) => "collapse",
@@ -63,6 +64,8 @@ examples! {
     "railway-arch", "a monitored railway arch of four spans, and the train that crosses it":
         "passage.toml", "update.toml", "update-table-1.toml", "second-twin.toml", "update-second-twin.toml",
         "assess.toml", "table-6.csv", "table-1/crawling.csv", "table-1/slow.csv", "table-1/design.csv";
+    "road-bridge", "a road bridge from a load test with a weighed lorry to a verdict by CS 454":
+        "bridge.toml", "load-test.csv";
     "prestwood", "the Prestwood bridge, 6.55 m, tested to collapse: fill that presses against movement":
         "limit.toml", "continuum.toml", "particles.toml";
     "tiny", "a small bridge in as few lines as will do":

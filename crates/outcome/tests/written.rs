@@ -3,8 +3,8 @@
 use bridge::Method;
 use outcome::wire::Key;
 use outcome::{
-    assessment, calibration, checked, collapse, condition, help, passage, picture, plan, study, sweep, update, validation,
-    vehicles,
+    assessment, calibration, checked, collapse, condition, help, passage, picture, plan, study, sweep, update,
+    validation, vehicles,
 };
 
 /// A struct and its keys; a command's object by the name of its schema, others by their own or another title.

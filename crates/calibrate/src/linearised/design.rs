@@ -3,12 +3,17 @@
 //! With the model as a straight line, and noise, gains and model error normal, what readings leave of the parameters is a normal distribution whose
 //! covariance does not depend on what is read: it is known beforehand (Chaloner and Verdinelli 1995, Statistical Science 10(3), 273-304). A range counts as
 //! the normal distribution of its variance, a twelfth of its square. Information is the fall of entropy: half the binary logarithm of the ratio of
-//! the determinants (Lindley 1956, Annals of Mathematical Statistics 27(4), 986-1005).
+//! the determinants (Lindley 1956, Annals of Mathematical Statistics 27(4), 986-1005). As a model is no straight line, it is taken in the mean of
+//! models from all over the ranges.
 
 use super::{Linearised, stated};
+use crate::parameter::{Parameter, values};
+use crate::posterior::draw::latin_hypercube;
 use crate::posterior::likelihood::{Likelihood, ModelError};
 use crate::problem::Problem;
 use faer::{Mat, Side};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
 
 /// Variance of a share that may be anything from 0 to 1.
 const RANGE: f64 = 1.0 / 12.0;
@@ -78,28 +83,6 @@ impl Design {
         self.expected(&known)
     }
 
-    /// Groups of readings in the order in which each adds most to those before it, up to so many, with what all up to it would tell. The
-    /// first of equals goes first; groups that add nothing are left out.
-    pub fn in_order(&self, groups: &[Vec<Reading>], most: usize) -> Vec<(usize, Expected)> {
-        let mut known = self.nothing();
-        let (mut left, mut order): (Vec<usize>, Vec<(usize, Expected)>) = ((0..groups.len()).collect(), Vec::new());
-        while order.len() < most {
-            let with = |group: &usize| {
-                let mut known = known.clone();
-                self.add(&mut known, groups[*group].iter().copied());
-                self.expected(&known)
-            };
-            let tried = left.iter().map(with).enumerate();
-            let best = tried.reduce(|best, next| if next.1.information > best.1.information { next } else { best });
-            let before = order.last().map_or(0.0, |(_, expected)| expected.information);
-            let Some((k, expected)) = best.filter(|(_, expected)| expected.information > before + LEAST) else { break };
-            let group = left.remove(k);
-            self.add(&mut known, groups[group].iter().copied());
-            order.push((group, expected));
-        }
-        order
-    }
-
     /// Precisions of the unknowns before anything is read.
     fn nothing(&self) -> Mat<f64> {
         Mat::from_fn(self.prior.len(), self.prior.len(), |i, j| if i == j { 1.0 / self.prior[i] } else { 0.0 })
@@ -138,19 +121,66 @@ impl Design {
     }
 }
 
+/// So many points all over the ranges: every parameter has one in each of as many equal parts of its range.
+pub fn models(parameters: &[Parameter], count: usize, seed: u64) -> Vec<Vec<f64>> {
+    let drawn = latin_hypercube(&mut ChaCha8Rng::seed_from_u64(seed), count, parameters.len());
+    drawn.iter().map(|shares| values(parameters, shares)).collect()
+}
+
+/// What some readings would tell by several models: information is its mean, deviations are those of the first.
+pub fn of(designs: &[Design], readings: &[Reading]) -> Expected {
+    mean(designs.iter().map(|design| design.of(readings.iter().copied())))
+}
+
+/// Groups of readings in the order in which each adds most to those before it in the mean of several models, up to so many, with what all up to
+/// it would tell. The first of equals goes first; groups that add nothing are left out.
+pub fn in_order(designs: &[Design], groups: &[Vec<Reading>], most: usize) -> Vec<(usize, Expected)> {
+    let mut known: Vec<Mat<f64>> = designs.iter().map(Design::nothing).collect();
+    let (mut left, mut order): (Vec<usize>, Vec<(usize, Expected)>) = ((0..groups.len()).collect(), Vec::new());
+    while order.len() < most {
+        let with = |group: &usize| {
+            mean(designs.iter().zip(&known).map(|(design, known)| {
+                let mut known = known.clone();
+                design.add(&mut known, groups[*group].iter().copied());
+                design.expected(&known)
+            }))
+        };
+        let tried = left.iter().map(with).enumerate();
+        let best = tried.reduce(|best, next| if next.1.information > best.1.information + EQUAL { next } else { best });
+        let before = order.last().map_or(0.0, |(_, expected)| expected.information);
+        let Some((k, expected)) = best.filter(|(_, expected)| expected.information > before + LEAST) else { break };
+        let group = left.remove(k);
+        for (design, known) in designs.iter().zip(&mut known) {
+            design.add(known, groups[group].iter().copied());
+        }
+        order.push((group, expected));
+    }
+    order
+}
+
+fn mean(all: impl Iterator<Item = Expected>) -> Expected {
+    let all: Vec<Expected> = all.collect();
+    let information = all.iter().map(|one| one.information).sum::<f64>() / all.len().max(1) as f64;
+    Expected { information, deviations: all.into_iter().next().map_or_else(Vec::new, |first| first.deviations) }
+}
+
 /// What a group must add to be told [bit].
 const LEAST: f64 = 1e-3;
+/// What two groups that tell the same may differ by in round-off [bit].
+const EQUAL: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Channel, Misfit, Parameter};
+    use crate::{Channel, Misfit};
 
     /// Two parameters; a reading of each, and one of both.
     fn line(values: Vec<Vec<f64>>, derivatives: Vec<Vec<Vec<f64>>>) -> (Linearised, Problem) {
         let parameters = vec![Parameter::new("a", "", 0.5, 0.0, 1.0), Parameter::new("b", "", 0.5, 0.0, 1.0)];
-        let channel = |values: &Vec<f64>| Channel { uncertainty: Some(0.1), ..Channel::readings("c", "mm", values.clone()) };
-        let problem = Problem::new(parameters.clone(), values.iter().map(channel).collect(), Misfit::default()).unwrap();
+        let channel =
+            |values: &Vec<f64>| Channel { uncertainty: Some(0.1), ..Channel::readings("c", "mm", values.clone()) };
+        let problem =
+            Problem::new(parameters.clone(), values.iter().map(channel).collect(), Misfit::default()).unwrap();
         (Linearised { parameters, at: vec![0.5; 2], values, derivatives }, problem)
     }
 
@@ -160,7 +190,8 @@ mod tests {
 
     #[test]
     fn readings_leave_what_precisions_that_add_up_leave() {
-        let (line, problem) = line(vec![vec![1.0, 1.0, 1.0]], vec![vec![vec![1.0, 0.0, 1.0]], vec![vec![0.0, 2.0, 2.0]]]);
+        let (line, problem) =
+            line(vec![vec![1.0, 1.0, 1.0]], vec![vec![vec![1.0, 0.0, 1.0]], vec![vec![0.0, 2.0, 2.0]]]);
         let design = line.design(&problem, &exact(0.0, ModelError::None));
         // One reading with slope 1 over 0.1: precision 12 + 100, that of the other stays 12.
         let one = design.of([(0, 0)]);
@@ -178,15 +209,33 @@ mod tests {
 
     #[test]
     fn groups_come_in_the_order_in_which_they_tell_most() {
-        let (line, problem) = line(vec![vec![1.0; 4]], vec![vec![vec![1.0, 1.1, 0.0, 0.0]], vec![vec![0.0, 0.0, 0.9, 0.0]]]);
+        let (line, problem) =
+            line(vec![vec![1.0; 4]], vec![vec![vec![1.0, 1.1, 0.0, 0.0]], vec![vec![0.0, 0.0, 0.9, 0.0]]]);
         let design = line.design(&problem, &exact(0.0, ModelError::None));
         let groups: Vec<Vec<Reading>> = (0..4).map(|place| vec![(0, place)]).collect();
-        let order: Vec<usize> = design.in_order(&groups, 10).into_iter().map(|(group, _)| group).collect();
+        let order: Vec<usize> = in_order(&[design.clone()], &groups, 10).into_iter().map(|(group, _)| group).collect();
         // The second tells most; the first adds less to it than the third, though it tells more alone; the fourth tells nothing.
         assert_eq!(order, [1, 2, 0]);
-        assert_eq!(design.in_order(&groups, 1).len(), 1);
-        let told: Vec<f64> = design.in_order(&groups, 10).into_iter().map(|(_, expected)| expected.information).collect();
+        assert_eq!(in_order(&[design.clone()], &groups, 1).len(), 1);
+        let told: Vec<f64> =
+            in_order(&[design.clone()], &groups, 10).into_iter().map(|(_, expected)| expected.information).collect();
         assert!((told[2] - design.of([(0, 0), (0, 1), (0, 2)]).information).abs() < 1e-12 && told.is_sorted());
+    }
+
+    /// Of two models each tells another reading better: in the mean of both the reading counts that tells something by either.
+    #[test]
+    fn groups_are_put_in_order_by_the_mean_of_models() {
+        let of = |slopes: [f64; 3]| {
+            let (line, problem) = line(vec![vec![1.0; 3]], vec![vec![slopes.to_vec()], vec![vec![0.0; 3]]]);
+            line.design(&problem, &exact(0.0, ModelError::None))
+        };
+        let designs = [of([3.0, 0.0, 1.0]), of([0.0, 3.0, 2.0])];
+        let groups: Vec<Vec<Reading>> = (0..3).map(|place| vec![(0, place)]).collect();
+        let first = |designs: &[Design]| in_order(designs, &groups, 1)[0].0;
+        assert_eq!([first(&designs[..1]), first(&designs[1..]), first(&designs)], [0, 1, 2]);
+        let both = super::of(&designs, &groups.concat());
+        let each = designs.each_ref().map(|design| design.of(groups.concat()).information);
+        assert!((both.information - 0.5 * (each[0] + each[1])).abs() < 1e-12);
     }
 
     /// A parameter that scales all that is read is not told from a gain that all share: its variance goes to that of the gain over its slope.

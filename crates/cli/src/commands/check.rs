@@ -69,7 +69,11 @@ pub(super) fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Refusal>
         Ok(Some(plan)) => report = report.with("plan", plan.object()).adding(&summary::plan(&plan)),
         Ok(None) => {}
         Err(refusal) => {
-            report.warn(&mut desk.screen, refusal.code, &format!("the load test cannot be planned yet: {}", refusal.message));
+            report.warn(
+                &mut desk.screen,
+                refusal.code,
+                &format!("the load test cannot be planned yet: {}", refusal.message),
+            );
         }
     }
     // Records come after their file has been written, so that missing ones are a doubt.

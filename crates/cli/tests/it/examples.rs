@@ -20,6 +20,8 @@ const KEYS: &[(&str, &str, &str, &str, f64, f64)] = &[
     ("drawing", "bridge.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
     // Along the equilibrium path, below both limit loads of the same blocks (164.9 and, with joints that crush, 143.0).
     ("viaduct", "bridge.toml", "collapsed", "last_stable_load_kn_per_m", 125.1, 1e-3),
+    // 3.629 of the test lorry's rear axle, 104 kN on 2.25 m, as docs/tutorials/load-test.md tells.
+    ("road-bridge", "bridge.toml", "collapsed", "load_factor", 3.629, 1e-3),
     // Milankovitch's continuous ring; 200 straight voussoirs are within 0.2 %.
     ("semicircle", "ring.toml", "completed", "minimum_thickness_over_mean_radius", 0.1075, 2e-3),
 ];
@@ -124,6 +126,41 @@ fn assessed_examples_have_a_verdict() {
         answer["checks"].as_array().map_or(0, |list| list.iter().filter(|one| one["code"] == "C101").count()),
         4
     );
+}
+
+/// What a load test of the road bridge is expected to read, and what the bridge is judged to carry before it.
+#[test]
+fn a_road_bridge_says_what_to_expect_and_what_it_carries() {
+    let stage = Stage::with_example("road-bridge", "road-bridge");
+    let (answer, ending) = stage.object(&["respond", "bridge/bridge.toml"]);
+    assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{}", ending.stderr);
+    let positions = answer["positions"].as_array().expect("positions");
+    let expected = |position: usize, sensor: &str| number(&positions[position]["channels"], sensor);
+    assert_eq!(positions.len(), 6);
+    for (position, sensor, value) in [
+        (0, "left quarter deflection", -0.2269),
+        (1, "crown deflection", -0.2922),
+        (2, "right quarter deflection", -0.3254),
+        (1, "crown strain", 23.80),
+    ] {
+        assert!((expected(position, sensor) / value - 1.0).abs() < 1e-3, "{position}, {sensor}: {answer}");
+    }
+    // The lorry turned round is the mirror image.
+    let mirrored = expected(2, "right quarter deflection") - expected(5, "left quarter deflection");
+    assert!(mirrored.abs() < 1e-8, "{mirrored}");
+    let (answer, ending) = stage.object(&[
+        "assess",
+        "bridge/bridge.toml",
+        "--skip",
+        "update",
+        "--skip",
+        "sensitivity",
+        "--out",
+        "verdict",
+    ]);
+    assert_eq!((ending.code, answer["headline"].as_str()), (Some(1), Some("Not adequate")), "{}", ending.stderr);
+    assert!(answer["head"].as_str().is_some_and(|head| head.contains("carries 18 t")), "{}", answer["head"]);
+    assert!((number(&answer["governing"], "utilisation") - 1.2291).abs() < 1e-3, "{}", answer["governing"]);
 }
 
 #[test]

@@ -33,6 +33,8 @@ fn moduli_are_found_from_a_table_of_readings() {
     assert_eq!(ending.code, Some(0), "{expected}");
     let positions = expected["positions"].as_array().expect("positions");
     assert_eq!((positions.len(), positions[1]["name"].as_str()), (6, Some("two")));
+    let unknowns = number(&expected, "degrees_of_freedom");
+    assert!(unknowns > 100.0 && number(&expected, "condensed_degrees_of_freedom") < unknowns, "{expected}");
     let first = expected["channels"][0]["name"].as_str().expect("a name");
     let values: Vec<f64> = positions.iter().filter_map(|one| one["channels"][first].as_f64()).collect();
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -67,13 +69,15 @@ fn moduli_are_found_from_a_table_of_readings() {
 #[test]
 fn a_load_test_that_nobody_has_read_is_planned() {
     let stage = Stage::new("load-test-plan");
-    let unread = road().replace("readings = \"readings.csv\"\n", "uncertainty = { \"crown\" = \"0.01 mm\" }\n") + &sought();
+    let unread =
+        road().replace("readings = \"readings.csv\"\n", "uncertainty = { \"crown\" = \"0.01 mm\" }\n") + &sought();
     stage.write("bridge.toml", &unread);
     let (checked, ending) = stage.object(&["check", "bridge.toml"]);
     assert_eq!(ending.code, Some(0), "{checked}");
     let plan = &checked["plan"];
     let ordered = |list: &str| {
-        let bits: Vec<f64> = plan[list].as_array().expect("a list").iter().map(|one| number(one, "information_bit")).collect();
+        let bits: Vec<f64> =
+            plan[list].as_array().expect("a list").iter().map(|one| number(one, "information_bit")).collect();
         assert!(bits.len() > 1 && bits.iter().sum::<f64>() < number(plan, "information_bit") + 1e-6, "{plan}");
         bits
     };
@@ -86,7 +90,9 @@ fn a_load_test_that_nobody_has_read_is_planned() {
         assert!(width(interval) < width(&one["range"]) && end(interval, 0) <= number(one, "start"), "{plan}");
     }
     let words = stage.run(&["check", "bridge.toml"]).stdout;
-    for part in ["What the load test would tell", "before the test", "the whole test", "No uncertainty is stated for quarter"] {
+    for part in
+        ["What the load test would tell", "before the test", "the whole test", "No uncertainty is stated for quarter"]
+    {
         assert!(words.contains(part), "{words}");
     }
     let (refused, ending) = stage.object(&["update", "bridge.toml"]);

@@ -350,6 +350,88 @@ fn moduli_are_found_as_their_page_tells() {
     }
 }
 
+/// The whole of a line of the page.
+fn says(page: &str, line: &str) {
+    assert!(page.lines().any(|one| one == line), "the page does not have the line {line:?}");
+}
+
+#[test]
+fn a_load_test_goes_as_its_page_tells() {
+    let stage = Stage::new("tutorials-load-test");
+    let page = page("load-test.md");
+    answered(&stage, &page, "extrados new road --from road-bridge");
+    let checked = stage.run(&["check", "road/bridge.toml", "--quiet"]);
+    assert_eq!(checked.stderr, "", "a file of an example is not doubted");
+    let told = checked.stdout.lines().skip_while(|line| !line.starts_with("  position "));
+    let told: Vec<&str> = told.take_while(|line| !line.starts_with("This")).filter(|line| !line.is_empty()).collect();
+    assert_eq!(told.len(), 15, "{told:?}");
+    told.into_iter().for_each(|line| says(&page, line));
+    let (answer, _) = answered(&stage, &page, "extrados collapse road/bridge.toml");
+    assert!(page.contains(&format!("{:.3} times the loads", number(&answer, "load_factor"))), "{answer}");
+    is_drawn(&stage.read("out/bridge/mechanism.svg"), "road-bridge-mechanism.svg");
+    let (answer, _) = answered(&stage, &page, "extrados respond road/bridge.toml");
+    let sensors = ["left quarter deflection", "crown deflection", "right quarter deflection", "crown strain"];
+    let positions = answer["positions"].as_array().expect("positions");
+    for position in positions {
+        let cells = sensors.map(|sensor| format!("{:>12.4}", number(&position["channels"], sensor)));
+        let name = position["name"].as_str().expect("a name");
+        says(&page, &format!("  {name:<39}{}", cells.concat()));
+    }
+    let (answer, _) = answered(&stage, &page, "extrados update road/bridge.toml");
+    is_drawn(&stage.read("out/bridge/residuals.svg"), "load-test-residuals.svg");
+    assert!(stage.read("road/load-test.csv").starts_with("# synthetic: "));
+    // The first line of the readings: what they were computed with.
+    for (begins, truth) in [("stone", 11.5), ("mortar", 0.8), ("fill", 140.0)] {
+        let list = answer["parameters"].as_array().expect("parameters");
+        let one = list.iter().find(|one| one["name"] == begins).expect("a parameter");
+        let interval: Vec<f64> =
+            one["interval_95"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64).collect();
+        assert!(interval[0] < truth && truth < interval[1], "{one}");
+        // The interval of the mortar is about half of its range.
+        assert!(begins == "mortar" || one["identifiable"] == true, "{one}");
+        let cells = row(&page, begins);
+        let found = [truth, number(one, "value"), interval[0], interval[1]];
+        assert!(
+            cells.len() == 4 && cells.iter().zip(found).all(|(a, b)| (a / b - 1.0).abs() < 0.01),
+            "{cells:?} {one}"
+        );
+    }
+    assert!(page.contains(&format!("norm {:.4}", number(&answer, "error_norm"))), "{}", answer["error_norm"]);
+    let (answer, code) = answered(&stage, &page, "extrados assess road/bridge.toml");
+    let head = answer["head"].as_str().expect("a line");
+    assert!(code == Some(1) && page.contains(head), "{head}");
+    let judged = stage.read("out/bridge/checks.csv");
+    // Moduli are no part of the limit load.
+    answered(&stage, &page, "extrados assess road/bridge.toml --skip update");
+    assert_eq!(judged, stage.read("out/bridge/checks.csv"));
+}
+
+#[test]
+#[ignore = "a minute; .ci/slow"]
+fn a_load_test_that_is_planned_otherwise_tells_what_its_page_says() {
+    let stage = Stage::with_example("tutorials-load-test-planned", "road-bridge");
+    let text = stage.read("bridge/bridge.toml");
+    let found = |name: &str, text: String| {
+        stage.write(&format!("bridge/{name}.toml"), text);
+        let (answer, ending) = stage.object(&["update", &format!("bridge/{name}.toml")]);
+        assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+        answer["parameters"].as_array().expect("parameters").clone()
+    };
+    let told =
+        |name: &str, text: String| found(name, text).iter().map(|one| one["identifiable"] == true).collect::<Vec<_>>();
+    // Of stone, mortar and fill.
+    let level = text.replace("deflection\" = \"0.01 mm\"", "deflection\" = \"0.1 mm\"");
+    assert_eq!(told("level", level), [true, false, false]);
+    let alone = format!("{text}\n[[channel]]\nsensor = \"crown strain\"\nleave_out = \"no gauge\"\n");
+    assert_eq!(told("alone", alone), [false, false, true]);
+    let unweighed = text.replace("common_gain_deviation = 0.05", "common_gain_deviation = 0.1");
+    let unweighed = told("unweighed", unweighed);
+    assert!(!unweighed[0] && !unweighed[2], "{unweighed:?}");
+    let wide = text.replace("[\"3.80 m\"]", "[\"3.80 m\"]\neffective_width = \"3.3 m\"");
+    let wide: Vec<f64> = found("wide", wide).iter().map(|one| number(one, "value")).collect();
+    assert!(wide.iter().zip([8.7, 0.41, 88.0]).all(|(a, b)| (a / b - 1.0).abs() < 0.02), "{wide:?}");
+}
+
 /// A page that gains a command is run by a test above, or by that of `vary`.
 #[test]
 fn every_command_of_every_tutorial_has_a_test_that_runs_it() {
@@ -358,6 +440,8 @@ fn every_command_of_every_tutorial_has_a_test_that_runs_it() {
         ("assess.md", 4),
         ("checking.md", 0),
         ("first-bridge.md", 4),
+        // The verdict before the test is that of `examples.rs`.
+        ("load-test.md", 7),
         // The run is that of `pictures.rs`.
         ("pictures.md", 2),
         ("respond.md", 3),

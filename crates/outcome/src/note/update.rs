@@ -24,11 +24,11 @@ notes! {
             "What is found goes with the axle loads of the file and that width. Both together are taken to be known to {} % (standard \
              deviation, `common_gain_deviation`): one gain for all channels and all runs, which every interval holds.",
             (1e5 * deviation).round() / 1e3;
-        /// What readings would tell: shares of the response for the common gain and for the model's error.
-        Planned { common_gain: f64, model_error: f64 } =>
-            "What readings would tell is found at the start model, as if it were a straight line: each is as uncertain as stated, axle loads and the \
-             width that carries them are known to {} % and the model to {} % of each sensor (`common_gain_deviation` and `model_error` of \
-             [update]). Intervals lie about the values of the file.",
+        /// What readings would tell: models beside that of the file; shares of the response for the common gain and for the model's error.
+        Planned { models: usize, common_gain: f64, model_error: f64 } =>
+            "Information is the mean over the model of the file and {models} from all over the ranges, each as a straight line; intervals lie about the \
+             values of the file. Readings are as uncertain as stated, axle loads and the width that carries them are known to {} % and the model \
+             to {} % of each sensor (`common_gain_deviation` and `model_error` of [update]).",
             (1e5 * common_gain).round() / 1e3, (1e5 * model_error).round() / 1e3;
         /// Sensors of a planned load test of which nobody says how well they are known.
         PlannedUnstated { sensors: Vec<String> } =>

@@ -4,11 +4,13 @@ use super::readings::Standing;
 use super::{Means, Model, Task, UpdateError, blind, misfit, of_flaw, searches, started, words};
 use bridge::Bridge;
 use bridge::update::Update as Asked;
-use calibrate::linearised::design::Reading;
+use calibrate::linearised::design::{self, Reading};
 use calibrate::{Basis, Channel, Design, Evaluator, Expected, Halt, Linearised, Log, Parameter, Problem};
 use outcome::note::{InUpdate, Note};
 use outcome::plan::{LoadTestPlan, Sought, Telling};
 
+/// Models beside that of the file by which information is averaged.
+const MODELS: usize = 8;
 /// Most positions and sensors that are put in order: what is not among them adds little.
 const MOST: usize = 20;
 /// Standard deviations on either side of the middle that hold 95 %.
@@ -33,14 +35,27 @@ pub fn plan(task: &Task<'_>, means: Means<'_>) -> Result<Option<LoadTestPlan>, U
     let problem = Problem::new(blind.parameters().to_vec(), channels, misfit(&asked, &model))
         .map_err(|flaws| UpdateError::NoProblem(flaws.iter().map(of_flaw).collect()))?;
     let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
-    let start = problem.start();
-    let line = Basis::at(&mut evaluator, &start)
-        .and_then(|basis| Linearised::at(&mut evaluator, &basis, &start, searches::STEP));
-    match line {
-        Ok(line) => Ok(Some(told(task, standing, &problem, &line))),
+    match designs(task, &mut evaluator) {
+        Ok(designs) => Ok(Some(told(task, standing, &problem, &designs))),
         Err(Halt::Stopped) => Ok(None),
         Err(Halt::Failed(failure)) => Err(UpdateError::StartModel(words(&failure))),
     }
+}
+
+/// The readings as the start model has them, and as models from all over the ranges have them; those without an answer are passed over.
+fn designs(task: &Task<'_>, evaluator: &mut Evaluator) -> Result<Vec<Design>, Halt> {
+    let (problem, plan) = (evaluator.problem, &task.asked.plan);
+    let start = problem.start();
+    let basis = Basis::at(evaluator, &start)?;
+    let mut designs = Vec::new();
+    for point in std::iter::once(start).chain(design::models(problem.parameters(), MODELS, plan.seed)) {
+        match Linearised::at(evaluator, &basis, &point, searches::STEP) {
+            Ok(line) => designs.push(line.design(problem, &searches::likelihood(plan))),
+            Err(Halt::Failed(_)) if !designs.is_empty() => {}
+            Err(halt) => return Err(halt),
+        }
+    }
+    Ok(designs)
 }
 
 /// The bridge with a reading of every sensor in every position.
@@ -52,8 +67,7 @@ fn unread(bridge: &Bridge) -> Bridge {
     bridge
 }
 
-fn told(task: &Task<'_>, standing: &Standing, problem: &Problem, line: &Linearised) -> LoadTestPlan {
-    let design = line.design(problem, &searches::likelihood(&task.asked.plan));
+fn told(task: &Task<'_>, standing: &Standing, problem: &Problem, designs: &[Design]) -> LoadTestPlan {
     let sensors: Vec<usize> = standing.read.iter().map(|(sensor, _)| *sensor).collect();
     let positions = &standing.test.names;
     let in_position = |place: usize| (0..sensors.len()).map(|channel| (channel, place)).collect();
@@ -61,11 +75,11 @@ fn told(task: &Task<'_>, standing: &Standing, problem: &Problem, line: &Linearis
     let groups = |count: usize, of: &dyn Fn(usize) -> Vec<Reading>| (0..count).map(of).collect::<Vec<_>>();
     let by_position = groups(positions.len(), &in_position);
     let by_sensor = groups(sensors.len(), &of_sensor);
-    let all = design.of(by_sensor.concat());
+    let all = design::of(designs, &by_sensor.concat());
     let parameters = problem.parameters();
     let sensor = |k: usize| standing.test.setup.sensors[sensors[k]].name.clone();
-    let positions = in_order(&design, parameters, &by_position, |k| positions[k].clone());
-    let sensors = in_order(&design, parameters, &by_sensor, sensor);
+    let positions = in_order(designs, parameters, &by_position, |k| positions[k].clone());
+    let sensors = in_order(designs, parameters, &by_sensor, sensor);
     LoadTestPlan {
         sought: parameters.iter().map(sought).collect(),
         information: all.information,
@@ -79,7 +93,7 @@ fn told(task: &Task<'_>, standing: &Standing, problem: &Problem, line: &Linearis
 
 /// Groups of readings in the order in which each adds most.
 fn in_order(
-    design: &Design,
+    designs: &[Design],
     parameters: &[Parameter],
     groups: &[Vec<Reading>],
     name: impl Fn(usize) -> String,
@@ -90,7 +104,7 @@ fn in_order(
         before = expected.information;
         Telling { name: name(k), information, intervals: intervals(parameters, &expected) }
     };
-    design.in_order(groups, MOST).into_iter().map(&mut one).collect()
+    design::in_order(designs, groups, MOST).into_iter().map(&mut one).collect()
 }
 
 fn sought(parameter: &Parameter) -> Sought {
@@ -115,7 +129,8 @@ fn assumptions(task: &Task<'_>, standing: &Standing, problem: &Problem) -> Vec<N
     let plan = &task.asked.plan;
     let silent = problem.channels().iter().filter(|one| one.counts() && one.uncertainty.is_none());
     let sensors: Vec<String> = silent.map(|channel| channel.name.trim_end_matches(" (load test)").to_owned()).collect();
-    let planned = InUpdate::Planned { common_gain: plan.common_gain_deviation, model_error: plan.model_error };
+    let planned =
+        InUpdate::Planned { models: MODELS, common_gain: plan.common_gain_deviation, model_error: plan.model_error };
     let silent = (!sensors.is_empty()).then(|| InUpdate::PlannedUnstated { sensors }.into());
     let setup = standing.test.setup.assumptions.iter().cloned();
     std::iter::once(planned.into()).chain(silent).chain(setup).collect()

@@ -6,7 +6,7 @@
 use super::condensed::{loads, of_visited, stand, with_weight};
 use super::{Solution, functional, self_weight};
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::model::model;
+use crate::analysis::passage::model::{assumptions, model};
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::Bridge;
 use mechanics::fem::condensed::{Condensed, Functional, PerturbedModel, Reached, Visited};
@@ -42,13 +42,18 @@ pub fn slices(
     let model = model(bridge, &setup.meshed, Kinematics::Small)?;
     let weight = self_weight(bridge, setup, &model);
     let loads = loads(setup, &weight);
+    let mut found = Solution {
+        status: PassageStatus::Completed,
+        values: vec![Vec::new(); observed.len()],
+        degrees_of_freedom: model.equations(),
+        assumptions: assumptions(bridge, &setup.meshed),
+        ..Solution::default()
+    };
     let model = Arc::new(model);
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
     let mut condensed = Condensed::new(Arc::clone(&model), State::new(&model), &loads, &observed).map_err(failed)?;
     condensed.iterations = setup.plan.iterations as u32;
     condensed.keeps_equilibria = !wanted.neighbours.is_empty();
-    let mut found =
-        Solution { status: PassageStatus::Completed, values: vec![Vec::new(); observed.len()], ..Solution::default() };
     if !condensed.retain_parts(wanted.expected, watch) {
         return Ok(cancelled(found));
     }
@@ -64,6 +69,7 @@ pub fn slices(
     let visited = condensed.solve_branches(&at_rest, &under.collect::<Vec<_>>(), watch).map_err(failed)?;
     let Some(visited) = visited else { return Ok(cancelled(found)) };
     found.taking_part = condensed.retained_parts();
+    found.condensed_degrees_of_freedom = Some(condensed.counts().retained_rows);
     for (visited, place) in visited.iter().zip(wanted.positions) {
         found.log.push(of_visited(visited));
         if visited.position.reached != Reached::Balanced {
