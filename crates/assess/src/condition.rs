@@ -93,8 +93,8 @@ fn judged(one: &Sought, expected: &[Expected]) -> Condition {
         ),
         (Some(_), Some(_), _) if one.identifiable == Some(false) && one.limited_by_gain && open => (
             Standing::Untold,
-            "The measurements determine it only as well as the weight of the train and the width that carries it are known, and its \
-             interval reaches past an end of the expected range. Nothing is concluded from it, neither good nor bad; a weighed train would \
+            "The measurements determine it only as well as the weight of the vehicle and the width that carries it are known, and its \
+             interval reaches past an end of the expected range. Nothing is concluded from it, neither good nor bad; a weighed vehicle would \
              give more information."
                 .to_owned(),
         ),
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(with(1500.0, [1200.0, 1800.0]).standing, Standing::AsExpected);
         assert_eq!(with(2800.0, [2200.0, 3400.0]).standing, Standing::Higher);
         let open = with(900.0, [720.0, 1100.0]);
-        assert!(open.standing == Standing::Untold && open.words.contains("weight of the train"), "{open:?}");
+        assert!(open.standing == Standing::Untold && open.words.contains("weight of the vehicle"), "{open:?}");
         let unknown = Sought { identifiable: Some(false), limited_by_gain: true, ..parameter(900.0) };
         assert_eq!(judged(&unknown, &expected()).standing, Standing::Untold);
     }

@@ -51,6 +51,7 @@ fn data() -> Value {
             "standing": "higher than expected", "class": "open", "words": "It was grouted.", "source": "a test" }],
         "update_words": [HOSTILE], "fit": [{ "name": "w".repeat(300), "unit": "mm", "measured": "1", "start": "2", "updated": "1",
             "shape": "0.999", "remark": "" }],
+        "readings": [{ "sensor": HOSTILE, "position": HOSTILE, "unit": "mm", "read": "-0.3", "start": "-0.2", "updated": "-0.31" }],
         "runs": ["run 1: measured"], "channels": [{ "load": "train", "name": "crown", "unit": "mm", "cells": ["1", "2", "3", "4"] }],
         "loads": [["train", "25 t", "completed", HOSTILE]], "collapse": [["method", "limit"], ["ended", HOSTILE]],
         "vehicles": [{ "code": "V1", "title": HOSTILE, "adequacy": "0.9", "class": "broken", "width": "2.5", "factor": "1.9",
@@ -162,7 +163,7 @@ fn empty_chapters_are_left_out() {
     assert!(pdf.starts_with(b"%PDF-"));
     let text = std::thread::Builder::new().stack_size(crate::STACK).spawn(move || laid_out(&bare).1);
     let text = text.expect("a thread").join().expect("a layout");
-    for chapter in ["Condition", "Records and fit", "Loads in service", "Collapse"] {
+    for chapter in ["Condition", "Measurements and fit", "Loads in service", "Collapse"] {
         assert!(!text.contains(&squeezed(chapter)), "{chapter}: {text}");
     }
 }

@@ -47,7 +47,7 @@ pub(crate) fn left_out(a: &Assessment, open: &[OpenRow]) -> Vec<Part> {
 /// Stages without a result: which, why, and what to write.
 fn stages(facts: &Facts) -> Vec<[String; 3]> {
     let all = [
-        ("update: moduli from records", facts.update.why_not(), facts.update.left_out()),
+        ("update: moduli from measurements", facts.update.why_not(), facts.update.left_out()),
         ("service: deflections and stresses under trains", facts.service.why_not(), facts.service.left_out()),
         ("collapse: the file's own loads", facts.ultimate.why_not(), facts.ultimate.left_out()),
         ("vehicles: load models of a rule", facts.vehicles.why_not(), facts.vehicles.left_out()),

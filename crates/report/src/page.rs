@@ -6,7 +6,7 @@ use crate::left_out;
 use crate::numbers::{digits, percent, with_unit};
 use crate::parts::{self, Part};
 use crate::rows::{
-    self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, EveryRow, FitRow, OpenRow, VehicleRow,
+    self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, EveryRow, FitRow, OpenRow, ReadingRow, VehicleRow,
 };
 use crate::springings::springings;
 use crate::summary::{self, Summary};
@@ -141,6 +141,7 @@ pub(crate) struct Page<'a> {
     pub condition: Vec<ConditionRow>,
     pub update_words: Vec<String>,
     pub fit: Vec<FitRow>,
+    pub readings: Vec<ReadingRow>,
     pub runs: Vec<String>,
     pub channels: Vec<ChannelRow>,
     pub stands: Vec<Part>,
@@ -244,6 +245,7 @@ fn page(material: &Assessed) -> Page<'_> {
         condition: rows::condition(&a.condition, update, &material.inputs),
         update_words: update.map(rows::updated).unwrap_or_default(),
         fit: update.map(|update| rows::fit(update, &material.inputs)).unwrap_or_default(),
+        readings: update.map(|update| rows::readings(update, &material.inputs)).unwrap_or_default(),
         runs: update.map(|update| update.records.runs.iter().map(|run| match run.synthetic {
             Some(_) => format!("{}: SYNTHETIC, computed and not measured", run.name),
             None => format!("{}: measured", run.name),

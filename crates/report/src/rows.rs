@@ -3,12 +3,13 @@
 use crate::numbers::{digits, maybe, percent, with_unit};
 use bridge::inputs::{Input, table_with};
 use outcome::assessment::{Assessment, once};
+use outcome::calibrate::misfit::Scaling;
 use outcome::checked::{Checked, Columns};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
 use outcome::facts::{ChangeFacts, Reading, SensitivityFacts, ServiceFacts, SweptFacts, VehicleFacts};
 use outcome::note::{self, Note};
-use outcome::update::{Histories, Update};
+use outcome::update::{Histories, ReadAtRest, Update};
 use outcome::warning::Warning;
 use serde::Serialize;
 
@@ -207,8 +208,14 @@ pub(crate) fn condition(list: &[Condition], update: Option<&Update>, inputs: &[I
 
 /// What an update came to, what it could tell, and what was done to its records and found in them.
 pub(crate) fn updated(update: &Update) -> Vec<String> {
+    let of = match update.problem.misfit().scaling {
+        Scaling::MeasuredPeak => "relative errors of peaks",
+        Scaling::Uncertainty => {
+            "errors in multiples of their uncertainty: about one where the model and the uncertainties are right"
+        }
+    };
     let norm = format!(
-        "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
+        "Misfit before the update {}, after it {} (weighted root mean square of {of}).",
         maybe(update.basis.as_ref().map(|basis| basis.start.norm)),
         maybe(update.found().map(|found| found.norm))
     );
@@ -255,6 +262,38 @@ pub(crate) fn fit(update: &Update, inputs: &[Input]) -> Vec<FitRow> {
         }
     };
     update.channels.iter().enumerate().map(row).collect()
+}
+
+/// A reading of a load test.
+#[derive(Serialize)]
+pub(crate) struct ReadingRow {
+    pub position: String,
+    pub sensor: String,
+    pub unit: String,
+    pub read: String,
+    pub start: String,
+    pub updated: String,
+    /// Its sensor in the bridge file.
+    #[serde(skip)]
+    pub input: String,
+}
+
+/// What sensors read in the positions of a load test, beside the model.
+pub(crate) fn readings(update: &Update, inputs: &[Input]) -> Vec<ReadingRow> {
+    let of = |one: &ReadAtRest| {
+        let cell = |values: &[f64], k: usize| maybe(values.get(k).copied());
+        let row = |(k, position): (usize, &String)| ReadingRow {
+            position: position.clone(),
+            sensor: one.sensor.clone(),
+            unit: one.quantity.unit().to_owned(),
+            read: cell(&one.measured, k),
+            start: cell(&one.start, k),
+            updated: cell(&one.updated, k),
+            input: table_with(inputs, "sensor", "name", &one.sensor),
+        };
+        one.positions.iter().enumerate().map(row).collect::<Vec<_>>()
+    };
+    update.read_at_rest.iter().flat_map(of).collect()
 }
 
 /// A sensor under one load.

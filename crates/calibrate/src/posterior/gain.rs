@@ -134,7 +134,7 @@ pub(crate) fn words(gain: Option<&CommonGain>, parameters: &[Parameter], summari
         words.push(format!(
             "{name} is not told apart from a gain common to all channels: were the axle loads {prior} % above those of the file, or the \
              width that carries them as much smaller, the same records would mean {other:.4} {unit} in place of {mean:.4}. {:.0} % of its \
-             variance is that of the gain, which more records of the same train do not reduce; a weighed train does.",
+             variance is that of the gain, which more records of the same vehicle do not reduce; a weighed one does.",
             100.0 * gain.shares[k]
         ));
     }

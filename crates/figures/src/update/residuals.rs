@@ -7,6 +7,7 @@ use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, THIN, WIDTH, font};
 use crate::words::three_digits;
 use outcome::calibrate::misfit::{Compare, Scaling};
+use outcome::counted;
 use outcome::update::Update;
 
 const ROW: f64 = 48.0;
@@ -72,6 +73,7 @@ fn rows(update: &Update) -> Vec<Row> {
         let weight = update.basis.as_ref().and_then(|basis| basis.held.weights.get(k));
         let about = match (&channel.left_out, weight) {
             (Some(_), _) => "left out".to_owned(),
+            (None, _) if channel.readings => counted(channel.history.as_ref().map_or(0, Vec::len), "reading"),
             (None, Some(weight)) => format!("weight {}", three_digits(*weight)),
             (None, None) => String::new(),
         };
@@ -82,7 +84,10 @@ fn rows(update: &Update) -> Vec<Row> {
 }
 
 fn axis_name(update: &Update) -> String {
+    let readings = update.problem.channels().iter().filter(|channel| channel.readings).count();
     let what = match update.problem.misfit().compare {
+        _ if readings == update.problem.channels().len() => "root mean square of model less reading",
+        Compare::Peaks if readings > 0 => "model peak less record's, root mean square of readings",
         Compare::Peaks => "model peak less record's",
         Compare::Histories => "root mean square of model less record",
     };
