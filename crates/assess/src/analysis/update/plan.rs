@@ -58,11 +58,11 @@ fn designs(task: &Task<'_>, evaluator: &mut Evaluator) -> Result<Vec<Design>, Ha
     Ok(designs)
 }
 
-/// The bridge with a reading of every sensor in every position.
+/// The bridge with a reading of every sensor in every position; any will do, but for zero, which has no hundredth.
 fn unread(bridge: &Bridge) -> Bridge {
     let mut bridge = bridge.clone();
     if let Some(test) = &mut bridge.load_test {
-        test.readings.values = vec![vec![Some(0.0); test.positions.len()]; test.sensors.len()];
+        test.readings.values = vec![vec![Some(1.0); test.positions.len()]; test.sensors.len()];
     }
     bridge
 }
