@@ -1,12 +1,16 @@
 """Loads at rest: what a test would tell, as the command has it, and a file that has none."""
 
+from pathlib import Path
+
 import pytest
 
 import extrados
 
+ROAD = Path(__file__).parents[2] / "examples" / "road-bridge" / "bridge.toml"
+
 
 def test_a_load_test_is_planned_before_anything_is_read():
-    plan = extrados.Bridge.example("road-bridge").plan_load_test()
+    plan = extrados.Bridge.read(ROAD).plan_load_test()
     positions, sensors = plan["positions"], plan["sensors"]
     assert len(positions) == 6 and len(sensors) == 4
     bits = [one["information_bit"] for one in positions]
