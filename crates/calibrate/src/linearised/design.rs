@@ -213,12 +213,15 @@ mod tests {
             line(vec![vec![1.0; 4]], vec![vec![vec![1.0, 1.1, 0.0, 0.0]], vec![vec![0.0, 0.0, 0.9, 0.0]]]);
         let design = line.design(&problem, &exact(0.0, ModelError::None));
         let groups: Vec<Vec<Reading>> = (0..4).map(|place| vec![(0, place)]).collect();
-        let order: Vec<usize> = in_order(&[design.clone()], &groups, 10).into_iter().map(|(group, _)| group).collect();
+        let order: Vec<usize> =
+            in_order(std::slice::from_ref(&design), &groups, 10).into_iter().map(|(group, _)| group).collect();
         // The second tells most; the first adds less to it than the third, though it tells more alone; the fourth tells nothing.
         assert_eq!(order, [1, 2, 0]);
-        assert_eq!(in_order(&[design.clone()], &groups, 1).len(), 1);
-        let told: Vec<f64> =
-            in_order(&[design.clone()], &groups, 10).into_iter().map(|(_, expected)| expected.information).collect();
+        assert_eq!(in_order(std::slice::from_ref(&design), &groups, 1).len(), 1);
+        let told: Vec<f64> = in_order(std::slice::from_ref(&design), &groups, 10)
+            .into_iter()
+            .map(|(_, expected)| expected.information)
+            .collect();
         assert!((told[2] - design.of([(0, 0), (0, 1), (0, 2)]).information).abs() < 1e-12 && told.is_sorted());
     }
 

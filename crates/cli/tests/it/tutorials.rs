@@ -402,7 +402,9 @@ fn a_load_test_goes_as_its_page_tells() {
     assert!(code == Some(1) && page.contains(head), "{head}");
     let judged = stage.read("out/bridge/checks.csv");
     let report = stage.read("out/bridge/report.html");
-    assert!(report.contains("Readings of the load test") && report.contains("errors in multiples of their uncertainty"));
+    assert!(
+        report.contains("Readings of the load test") && report.contains("errors in multiples of their uncertainty")
+    );
     assert_eq!(report.matches("data-name=\"read\"").count(), 24);
     // Moduli are no part of the limit load.
     answered(&stage, &page, "extrados assess road/bridge.toml --skip update");
