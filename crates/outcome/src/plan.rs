@@ -54,8 +54,8 @@ published! {
         pub positions: Vec<Telling> = list(&plan.positions, |one| one.object(plan)),
         /// Sensors, each read in all positions, likewise.
         pub sensors: Vec<Telling> = list(&plan.sensors, |one| one.object(plan)),
-        /// How many more positions and sensors add next to nothing to those.
-        pub add_nothing: [usize; 2],
+        /// How many more positions and sensors there are: each adds less than the last that is listed, or nothing to speak of.
+        pub not_listed: [usize; 2],
         /// What was assumed, in words.
         pub assumptions: Vec<Note>,
     }

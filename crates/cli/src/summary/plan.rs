@@ -37,8 +37,13 @@ pub(crate) fn plan(plan: &LoadTestPlan) -> String {
         row("", "", &[]);
     }
     row("the whole test", &format!("{:.2}", plan.information), &cells(&plan.intervals));
-    for (count, one) in plan.add_nothing.iter().zip(["more position", "more sensor"]).filter(|(count, _)| **count > 0) {
-        let _ = writeln!(page, "  {} {} next to nothing", counted(*count, one), verb(*count, "adds", "add"));
+    for (count, one) in plan.not_listed.iter().zip(["more position", "more sensor"]).filter(|(count, _)| **count > 0) {
+        let _ = writeln!(
+            page,
+            "  {} {} less than the last of those, or nothing",
+            counted(*count, one),
+            verb(*count, "adds", "add")
+        );
     }
     page += "\nThis assumes:\n";
     for words in note::words(&plan.assumptions) {

@@ -11,7 +11,7 @@ use outcome::plan::{LoadTestPlan, Sought, Telling};
 
 /// Models beside that of the file by which information is averaged.
 const MODELS: usize = 8;
-/// Most positions and sensors that are put in order: what is not among them adds little.
+/// Most positions and sensors that are put in order: each of the others adds less than the last of them.
 const MOST: usize = 20;
 /// Standard deviations on either side of the middle that hold 95 %.
 const NINETY_FIVE: f64 = 1.959_964;
@@ -84,10 +84,10 @@ fn told(task: &Task<'_>, standing: &Standing, problem: &Problem, designs: &[Desi
         sought: parameters.iter().map(sought).collect(),
         information: all.information,
         intervals: intervals(parameters, &all),
-        add_nothing: [by_position.len() - positions.len(), by_sensor.len() - sensors.len()],
+        not_listed: [by_position.len() - positions.len(), by_sensor.len() - sensors.len()],
         positions,
         sensors,
-        assumptions: assumptions(task, standing, problem),
+        assumptions: assumptions(task, standing, problem, designs.len() - 1),
     }
 }
 
@@ -125,12 +125,11 @@ fn intervals(parameters: &[Parameter], expected: &Expected) -> Vec<[f64; 2]> {
     parameters.iter().zip(&expected.deviations).map(one).collect()
 }
 
-fn assumptions(task: &Task<'_>, standing: &Standing, problem: &Problem) -> Vec<Note> {
+fn assumptions(task: &Task<'_>, standing: &Standing, problem: &Problem, models: usize) -> Vec<Note> {
     let plan = &task.asked.plan;
     let silent = problem.channels().iter().filter(|one| one.counts() && one.uncertainty.is_none());
     let sensors: Vec<String> = silent.map(|channel| channel.name.trim_end_matches(" (load test)").to_owned()).collect();
-    let planned =
-        InUpdate::Planned { models: MODELS, common_gain: plan.common_gain_deviation, model_error: plan.model_error };
+    let planned = InUpdate::Planned { models, common_gain: plan.common_gain_deviation, model_error: plan.model_error };
     let silent = (!sensors.is_empty()).then(|| InUpdate::PlannedUnstated { sensors }.into());
     let setup = standing.test.setup.assumptions.iter().cloned();
     std::iter::once(planned.into()).chain(silent).chain(setup).collect()
