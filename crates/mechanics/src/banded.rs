@@ -4,6 +4,9 @@
 //! Rings of voussoirs have some tens to a thousand equations and a band of a few: the general sparse factorisation spends
 //! most of its time there on its own bookkeeping.
 
+/// Share of the largest possible pivot from which on a row is not exchanged: a tenth of the time of five rings.
+const STAYS: f64 = 0.1;
+
 /// The band, row by row: entry `(row, column)` stands at `row * width + column + below - row`. Row exchanges need room for
 /// `below` more entries above the diagonal.
 #[derive(Debug, Clone)]
@@ -109,6 +112,10 @@ impl Banded {
                 if self.entries[self.at(row, k)].abs() > self.entries[self.at(pivot, k)].abs() {
                     pivot = row;
                 }
+            }
+            // A row that serves well enough stays: exchanged rows reach further.
+            if self.entries[self.at(k, k)].abs() >= STAYS * self.entries[self.at(pivot, k)].abs() {
+                pivot = k;
             }
             self.exchanged[k] = pivot as u32;
             // Rows that were exchanged reach further; all others have nothing there.

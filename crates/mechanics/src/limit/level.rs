@@ -20,7 +20,7 @@ const LOCKED: f64 = 1e3;
 
 /// How far below the load with dilation one without it lies that is a load of its own: relative, ten times what the chords of crushing take; and
 /// beside all permanent loads.
-const BELOW: [f64; 2] = [1e-4, 1e-8];
+const BELOW: [f64; 2] = [4e-4, 1e-8];
 
 /// Loads this far below zero, scaled, are zero.
 const ZERO: f64 = 1e-6;

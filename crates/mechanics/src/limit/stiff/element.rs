@@ -54,8 +54,8 @@ pub(super) struct Element {
     pub column: usize,
     /// How many of them there are: compressions, then the shear of a joint.
     pub forces: usize,
-    /// Equations of its blocks.
-    pub equations: Vec<u32>,
+    /// Equations of its blocks; beside fewer than six the first of all, in which it has no part.
+    pub equations: [u32; 6],
     /// Part of each force in each equation, force by force: compressions, then the shear in the third place.
     pub parts: [[f64; 6]; 3],
     /// Of compressions and of shear; no shear for a force that answers movement.
@@ -68,14 +68,21 @@ pub(super) struct Element {
 }
 
 impl Element {
+    /// Whether it only goes on from one chord of crushing to the next.
+    pub(super) fn goes_on_crushing(&self, shapes: &[Shape], from: Piece, to: Piece) -> bool {
+        let both_crush = from.normal != Part::Inside && to.normal != Part::Inside;
+        both_crush
+            && from.sliding == to.sliding
+            && matches!(self.normal, Normal::Two { shape, .. } if shapes[shape].crushes())
+    }
+
     /// Elastic forces of displacements.
     pub(super) fn elastic(&self, displacements: &[f64]) -> [f64; 3] {
-        let mut forces = [0.0; 3];
-        for ((force, part), stiffness) in forces.iter_mut().zip(&self.parts).zip(self.stiffness) {
-            let opening: f64 = self.equations.iter().zip(part).map(|(e, b)| b * displacements[*e as usize]).sum();
-            *force = -stiffness * opening;
-        }
-        forces
+        let moved = self.equations.map(|equation| displacements[equation as usize]);
+        std::array::from_fn(|k| {
+            let opening: f64 = self.parts[k].iter().zip(moved).map(|(part, moved)| part * moved).sum();
+            -self.stiffness[k] * opening
+        })
     }
 
     /// How much bond a joint needs to be elastic under these forces: a compression at each of its contact points.
@@ -265,7 +272,7 @@ mod tests {
     use super::*;
 
     fn element(normal: Normal, forces: usize, friction: f64) -> Element {
-        let (equations, parts) = (Vec::new(), [[0.0; 6]; 3]);
+        let (equations, parts) = ([0; 6], [[0.0; 6]; 3]);
         Element { column: 0, forces, equations, parts, stiffness: [1.0; 3], normal, friction, cohesion: 0.05 }
     }
 

@@ -5,8 +5,12 @@ use super::element::Piece;
 use super::system::System;
 use crate::banded::Banded;
 
-/// Elements that may change before the whole is factorised anew.
-const CHANGES: usize = 24;
+/// Most columns that are solved for before the whole is factorised anew; one for so many equations, and some.
+const COLUMNS: usize = 32;
+const EQUATIONS: usize = 48;
+const SOME: usize = 12;
+/// Forces through which an element changes that are one: relative.
+const ALIKE: f64 = 1e-10;
 /// What rates may leave of the equations: relative to the loads, and to the rates times the stiffness of one.
 const LEFT: [f64; 2] = [1e-12, 1e-14];
 /// Diagonal where a matrix has no inverse: blocks that nothing holds.
@@ -23,13 +27,17 @@ pub(super) struct Rate {
     pub sign: f64,
 }
 
-/// `K + sum a b^T` of one change after the other.
-pub(super) struct Change {
-    /// `K^-1 a`.
-    solved: Vec<f64>,
-    /// `b`, over the equations of an element.
+/// An element whose piece has changed since the whole was factorised. All its changes `D` of slope act through a few forces `w` on its blocks, for
+/// which the equations are solved once: from chord to chord of crushing one or two of them serve as long as the factors do.
+struct Changed {
     element: usize,
-    by: [f64; 6],
+    /// How its slope differs from what was factorised.
+    more: [[f64; 3]; 3],
+    /// Orthonormal `w`, as many as columns of [`Tangent::solved`] from `first` on.
+    through: Vec<[f64; 3]>,
+    columns: Vec<usize>,
+    /// Its elastic forces with each of the columns.
+    elastic: Vec<[f64; 3]>,
 }
 
 /// The factorised tangent.
@@ -45,10 +53,11 @@ pub(super) struct Tangent<'a> {
     slopes: Vec<[[f64; 3]; 3]>,
     factors: Banded,
     shifted: bool,
-    /// Since the whole was factorised.
-    pub changes: Vec<Change>,
-    /// `I + b^T K^-1 a`, row by row.
-    coupling: Vec<Vec<f64>>,
+    changed: Vec<Changed>,
+    /// `K^-1 B w`, column by column.
+    solved: Vec<Vec<f64>>,
+    /// Most of them.
+    most_columns: usize,
     /// `K^-1` of the loads.
     plain: Vec<f64>,
 }
@@ -64,8 +73,9 @@ impl<'a> Tangent<'a> {
             slopes: Vec::new(),
             factors: Banded::new(system.last.clone()),
             shifted: false,
-            changes: Vec::new(),
-            coupling: Vec::new(),
+            changed: Vec::new(),
+            solved: Vec::new(),
+            most_columns: (system.size / EQUATIONS).clamp(SOME, COLUMNS),
         };
         this.anew(pieces);
         this
@@ -73,8 +83,8 @@ impl<'a> Tangent<'a> {
 
     /// Factorises the whole.
     pub(super) fn anew(&mut self, pieces: &[Piece]) {
-        self.changes.clear();
-        self.coupling.clear();
+        self.changed.clear();
+        self.solved.clear();
         self.shifted = false;
         self.slopes.clear();
         let each = self.system.elements.iter().zip(pieces);
@@ -82,7 +92,6 @@ impl<'a> Tangent<'a> {
         for shift in [0.0, SHIFT] {
             self.factors.clear();
             for (element, slope) in self.system.elements.iter().zip(&self.slopes) {
-                let count = element.equations.len();
                 // D k B^T, then B in front of it.
                 let mut inner = [[0.0; 6]; 3];
                 for (row, slope) in inner.iter_mut().zip(slope) {
@@ -93,8 +102,8 @@ impl<'a> Tangent<'a> {
                         }
                     }
                 }
-                for i in 0..count {
-                    for j in 0..count {
+                for i in 0..6 {
+                    for j in 0..6 {
                         let value = (0..3).map(|k| element.parts[k][i] * inner[k][j]).sum::<f64>();
                         if value != 0.0 {
                             self.factors.add(element.equations[i] as usize, element.equations[j] as usize, value);
@@ -119,62 +128,67 @@ impl<'a> Tangent<'a> {
         self.factors.solve(&mut self.plain);
     }
 
-    /// Tells that an element passes from one piece to another, whose tangents differ by a matrix of rank one.
+    /// Whether elements have changed since the whole was factorised.
+    pub(super) fn is_changed(&self) -> bool {
+        !self.changed.is_empty()
+    }
+
+    /// Tells that an element passes from one piece to another.
     pub(super) fn pass(&mut self, pieces: &[Piece], k: usize) {
-        if self.changes.len() >= CHANGES || self.shifted {
-            return self.anew(pieces);
-        }
         let element = &self.system.elements[k];
         let after = element.slope(&self.system.shapes, pieces[k]);
-        let before = std::mem::replace(&mut self.slopes[k], after);
-        let more: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| after[i][j] - before[i][j]));
-        // The largest entry's row and column span the rest.
-        let (mut row, mut column) = (0, 0);
-        for i in 0..3 {
-            for j in 0..3 {
-                if more[i][j].abs() > more[row][column].abs() {
-                    (row, column) = (i, j);
-                }
+        let more: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| after[i][j] - self.slopes[k][i][j]));
+        let at = self.changed.iter().position(|changed| changed.element == k).unwrap_or_else(|| {
+            let elastic = self.solved.iter().map(|solved| element.elastic(solved)).collect();
+            let (through, columns) = (Vec::new(), Vec::new());
+            self.changed.push(Changed { element: k, more: [[0.0; 3]; 3], through, columns, elastic });
+            self.changed.len() - 1
+        });
+        for column in 0..3 {
+            let force = more.map(|row| row[column]);
+            let mut rest = force;
+            for w in &self.changed[at].through {
+                let share = dot(*w, rest);
+                (0..3).for_each(|i| rest[i] -= share * w[i]);
+            }
+            let (size, left) = (dot(force, force).sqrt(), dot(rest, rest).sqrt());
+            if left <= ALIKE * size.max(1.0) {
+                continue;
+            }
+            if self.shifted || self.solved.len() == self.most_columns {
+                return self.anew(pieces);
+            }
+            let w = rest.map(|r| r / left);
+            let mut solved = vec![0.0; self.system.size];
+            for (i, equation) in element.equations.iter().enumerate() {
+                solved[*equation as usize] += (0..3).map(|k| element.parts[k][i] * w[k]).sum::<f64>();
+            }
+            self.factors.solve(&mut solved);
+            self.changed[at].through.push(w);
+            self.changed[at].columns.push(self.solved.len());
+            for changed in &mut self.changed {
+                changed.elastic.push(self.system.elements[changed.element].elastic(&solved));
+            }
+            self.solved.push(solved);
+        }
+        self.slopes[k] = after;
+        let changed = &mut self.changed[at];
+        (0..3).for_each(|i| (0..3).for_each(|j| changed.more[i][j] += more[i][j]));
+        if let Some(bond) = self.bond.get(k) {
+            let force: [f64; 3] = more.map(|row| dot(row, *bond));
+            self.system.add_force(k, force, &mut self.growing);
+            for (w, column) in changed.through.iter().zip(&changed.columns) {
+                let share = dot(*w, force);
+                self.plain.iter_mut().zip(&self.solved[*column]).for_each(|(to, from)| *to += share * from);
             }
         }
-        let pivot = more[row][column];
-        if pivot == 0.0 {
-            return;
-        }
-        let a: [f64; 3] = std::array::from_fn(|i| more[i][column] / pivot);
-        let b = more[row];
-        let rest = (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| (more[i][j] - a[i] * b[j]).abs());
-        if rest.fold(0.0, f64::max) > 1e-12 * pivot.abs() {
-            return self.anew(pieces);
-        }
-        let mut solved = vec![0.0; self.system.size];
-        for (i, equation) in element.equations.iter().enumerate() {
-            solved[*equation as usize] = (0..3).map(|k| element.parts[k][i] * a[k]).sum();
-        }
-        if let Some(bond) = self.bond.get(k) {
-            let more = dot(b, *bond);
-            self.growing.iter_mut().zip(&solved).for_each(|(to, from)| *to += more * from);
-            self.factors.solve(&mut solved);
-            self.plain.iter_mut().zip(&solved).for_each(|(to, from)| *to += more * from);
-        } else {
-            self.factors.solve(&mut solved);
-        }
-        let by = std::array::from_fn(|i| (0..3).map(|k| element.parts[k][i] * element.stiffness[k] * b[k]).sum());
-        for (row, change) in self.coupling.iter_mut().zip(&self.changes) {
-            row.push(over(self.system, change, &solved));
-        }
-        self.changes.push(Change { solved, element: k, by });
-        let newest = &self.changes[self.changes.len() - 1];
-        let mut row: Vec<f64> = self.changes.iter().map(|change| over(self.system, newest, &change.solved)).collect();
-        *row.last_mut().expect("the newest") += 1.0;
-        self.coupling.push(row);
     }
 
     /// The rate within these pieces.
     pub(super) fn rate(&mut self, pieces: &[Piece]) -> Rate {
+        let mut displacements = self.plain.clone();
+        let mut sign = self.corrected(&mut displacements);
         for attempt in 0..2 {
-            let mut displacements = self.plain.clone();
-            let sign = self.corrected(&mut displacements);
             for _ in 0..4 {
                 let elastic = self.system.elastic(&displacements);
                 let left = self.left(&elastic);
@@ -187,11 +201,13 @@ impl<'a> Tangent<'a> {
                 self.corrected(&mut more);
                 displacements.iter_mut().zip(more).for_each(|(to, more)| *to += more);
             }
-            if attempt == 1 || self.changes.is_empty() {
+            if attempt == 1 || self.changed.is_empty() {
                 let speed = largest(&displacements);
                 return Rate { elastic: self.system.elastic(&displacements), displacements, speed, sign };
             }
             self.anew(pieces);
+            displacements.clone_from(&self.plain);
+            sign = self.corrected(&mut displacements);
         }
         unreachable!("the second attempt returns")
     }
@@ -204,12 +220,24 @@ impl<'a> Tangent<'a> {
         left
     }
 
-    /// Turns `K^-1 r` into that of the changed matrix; the sign of its determinant.
+    /// Turns `K^-1 r` into that of the changed matrix `K + sum B w w^T D B^T` (Woodbury); the sign of its determinant.
     fn corrected(&self, solved: &mut [f64]) -> f64 {
-        let count = self.changes.len();
-        let mut right: Vec<f64> = self.changes.iter().map(|change| over(self.system, change, solved)).collect();
-        let mut rows = [[0.0; CHANGES]; CHANGES];
-        rows.iter_mut().zip(&self.coupling).for_each(|(row, of)| row[..count].copy_from_slice(of));
+        let count = self.solved.len();
+        let mut rows = [[0.0; COLUMNS]; COLUMNS];
+        let mut right = [0.0; COLUMNS];
+        for changed in &self.changed {
+            let element = &self.system.elements[changed.element];
+            let own = element.elastic(solved);
+            for (w, row) in changed.through.iter().zip(&changed.columns) {
+                // Elastic forces are those of closing.
+                let by: [f64; 3] = std::array::from_fn(|j| -(0..3).map(|i| w[i] * changed.more[i][j]).sum::<f64>());
+                right[*row] = dot(by, own);
+                for (to, column) in rows[*row].iter_mut().zip(&changed.elastic) {
+                    *to = dot(by, *column);
+                }
+                rows[*row][*row] += 1.0;
+            }
+        }
         let mut sign = f64::from(self.factors.sign);
         for k in 0..count {
             let pivot = (k..count).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs())).unwrap_or(k);
@@ -225,7 +253,7 @@ impl<'a> Tangent<'a> {
             rows[k][k] = diagonal;
             sign *= diagonal.signum();
             let (upper, lower) = rows.split_at_mut(k + 1);
-            for (row, below) in lower.iter_mut().zip(k + 1..) {
+            for (row, below) in lower[..count - k - 1].iter_mut().zip(k + 1..) {
                 let share = row[k] / diagonal;
                 if share != 0.0 {
                     row[k..count].iter_mut().zip(&upper[k][k..count]).for_each(|(to, from)| *to -= share * from);
@@ -237,8 +265,8 @@ impl<'a> Tangent<'a> {
             let sum: f64 = (k + 1..count).map(|j| rows[k][j] * right[j]).sum();
             right[k] = (right[k] - sum) / rows[k][k];
         }
-        for (change, by) in self.changes.iter().zip(&right) {
-            solved.iter_mut().zip(&change.solved).for_each(|(to, from)| *to -= by * from);
+        for (column, by) in self.solved.iter().zip(&right) {
+            solved.iter_mut().zip(column).for_each(|(to, from)| *to -= by * from);
         }
         sign
     }
@@ -267,9 +295,4 @@ pub(super) fn largest(values: &[f64]) -> f64 {
 /// The sum of products.
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn over(system: &System, change: &Change, vector: &[f64]) -> f64 {
-    let equations = &system.elements[change.element].equations;
-    equations.iter().zip(change.by).map(|(equation, by)| by * vector[*equation as usize]).sum()
 }

@@ -133,9 +133,9 @@ impl System {
 
     /// An element of so many forces from this column on; with three at most two of which are compressions.
     fn element(&self, equilibrium: &Equilibrium, column: usize, forces: usize, stiffness: [f64; 3]) -> Element {
-        let (mut equations, mut parts) = (Vec::with_capacity(6), [[0.0; 6]; 3]);
+        let (mut equations, mut parts) = ([0; 6], [[0.0; 6]; 3]);
         for (at, (row, own)) in equilibrium.parts(column..column + forces).into_iter().enumerate() {
-            equations.push(self.place[row] as u32);
+            equations[at] = self.place[row] as u32;
             (0..forces).for_each(|k| parts[place(k, forces)][at] = own[k]);
         }
         let stiffness = [stiffness[0], if forces == 3 { stiffness[1] } else { 0.0 }, stiffness[2]];
@@ -185,11 +185,15 @@ impl System {
 
     /// Adds the forces of elements, so many times, to the equations.
     pub(super) fn add_forces(&self, forces: impl Iterator<Item = [f64; 3]>, to: &mut [f64]) {
-        for (element, forces) in self.elements.iter().zip(forces) {
-            for (part, force) in element.parts.iter().zip(forces).filter(|(_, force)| *force != 0.0) {
-                for (equation, value) in element.equations.iter().zip(part) {
-                    to[*equation as usize] += value * force;
-                }
+        forces.enumerate().for_each(|(k, forces)| self.add_force(k, forces, to));
+    }
+
+    /// Adds forces of one element.
+    pub(super) fn add_force(&self, k: usize, forces: [f64; 3], to: &mut [f64]) {
+        let element = &self.elements[k];
+        for (part, force) in element.parts.iter().zip(forces).filter(|(_, force)| *force != 0.0) {
+            for (equation, value) in element.equations.iter().zip(part) {
+                to[*equation as usize] += value * force;
             }
         }
     }
