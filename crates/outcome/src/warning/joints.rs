@@ -41,7 +41,7 @@ warnings! {
         ONE_PIECE: OnePiece { thickness [m]: f64 } =>
             "a ring of {thickness:.3} m is modelled in one piece: separation of brick rings is not checked";
         RINGS_SHARE: RingsShare => "rings slide on one another: joints that deform take more from them than from one ring; of 41 bridges with two to four rings \
-             the equilibrium path gave half of them 0.51 to 0.67 of this load";
+             the equilibrium path gave half of them 0.50 to 0.67 of this load";
         /// Rings that snap to and fro.
         RINGS_SHARE: ComesAndGoes { least [N/m]: f64, most [N/m]: f64 } =>
             "beyond their largest load of {} kN/m rings snap to and fro, down to {} kN/m: a bridge that has moved before may carry no more than that, and the \

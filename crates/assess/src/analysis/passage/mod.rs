@@ -186,6 +186,8 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
 #[cfg(test)]
 mod at_rest_tests;
 #[cfg(test)]
+mod patch_tests;
+#[cfg(test)]
 pub(super) mod road_tests;
 #[cfg(test)]
 mod tests;
