@@ -31,7 +31,7 @@ fn the_example_carries_what_its_page_says() {
     let (sound, _) = stage.object(&["collapse", "sound.toml"]);
     let carried = |answer| number(answer, "last_stable_load_kn_per_m");
     // The page gives one decimal.
-    assert!((carried(&found) - 74.05).abs() < 0.02 && (carried(&sound) - 110.1).abs() < 0.06);
+    assert!((carried(&found) - 74.0).abs() < 0.06 && (carried(&sound) - 110.1).abs() < 0.06);
     assert!(assumes(&found, "mortar lost to 60 mm from the intrados") && assumes(&found, "rings 1 and 2 separated"));
     assert!(!assumes(&sound, "Defect"));
     let drawing = stage.read("out/bridge/bridge.svg");

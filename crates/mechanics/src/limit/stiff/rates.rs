@@ -33,7 +33,7 @@ struct Changed {
     element: usize,
     /// How its slope differs from what was factorised.
     more: [[f64; 3]; 3],
-    /// Orthonormal `w`, as many as columns of [`Tangent::solved`] from `first` on.
+    /// Orthonormal `w`, and which column of [`Tangent::solved`] belongs to each.
     through: Vec<[f64; 3]>,
     columns: Vec<usize>,
     /// Its elastic forces with each of the columns.
